@@ -1,0 +1,15 @@
+#include "apps/commands.h"
+#include "matching/inspection.h"
+#include "matching/shape_source.h"
+
+#include <iostream>
+
+namespace shellmatch {
+
+void execute(const InspectCommand& command) {
+  const AnyShape shape = open_shape(command.file);
+  const Inspection inspection = std::visit([](const auto& s) { return inspect_shape(s); }, shape);
+  std::cout << (command.json ? inspection_json(inspection) : inspection_text(inspection));
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,190 @@
+#include "apps/command_line.h"
+
+#include "apps/help_text.h"
+#include "base/error.h"
+#include "base/options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shellmatch {
+
+namespace {
+
+// All commands side by side: CLI11 fills the one that is named.
+struct Commands {
+  MatchCommand match;
+  RunCommand run;
+  GenerateCommand generate;
+  ApplyCommand apply;
+  InspectCommand inspect;
+  ConfigCommand config;
+};
+
+void set_verbosity(RunSettings& settings, Verbosity verbosity) {
+  if (settings.verbosity != Verbosity::normal && settings.verbosity != verbosity)
+    throw_input_error("--quiet and --verbose exclude each other");
+  settings.verbosity = verbosity;
+}
+
+void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
+  command.add_option("-o,--output", settings.output, output_meaning)->type_name("DIR");
+  command.add_option("--levels", settings.levels, "coarsest and finest level; cells have side 2^-level")
+      ->type_name("MIN:MAX");
+  command.add_option("--placement", settings.placement,
+                     "fit moves both shapes into the unit domain together, as-is leaves them where they are")
+      ->type_name("fit|as-is");
+  command.add_option("--profile", settings.profile,
+                     "default is the best we know, paper keeps the paper's discrete choices to the letter")
+      ->type_name("default|paper");
+  command.add_option("--threads", settings.threads, "0 uses all of the machine; the result does not depend on it")
+      ->type_name("N");
+  command.add_option("--set", settings.assignments, "any other option (`shellmatch config` lists them); repeatable")
+      ->type_name("KEY.SUB=VALUE")
+      ->allow_extra_args(false);
+  command.add_flag("--force", settings.force, "replace the output folder of an earlier run");
+  command.add_flag_function("-q,--quiet", [&](std::int64_t) { set_verbosity(settings, Verbosity::quiet); },
+                            "errors only");
+  command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(settings, Verbosity::verbose); },
+                            "every iteration");
+}
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, const std::string& footer) {
+  CLI::App* command = app.add_subcommand(name, meaning);
+  command->footer(footer);
+  return command;
+}
+
+void describe(CLI::App& app, Commands& commands) {
+  app.footer(help_text::program_footer);
+  app.get_formatter()->column_width(34);
+  app.set_version_flag("--version", "shellmatch " SHELLMATCH_VERSION, "print the version");
+  app.require_subcommand(1);
+
+  CLI::App* match = add_command(app, "match", help_text::match,
+                                std::string(help_text::match_footer) + help_text::output_footer);
+  match->add_option("REFERENCE", commands.match.reference, "the shape that is deformed")->required()->type_name("");
+  match->add_option("TEMPLATE", commands.match.template_shape, "the shape it is to match")->required()->type_name("");
+  add_run_settings(*match, commands.match.settings, "output folder (required)");
+
+  CLI::App* run =
+      add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
+  run->add_option("CONFIG", commands.run.config, "the YAML file")->required()->type_name("");
+  add_run_settings(*run, commands.run.settings, "output folder; without it out/NAME for NAME.yaml");
+
+  CLI::App* generate = add_command(app, "generate", help_text::generate, help_text::generate_footer);
+  generate->add_option("SHAPE", commands.generate.shape, "name, or name/variant")->type_name("");
+  generate->add_option("-o,--output", commands.generate.output, "the file to write")->type_name("FILE");
+  generate->add_option("--edge-length", commands.generate.edge_length, "length of edges in sides of the domain")
+      ->type_name("X");
+  generate->add_option("--set", commands.generate.assignments, "a parameter of the shape; repeatable")
+      ->type_name("PARAMETER=VALUE")
+      ->allow_extra_args(false);
+  generate->add_flag("--list", commands.generate.list, "list all shapes, or the variants and parameters of one");
+  generate->add_flag("--force", commands.generate.force, "replace the file if it exists");
+
+  CLI::App* apply = add_command(app, "apply", help_text::apply, help_text::apply_footer);
+  apply->add_option("DIR", commands.apply.deformation, "output folder of a run, or its deformation.vtu")
+      ->required()->type_name("");
+  apply->add_option("FILE", commands.apply.file, "mesh, contour or points to move")->required()->type_name("");
+  apply->add_option("-o,--output", commands.apply.output, "the file to write (required)")->type_name("FILE");
+  apply->add_flag("--force", commands.apply.force, "replace the file if it exists");
+
+  CLI::App* inspect = add_command(app, "inspect", help_text::inspect, help_text::inspect_footer);
+  inspect->add_option("FILE", commands.inspect.file, "the shape")->required()->type_name("");
+  inspect->add_flag("--json", commands.inspect.json, "for machines");
+
+  CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
+  config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
+  config->add_flag("--markdown", commands.config.markdown, "as a Markdown table instead");
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+// "--levels" and "-o" of every option that the command knows.
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+// CLI11 says what it could not use; what was meant can be seen from the words themselves.
+[[noreturn]] void explain(const CLI::App& app, const std::vector<std::string>& words, const std::string& complaint) {
+  const std::vector<std::string> commands = names_of_commands(app);
+  const auto named = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] != '-'; });
+  const bool known = named != words.end() && std::find(commands.begin(), commands.end(), *named) != commands.end();
+  const CLI::App& command = known ? *app.get_subcommand(*named) : app;
+  const std::string help = known ? fmt::format("shellmatch {} --help", *named) : "shellmatch --help";
+  if (named == words.end() && words.empty())
+    throw_input_error("a command is missing; expected one of {} (see {})", fmt::join(commands, ", "), help);
+
+  const std::vector<std::string> options = names_of_options(command);
+  for (auto word = known ? named + 1 : words.begin(); word != (known ? words.end() : named); ++word) {
+    const std::string name = word->substr(0, word->find('='));
+    if (name.size() < 2 || name[0] != '-' || (name[1] != '-' && std::isdigit(static_cast<unsigned char>(name[1]))))
+      continue;
+    if (std::find(options.begin(), options.end(), name) != options.end()) continue;
+    if (name[1] != '-' && std::find(options.begin(), options.end(), name.substr(0, 2)) != options.end()) continue;
+    const std::string near = nearest_word(name, options);
+    throw_input_error("unknown option {}{} (see {})", name, near.empty() ? "" : fmt::format("; did you mean {}?", near),
+                      help);
+  }
+  if (!known && named != words.end()) {
+    const std::string near = nearest_word(*named, commands);
+    throw_input_error("unknown command {}; {}expected one of {} (see {})", *named,
+                      near.empty() ? "" : fmt::format("did you mean {}? ", near), fmt::join(commands, ", "), help);
+  }
+  throw_input_error("{} (see {})", complaint, help);
+}
+
+}  // namespace
+
+Command parse_command_line(const std::vector<std::string>& words) {
+  Commands commands;
+  CLI::App app{help_text::program, "shellmatch"};
+  describe(app, commands);
+  try {
+    // CLI11 takes the words from the back.
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    return PrintCommand{app.help()};
+  } catch (const CLI::CallForVersion&) {
+    return PrintCommand{"shellmatch " SHELLMATCH_VERSION "\n"};
+  } catch (const CLI::ParseError& error) {
+    std::string complaint = error.what();
+    std::replace(complaint.begin(), complaint.end(), '\n', ' ');
+    explain(app, words, complaint);
+  }
+  const std::string name = app.get_subcommands().front()->get_name();
+  const auto require_output = [&](const std::string& output, const char* what) {
+    if (output.empty()) throw_input_error("{}: say where to write: -o {} (see shellmatch {} --help)", name, what, name);
+  };
+  if (name == "match") {
+    require_output(commands.match.settings.output, "DIR");
+    return commands.match;
+  }
+  if (name == "run") return commands.run;
+  if (name == "generate") {
+    if (commands.generate.shape.empty() && !commands.generate.list)
+      throw_input_error("generate: say which shape; `shellmatch generate --list` lists them");
+    if (!commands.generate.list) require_output(commands.generate.output, "FILE");
+    return commands.generate;
+  }
+  if (name == "apply") {
+    require_output(commands.apply.output, "FILE");
+    return commands.apply;
+  }
+  if (name == "inspect") return commands.inspect;
+  return commands.config;
+}
+
+}  // namespace shellmatch

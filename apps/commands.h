@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// The commands of the program, as plain data and what executes them.
+
+#include "matching/options.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace shellmatch {
+
+/// How much is said while a command works; errors are always told.
+enum class Verbosity { quiet, normal, verbose };
+
+/// What `match` and `run` have in common. Empty texts were not given.
+struct RunSettings {
+  std::string output;                ///< folder
+  std::string levels, placement, profile, threads;
+  std::vector<std::string> assignments;  ///< of --set, in their order
+  Verbosity verbosity = Verbosity::normal;
+  bool force = false;
+};
+
+struct MatchCommand {
+  std::string reference, template_shape;
+  RunSettings settings;
+};
+
+struct RunCommand {
+  std::string config;
+  RunSettings settings;
+};
+
+struct GenerateCommand {
+  std::string shape;    ///< "hand" or "hand/bent"; empty to list all
+  std::string output;   ///< file
+  std::vector<std::string> assignments;  ///< parameter=value
+  std::string edge_length;
+  bool list = false, force = false;
+};
+
+struct ApplyCommand {
+  std::string deformation, file, output;
+  bool force = false;
+};
+
+struct InspectCommand {
+  std::string file;
+  bool json = false;
+};
+
+struct ConfigCommand {
+  std::string profile;
+  bool markdown = false;
+};
+
+/// A text that was asked for: help or version.
+struct PrintCommand {
+  std::string text;
+};
+
+using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, ConfigCommand,
+                             PrintCommand>;
+
+/// Each throws InputError, EnvironmentError or, where it was stopped by a signal, Interrupted.
+void execute(const MatchCommand& command);
+void execute(const RunCommand& command);
+void execute(const GenerateCommand& command);
+void execute(const ApplyCommand& command);
+void execute(const InspectCommand& command);
+void execute(const ConfigCommand& command);
+void execute(const PrintCommand& command);
+
+}  // namespace shellmatch

@@ -1,0 +1,79 @@
+#pragma once
+/// \file
+/// What `--help` says besides the list of options.
+
+namespace shellmatch::help_text {
+
+inline constexpr const char* program =
+    "Finds the deformation of the unit square or cube that carries a reference shape onto a template shape "
+    "the way a thin elastic shell would go.";
+
+inline constexpr const char* program_footer = R"(Examples:
+  shellmatch match reference.ply template.obj -o out
+  shellmatch apply out other.ply -o moved.ply
+  shellmatch match generate:hand generate:hand/bent -o hand --levels 3:6
+
+`shellmatch COMMAND --help` tells more about each command.
+
+Exit codes: 0 done; 2 the command line or an input cannot be used; 3 the machine does not give what is
+needed (memory, disk, permission); 70 an error of the program; 130 stopped by Ctrl-C.)";
+
+inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
+
+inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL), closed contours in the plane (CSV) or masks (PNG, PGM), or
+built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
+
+Examples:
+  shellmatch match reference.ply template.obj -o out
+  shellmatch match leaf_a.csv leaf_b.csv -o out --levels 4:10
+  shellmatch match a.ply b.ply -o out --placement as-is --set energy.delta=0.5 --set cascade.nu=0.01)";
+
+inline constexpr const char* run = "Run an experiment that a YAML file describes.";
+
+inline constexpr const char* run_footer = R"(`shellmatch config` prints a YAML file with every option, ready to be edited. Options given here win over the
+file's, and --set over the named ones.
+
+Examples:
+  shellmatch run configs/hand.yaml
+  shellmatch run configs/hand.yaml -o out/hand5 --levels 3:5
+  shellmatch run out/hand/config.yaml -o again        (the config.yaml of an output folder repeats its run))";
+
+inline constexpr const char* output_footer = R"(
+
+The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours), the deformation
+(deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
+It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
+replaces it if it is the output of an earlier run, and never anything else.)";
+
+inline constexpr const char* generate = "Write one of the built-in shapes to a file.";
+
+inline constexpr const char* generate_footer = R"(Examples:
+  shellmatch generate --list
+  shellmatch generate hand --list
+  shellmatch generate hand/bent -o bent.ply
+  shellmatch generate hand -o pointing.ply --set bend_middle=50 --set bend_ring=50 --edge-length 0.01
+The same names serve as inputs elsewhere, as in `shellmatch match generate:hand generate:hand/bent -o out`.)";
+
+inline constexpr const char* apply = "Move something else by a deformation that was found: a mesh, a contour or points.";
+
+inline constexpr const char* apply_footer = R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
+outside the domain move with the nearest point of the domain.
+
+Examples:
+  shellmatch apply out other.ply -o moved.ply
+  shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv)";
+
+inline constexpr const char* inspect = "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
+
+inline constexpr const char* inspect_footer = R"(Examples:
+  shellmatch inspect shape.ply
+  shellmatch inspect generate:hand --json)";
+
+inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
+
+inline constexpr const char* config_footer = R"(Examples:
+  shellmatch config > experiment.yaml
+  shellmatch config --profile paper
+  shellmatch config --markdown)";
+
+}  // namespace shellmatch::help_text

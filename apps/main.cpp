@@ -1,0 +1,48 @@
+// The program: words to a command, a command to its work, failures to exit codes.
+
+#include "apps/command_line.h"
+#include "apps/interrupt.h"
+#include "base/error.h"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace {
+
+enum ExitCode { success = 0, input_error = 2, environment_error = 3, internal_error = 70, interrupted = 130 };
+
+int fail(ExitCode code, const std::string& text) {
+  std::fputs(fmt::format("shellmatch: error: {}\n", text).c_str(), stderr);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace shellmatch;
+  try {
+    const Command command = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    std::visit([](const auto& c) { execute(c); }, command);
+    if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
+    return success;
+  } catch (const InputError& error) {
+    return fail(input_error, error.what());
+  } catch (const EnvironmentError& error) {
+    return fail(environment_error, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(environment_error, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
+  } catch (const Interrupted& error) {
+    std::fputs(fmt::format("shellmatch: {}\n", error.what()).c_str(), stderr);
+    return interrupted;
+  } catch (const std::exception& error) {
+    return fail(internal_error, error.what());
+  }
+}

@@ -1,0 +1,33 @@
+#include "apps/output_file.h"
+
+#include "base/error.h"
+#include "geometry/write_shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <vector>
+
+namespace shellmatch {
+
+void check_output_file(const std::string& path, int dimension, bool force) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> endings =
+      dimension == 2 ? std::vector<std::string>{".csv"} : std::vector<std::string>{".ply", ".obj", ".off", ".stl", ".csv"};
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+    throw_input_error("{}: {} written as {}", path, dimension == 2 ? "contours are" : "surfaces are",
+                      fmt::join(endings, ", "));
+  if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
+  if (fs::exists(path) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (!fs::is_directory(folder)) throw_input_error("{}: there is no folder {}", path, folder.string());
+}
+
+void write_output_file(const std::string& path, const OriginalShape<2>& shape) { write_outline_csv(path, shape); }
+void write_output_file(const std::string& path, const OriginalShape<3>& shape) { write_shape(path, shape); }
+
+}  // namespace shellmatch

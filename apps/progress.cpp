@@ -1,0 +1,104 @@
+#include "apps/progress.h"
+
+#include "apps/interrupt.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace shellmatch {
+
+namespace {
+
+void stop_if_asked() {
+  if (interrupt_requested()) throw Interrupted("stopped on request");
+}
+
+std::string place(const LevelStart& start, int max_level) {
+  std::string text = fmt::format("level {}/{}", start.level, max_level);
+  if (start.n_substeps > 1) text += fmt::format(", step {}/{}", start.substep, start.n_substeps);
+  return text;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+Progress::Progress(Verbosity verbosity, int max_level)
+    : verbosity_(verbosity),
+      max_level_(max_level),
+      terminal_(verbosity == Verbosity::normal && isatty(STDERR_FILENO) != 0),
+      time_left_(max_level) {}
+
+Progress::~Progress() { clear(); }
+
+double Progress::now() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void Progress::clear() {
+  if (pending_) std::fputs("\r\x1b[K", stderr);
+  pending_ = false;
+}
+
+void Progress::line(const std::string& text) {
+  if (verbosity_ == Verbosity::quiet) return;
+  clear();
+  std::fputs(fmt::format("{}\n", text).c_str(), stderr);
+}
+
+void Progress::rewrite(const std::string& text) {
+  last_rewrite_ = now();
+  pending_ = true;
+  // A line that wraps could not be rewritten.
+  std::fputs(fmt::format("\r{}\x1b[K", text.substr(0, terminal_width() - 1)).c_str(), stderr);
+  std::fflush(stderr);
+}
+
+void Progress::note(const std::string& text) { line(text); }
+
+void Progress::phase(const std::string& name) {
+  stop_if_asked();
+  if (terminal_) rewrite(name);
+  else if (verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));
+}
+
+void Progress::level_started(const LevelStart& start) {
+  stop_if_asked();
+  time_left_.started(start.level, start.substep, start.n_substeps, start.n_nodes, now());
+  const std::string text =
+      fmt::format("{}: {} nodes, {} of them free, {} cells, nu {:.3g}, c_vol {:.3g}, sigma {:.3g}",
+                  place(start, max_level_), start.n_nodes, start.n_free_nodes, start.n_cells, start.nu,
+                  start.volume_weight, start.sigma);
+  if (terminal_) rewrite(text);
+  else line(text);
+}
+
+bool Progress::iterated(const LevelStart& start, const IterationRecord& record) {
+  if (interrupt_requested()) return false;
+  if (verbosity_ == Verbosity::verbose) {
+    line(fmt::format("{}, iteration {}: energy {:.6e}, terms {:.4e}, gradient {:.3e}, step {:.3e}, {} evaluations, {:.2f} s",
+                     place(start, max_level_), record.iteration, record.value, fmt::join(record.terms, " "),
+                     record.gradient_norm, record.step, record.value_evaluations, record.seconds));
+  } else if (terminal_ && now() - last_rewrite_ > 0.1) {
+    const std::optional<double> left = time_left_.at(now());
+    rewrite(fmt::format("{}, iteration {}: energy {:.4e}, {:.0f} s so far{}", place(start, max_level_),
+                        record.iteration, record.value, now(), left ? ", " + time_left_text(*left) : ""));
+  }
+  return true;
+}
+
+void Progress::level_finished(const LevelStart& start, const MinimizerSummary& summary) {
+  if (terminal_ && start.substep < start.n_substeps) return;
+  const std::optional<double> left = time_left_.at(now());
+  line(fmt::format("{}: energy {:.4e} after {} iterations in {:.1f} s ({}){}", place(start, max_level_),
+                   summary.final_value, summary.iterations, summary.seconds, enum_name(summary.reason),
+                   left && start.level < max_level_ ? ", " + time_left_text(*left) : ""));
+}
+
+}  // namespace shellmatch

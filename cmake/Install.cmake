@@ -1,0 +1,36 @@
+# What `cmake --install` lays out: headers under include/shellmatch/, the modules as static libraries, the
+# program, the documentation, the experiments, and a package for find_package(shellmatch).
+include(CMakePackageConfigHelpers)
+
+get_property(modules GLOBAL PROPERTY SHELLMATCH_MODULES)
+set(shellmatch_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shellmatch)
+
+# Eigen aligns its types by the vector unit, so whoever includes our headers has to compile for the same
+# machine as the libraries. SHELLMATCH_NATIVE=OFF (preset 'portable') gives libraries without that tie.
+if(SHELLMATCH_NATIVE AND TARGET shellmatch_base)
+  target_compile_options(shellmatch_base INTERFACE $<INSTALL_INTERFACE:-march=native>)
+endif()
+
+install(TARGETS ${modules} EXPORT shellmatch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT shellmatch NAMESPACE shellmatch:: FILE ShellmatchTargets.cmake
+  DESTINATION ${shellmatch_package_dir})
+foreach(module ${modules})
+  string(REPLACE shellmatch_ "" folder ${module})
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch FILES_MATCHING
+    PATTERN "*.h" PATTERN "cgal_*.h" EXCLUDE)
+endforeach()
+
+if(TARGET shellmatch)
+  install(TARGETS shellmatch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
+
+configure_package_config_file(cmake/ShellmatchConfig.cmake.in ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake
+  INSTALL_DESTINATION ${shellmatch_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shellmatchConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake ${PROJECT_BINARY_DIR}/shellmatchConfigVersion.cmake
+  DESTINATION ${shellmatch_package_dir})

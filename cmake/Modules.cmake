@@ -1,0 +1,35 @@
+# One static library per folder, with the same flags everywhere.
+include(GNUInstallDirs)
+
+add_library(shellmatch_flags INTERFACE)
+target_compile_options(shellmatch_flags INTERFACE
+  -Wall -Wextra -Wshadow -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
+  # g++ 12 warns of its own AVX-512 intrinsics through Eigen (GCC bug 105593).
+  -Wno-maybe-uninitialized)
+if(SHELLMATCH_WERROR)
+  target_compile_options(shellmatch_flags INTERFACE -Werror)
+endif()
+if(SHELLMATCH_NATIVE)
+  # Whole machine words for the packs of quadrature points (energies/): 512-bit registers where there are any.
+  target_compile_options(shellmatch_flags INTERFACE -march=native -mprefer-vector-width=512)
+endif()
+if(SHELLMATCH_SANITIZE)
+  target_compile_options(shellmatch_flags INTERFACE -fsanitize=${SHELLMATCH_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(shellmatch_flags INTERFACE -fsanitize=${SHELLMATCH_SANITIZE})
+endif()
+
+# shellmatch_module(name SOURCES ... PUBLIC targets... PRIVATE targets...)
+function(shellmatch_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(shellmatch_${name} STATIC ${ARG_SOURCES})
+  add_library(shellmatch::${name} ALIAS shellmatch_${name})
+  set_target_properties(shellmatch_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(shellmatch_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/shellmatch>)
+  target_compile_features(shellmatch_${name} PUBLIC cxx_std_20)
+  target_link_libraries(shellmatch_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
+                        $<BUILD_INTERFACE:shellmatch_flags>)
+  set_property(GLOBAL APPEND PROPERTY SHELLMATCH_MODULES shellmatch_${name})
+endfunction()

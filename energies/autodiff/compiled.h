@@ -1,0 +1,140 @@
+#pragma once
+/// \file
+/// Value and gradient of a recorded functor as straight-line code. Every node of the tape becomes one statement
+/// on a local variable, forward for the value and backward (reverse mode) for the adjoints; what node does what
+/// is known to the compiler, which keeps the variables in registers and on the stack.
+///
+/// `V` is double or Pack. The adjoint of a node is first assigned and then added to, by the tape's own order,
+/// so nothing has to be cleared.
+
+#include "energies/autodiff/expression.h"
+#include "energies/autodiff/pack.h"
+
+#include <utility>
+
+namespace shellmatch::autodiff {
+
+template <class Functor>
+class Compiled {
+  static constexpr auto full_ = record<Functor>();
+  static constexpr std::size_t n_ = full_.size;
+  static constexpr std::array<Node, n_> nodes_ = [] {
+    std::array<Node, n_> r{};
+    for (std::size_t i = 0; i < n_; ++i) r[i] = full_.nodes[i];
+    return r;
+  }();
+
+  static constexpr bool has_operands(Op op) { return op != Op::constant && op != Op::active && op != Op::passive; }
+  static constexpr bool is_unary(Op op) { return op == Op::negate || op == Op::sqrt || op == Op::exp; }
+
+  // The backward sweep meets the users of a node from the last to the first: the last one assigns.
+  static constexpr std::array<int, n_> last_user_ = [] {
+    std::array<int, n_> r{};
+    for (std::size_t i = 0; i < n_; ++i) r[i] = -1;
+    for (std::size_t i = 0; i < n_; ++i)
+      if (nodes_[i].is_active && has_operands(nodes_[i].op)) {
+        r[nodes_[i].a] = static_cast<int>(i);
+        r[nodes_[i].b] = static_cast<int>(i);
+      }
+    return r;
+  }();
+
+  template <std::size_t I, class V>
+  [[gnu::always_inline]] static void forward(V* v, const V* active, const V* passive) {
+    constexpr Node n = nodes_[I];
+    if constexpr (n.op == Op::constant) v[I] = broadcast(V{}, n.value);
+    else if constexpr (n.op == Op::active) v[I] = active[n.a];
+    else if constexpr (n.op == Op::passive) v[I] = passive[n.a];
+    else if constexpr (n.op == Op::add) v[I] = v[n.a] + v[n.b];
+    else if constexpr (n.op == Op::subtract) v[I] = v[n.a] - v[n.b];
+    else if constexpr (n.op == Op::multiply) v[I] = v[n.a] * v[n.b];
+    else if constexpr (n.op == Op::divide) v[I] = v[n.a] / v[n.b];
+    else if constexpr (n.op == Op::negate) v[I] = -v[n.a];
+    else if constexpr (n.op == Op::sqrt) v[I] = root_of(v[n.a]);
+    else if constexpr (n.op == Op::exp) v[I] = exp_of(v[n.a]);
+    else if constexpr (n.op == Op::max) v[I] = max_of(v[n.a], v[n.b]);
+  }
+
+  template <std::size_t User, int Operand, bool Second, class V>
+  [[gnu::always_inline]] static void add_adjoint(V* a, V d) {
+    if constexpr (nodes_[Operand].is_active) {
+      // x * x gives two contributions from one user: only the first of them may assign.
+      constexpr bool repeated = Second && nodes_[User].a == nodes_[User].b;
+      if constexpr (last_user_[Operand] == static_cast<int>(User) && !repeated) a[Operand] = d;
+      else a[Operand] = a[Operand] + d;
+    }
+  }
+
+  template <std::size_t I, class V>
+  [[gnu::always_inline]] static void backward(const V* v, V* a) {
+    constexpr Node n = nodes_[I];
+    if constexpr (n.is_active && has_operands(n.op)) {
+      const V g = a[I];
+      if constexpr (n.op == Op::add) {
+        add_adjoint<I, n.a, false>(a, g);
+        add_adjoint<I, n.b, true>(a, g);
+      } else if constexpr (n.op == Op::subtract) {
+        add_adjoint<I, n.a, false>(a, g);
+        add_adjoint<I, n.b, true>(a, V(-g));
+      } else if constexpr (n.op == Op::multiply) {
+        if constexpr (nodes_[n.a].is_active) add_adjoint<I, n.a, false>(a, V(g * v[n.b]));
+        if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(g * v[n.a]));
+      } else if constexpr (n.op == Op::divide) {
+        const V q = g / v[n.b];
+        add_adjoint<I, n.a, false>(a, q);
+        if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(-q * v[I]));
+      } else if constexpr (n.op == Op::negate) {
+        add_adjoint<I, n.a, false>(a, V(-g));
+      } else if constexpr (n.op == Op::sqrt) {
+        add_adjoint<I, n.a, false>(a, V(0.5 * g / v[I]));
+      } else if constexpr (n.op == Op::exp) {
+        add_adjoint<I, n.a, false>(a, V(g * v[I]));
+      } else if constexpr (n.op == Op::max) {
+        const V first = where_greater(v[n.a], v[n.b], g);
+        add_adjoint<I, n.a, false>(a, first);
+        add_adjoint<I, n.b, true>(a, V(g - first));
+      }
+    }
+  }
+
+  template <std::size_t I, class V>
+  [[gnu::always_inline]] static void store_adjoint(const V* a, V* result) {
+    if constexpr (nodes_[I].op == Op::active) result[nodes_[I].a] = a[I];
+  }
+
+ public:
+  static constexpr std::size_t n_operations = n_;
+
+  /// Does the functor read this active input at all?
+  static constexpr bool reads_active(int input) {
+    for (const Node& n : nodes_)
+      if (n.op == Op::active && n.a == input) return true;
+    return false;
+  }
+
+  template <class V>
+  [[gnu::always_inline]] static V value(const V* active, const V* passive) {
+    V v[n_];
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (forward<I>(v, active, passive), ...);
+    }(std::make_index_sequence<n_>{});
+    return v[n_ - 1];
+  }
+
+  /// Value, and `seed` times the derivative by each active input in `adjoint` (size n_active; 0 for inputs that
+  /// are not read).
+  template <class V>
+  [[gnu::always_inline]] static V gradient(const V* active, const V* passive, V seed, V* adjoint) {
+    V v[n_], a[n_];
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (forward<I>(v, active, passive), ...);
+      a[n_ - 1] = seed;
+      (backward<n_ - 1 - I>(v, a), ...);
+      for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
+      (store_adjoint<I>(a, adjoint), ...);
+      return v[n_ - 1];
+    }(std::make_index_sequence<n_>{});
+  }
+};
+
+}  // namespace shellmatch::autodiff

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Eight doubles that are worked on together: one AVX-512 register, two AVX2 registers, or what the compiler
+/// makes of them elsewhere. Eight quadrature points go through a kernel at once.
+
+#include <cmath>
+
+namespace shellmatch::autodiff {
+
+inline constexpr int pack_size = 8;
+typedef double Pack __attribute__((vector_size(sizeof(double) * pack_size)));
+
+inline Pack broadcast(Pack, double c) { return Pack{} + c; }
+inline double broadcast(double, double c) { return c; }
+
+inline double max_of(double x, double y) { return x > y ? x : y; }
+inline Pack max_of(Pack x, Pack y) { return x > y ? x : y; }
+
+/// `d` where x > y, else 0: the derivative of max_of(x, y) with respect to x.
+inline double where_greater(double x, double y, double d) { return x > y ? d : 0.0; }
+inline Pack where_greater(Pack x, Pack y, Pack d) { return x > y ? d : Pack{}; }
+
+inline double root_of(double x) { return std::sqrt(x); }
+inline double exp_of(double x) { return std::exp(x); }
+inline Pack root_of(Pack x) {
+  Pack r{};
+  for (int i = 0; i < pack_size; ++i) r[i] = std::sqrt(x[i]);
+  return r;
+}
+inline Pack exp_of(Pack x) {
+  Pack r{};
+  for (int i = 0; i < pack_size; ++i) r[i] = std::exp(x[i]);
+  return r;
+}
+
+inline double sum_lanes(Pack x) {
+  return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
+}
+
+}  // namespace shellmatch::autodiff

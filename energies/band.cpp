@@ -1,0 +1,100 @@
+#include "energies/band.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "grid/bump.h"
+
+#include <Eigen/LU>
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+Mat<Dim> full_matrix(const std::array<double, n_symmetric<Dim>>& s) {
+  Mat<Dim> m;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) m(i, j) = s[SmallSym<double, Dim>::slot(i, j)];
+  return m;
+}
+
+/// ReferencePoint of an element's quadrature point, as a flat array.
+template <int Dim>
+std::array<double, Band<Dim>::n_reference> reference_point(const Element<Dim>& element,
+                                                           const typename ShapeTable<Dim>::Point& q,
+                                                           const ReferenceFields<Dim>& f) {
+  double d1 = 0;
+  Vec<Dim> n1 = Vec<Dim>::Zero();
+  std::array<double, n_symmetric<Dim>> root{};
+  for (int c = 0; c < n_corners<Dim>; ++c) {
+    const Index node = element.nodes[c];
+    d1 += q.n[c] * f.distance[node];
+    n1 += q.n[c] * f.normal[node];
+    for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] += q.n[c] * f.root[node][i];
+  }
+  n1 /= std::max(n1.norm(), 1e-2);  // as renormalised() does for the template
+  const Mat<Dim> p = Mat<Dim>::Identity() - n1 * n1.transpose();
+  Mat<Dim> r = full_matrix<Dim>(root);
+  if (!f.root_is_inverse) r = r.inverse().eval();
+  r = (p * r * p).eval();
+  std::array<double, Band<Dim>::n_reference> flat;
+  flat[0] = d1;
+  for (int k = 0; k < Dim; ++k) flat[1 + k] = n1[k];
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j) flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
+  return flat;
+}
+
+}  // namespace
+
+template <int Dim>
+Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
+                const ReferenceFields<Dim>& fields, double sigma)
+    : n_points_(shape.points.size()) {
+  // Which elements the band meets at all, and with how many points.
+  std::vector<int> active(elements.size(), 0);
+  parallel_for(elements.size(), [&](std::size_t e) {
+    for (const auto& q : shape.points) {
+      double d1 = 0;
+      for (int c = 0; c < n_corners<Dim>; ++c) d1 += q.n[c] * fields.distance[elements[e].nodes[c]];
+      if (std::abs(d1) < sigma) ++active[e];
+    }
+  });
+  std::vector<Index> members;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (active[e] > 0) {
+      members.push_back(static_cast<Index>(e));
+      n_active_points_ += static_cast<std::size_t>(active[e]);
+    }
+  n_elements_ = members.size();
+  batches_.resize((members.size() + n_lanes - 1) / n_lanes);
+  points_.resize(batches_.size() * n_points_);
+
+  measure_ = parallel_sum(batches_.size(), 256, 0.0, [&](const Chunk& chunk) {
+    double sum = 0;
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      Batch& batch = batches_[b];
+      batch.n_elements = static_cast<int>(std::min<std::size_t>(n_lanes, members.size() - b * n_lanes));
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        batch.element[lane] = members[b * n_lanes + (lane < batch.n_elements ? lane : 0)];
+        const Element<Dim>& element = elements[batch.element[lane]];
+        double volume = 1;
+        for (int k = 0; k < Dim; ++k) volume *= element.side;
+        for (std::size_t q = 0; q < n_points_; ++q) {
+          const auto flat = reference_point<Dim>(element, shape.points[q], fields);
+          Point& point = points_[b * n_points_ + q];
+          const bool counts = lane < batch.n_elements;
+          point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;
+          sum += point.weight[lane];
+          for (int i = 0; i < n_reference; ++i) point.reference[i][lane] = flat[i];
+        }
+      }
+    }
+    return sum;
+  });
+}
+
+template class Band<2>;
+template class Band<3>;
+
+}  // namespace shellmatch

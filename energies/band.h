@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// What the band terms need of the reference shape, at the quadrature points of the elements that the band
+/// meets. It does not depend on phi and is computed once for each grid.
+
+#include "energies/autodiff/pack.h"
+#include "energies/elements.h"
+#include "energies/integrands.h"
+
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// Nodal fields of the reference shape; hanging nodes included.
+template <int Dim>
+struct ReferenceFields {
+  std::span<const double> distance;
+  std::span<const Vec<Dim>> normal;
+  std::span<const std::array<double, n_symmetric<Dim>>> root;
+  bool root_is_inverse;  ///< root holds C(S1)^{-1/2}; else C(S1)^{1/2}, which is inverted at each point
+};
+
+/// Elements in which eta_sigma(d1) does not vanish at every quadrature point, eight at a time: the lanes of a
+/// pack are different elements at the same local point.
+template <int Dim>
+class Band {
+ public:
+  static constexpr int n_lanes = autodiff::pack_size;
+  static constexpr int n_reference = ReferencePoint<Dim, double>::size;
+
+  /// One local quadrature point of eight elements.
+  struct Point {
+    autodiff::Pack weight;  ///< eta_sigma(d1) h^Dim w_q; 0 in lanes where the point is outside the band
+    std::array<autodiff::Pack, n_reference> reference;
+  };
+  struct Batch {
+    std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); the last batch repeats its first
+    int n_elements;
+  };
+
+  /// sigma in units of the domain's side.
+  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape, const ReferenceFields<Dim>& fields,
+       double sigma);
+
+  std::span<const Batch> batches() const { return batches_; }
+  /// Point q of batch b.
+  const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
+  std::size_t n_elements() const { return n_elements_; }
+  std::size_t n_active_points() const { return n_active_points_; }
+  /// Integral of eta_sigma(d1) over the domain: tends to the measure of M1. Unit: length^(Dim-1).
+  double measure() const { return measure_; }
+
+ private:
+  std::vector<Batch> batches_;
+  std::vector<Point> points_;
+  std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
+  double measure_ = 0;
+};
+
+}  // namespace shellmatch

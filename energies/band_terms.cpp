@@ -1,0 +1,133 @@
+// The inner loop of the program: match, membrane and bending at eight quadrature points at a time.
+
+#include "energies/autodiff/compiled.h"
+#include "energies/element_batch.h"
+#include "energies/matching_energy.h"
+
+#include "base/parallel.h"
+
+namespace shellmatch {
+
+namespace {
+
+using autodiff::Pack;
+using autodiff::pack_size;
+
+/// Arrays of one batch of points: inputs of the functors and what they give back.
+template <int Dim>
+struct PointArrays {
+  static constexpr int n_target = TargetPoint<Dim, double>::size;
+  static constexpr int n_active = n_target + Dim * Dim;
+  static constexpr int n_passive = ReferencePoint<Dim, double>::size + 2;
+  std::array<Pack, n_active> active;
+  std::array<Pack, n_passive> passive;
+  std::array<Pack, n_active> adjoint;
+  std::array<std::array<Pack, n_target>, Dim> derivative;  ///< of the target's values by the coordinates of phi
+};
+
+/// Look-up of the template at phi(x). Lanes outside the band get harmless values: they have no weight, but a
+/// NaN would outlive a multiplication by zero.
+template <int Dim, bool WithGradient>
+void look_up(const TargetField<Dim>& target, const Pack& weight, const std::array<Pack, Dim>& y, PointArrays<Dim>& p) {
+  constexpr int n_target = PointArrays<Dim>::n_target;
+  for (int lane = 0; lane < pack_size; ++lane) {
+    if (weight[lane] > 0) {
+      Vec<Dim> place;
+      for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
+      std::array<typename TargetField<Dim>::Row, Dim> d;
+      const auto row = WithGradient ? target.value(place, d) : target.value(place);
+      for (int i = 0; i < n_target; ++i) p.active[i][lane] = row[i / 4][i % 4];
+      if constexpr (WithGradient)
+        for (int k = 0; k < Dim; ++k)
+          for (int i = 0; i < n_target; ++i) p.derivative[k][i][lane] = d[k][i / 4][i % 4];
+    } else {
+      for (int i = 0; i < n_target; ++i) p.active[i][lane] = 0;
+      p.active[1][lane] = 1;  // a unit normal
+      if constexpr (WithGradient)
+        for (int k = 0; k < Dim; ++k)
+          for (int i = 0; i < n_target; ++i) p.derivative[k][i][lane] = 0;
+      for (int i = 0; i < Dim; ++i)
+        for (int j = 0; j < Dim; ++j) p.active[n_target + i * Dim + j][lane] = i == j;
+    }
+  }
+}
+
+/// Weighted sum of a term over the lanes' points; adds the weighted derivative to p.adjoint.
+template <class Functor, int Dim, bool WithGradient>
+[[gnu::noinline]] Pack apply(PointArrays<Dim>& p, Pack seed) {
+  using Code = autodiff::Compiled<Functor>;
+  if constexpr (WithGradient) {
+    std::array<Pack, PointArrays<Dim>::n_active> adjoint;
+    const Pack v = Code::gradient(p.active.data(), p.passive.data(), seed, adjoint.data());
+    for (int i = 0; i < PointArrays<Dim>::n_active; ++i)
+      if (Code::reads_active(i)) p.adjoint[i] += adjoint[i];
+    return v * seed;
+  } else {
+    return Code::value(p.active.data(), p.passive.data()) * seed;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+template <bool WithGradient>
+TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const TermValues& weights) const {
+  constexpr int n_target = PointArrays<Dim>::n_target;
+  constexpr int n_reference = ReferencePoint<Dim, double>::size;
+  if (!(weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return {};
+  const auto elements = unknowns_->elements();
+  const auto batches = band_.batches();
+
+  return parallel_sum(batches.size(), 32, TermValues{}, [&](const Chunk& chunk) {
+    ElementBatch<Dim> batch;
+    PointArrays<Dim> p;
+    p.passive[n_reference] = Pack{} + options_.lambda;
+    p.passive[n_reference + 1] = Pack{} + options_.mu;
+    std::array<Pack, 3> sums{};
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
+      batch.clear_gradient();
+      for (std::size_t q = 0; q < shape_.points.size(); ++q) {
+        const auto& point = band_.point(b, q);
+        if (autodiff::sum_lanes(point.weight) == 0) continue;
+        const auto& shape = shape_.points[q];
+        std::array<Pack, Dim> y;
+        batch.position(shape, y);
+        batch.jacobian(shape, p.active.data() + n_target);
+        look_up<Dim, WithGradient>(*target_, point.weight, y, p);
+        for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
+        if constexpr (WithGradient) p.adjoint.fill(Pack{});
+        if (weights[Term::match] > 0)
+          sums[0] += apply<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::match]);
+        if (weights[Term::membrane] > 0)
+          sums[1] += apply<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::membrane]);
+        if (weights[Term::bending] > 0)
+          sums[2] += apply<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::bending]);
+        if constexpr (WithGradient) {
+          std::array<Pack, Dim> by_position;
+          for (int k = 0; k < Dim; ++k) {
+            by_position[k] = p.adjoint[0] * p.derivative[k][0];
+            for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
+          }
+          batch.add_position_adjoint(shape, by_position);
+          batch.add_jacobian_adjoint(shape, p.adjoint.data() + n_target);
+        }
+      }
+      if constexpr (WithGradient)
+        for (int lane = 0; lane < batches[b].n_elements; ++lane) {
+          double* out = element_gradients_.data() + static_cast<std::size_t>(batches[b].element[lane]) * batch.n_dofs;
+          for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
+        }
+    }
+    TermValues values;
+    for (int t = 0; t < 3; ++t) values.v[t] = autodiff::sum_lanes(sums[t]);
+    return values;
+  });
+}
+
+template TermValues MatchingEnergy<2>::band_terms<true>(std::span<const Vec<2>>, const TermValues&) const;
+template TermValues MatchingEnergy<2>::band_terms<false>(std::span<const Vec<2>>, const TermValues&) const;
+template TermValues MatchingEnergy<3>::band_terms<true>(std::span<const Vec<3>>, const TermValues&) const;
+template TermValues MatchingEnergy<3>::band_terms<false>(std::span<const Vec<3>>, const TermValues&) const;
+
+}  // namespace shellmatch

@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// Eight elements at once: nodal positions in, shape functions applied, element gradients out.
+
+#include "energies/autodiff/pack.h"
+#include "energies/elements.h"
+
+#include <span>
+
+namespace shellmatch {
+
+template <int Dim>
+struct ElementBatch {
+  using Pack = autodiff::Pack;
+  static constexpr int n_lanes = autodiff::pack_size;
+  static constexpr int n_dofs = n_corners<Dim> * Dim;
+
+  std::array<Pack, n_dofs> u;         ///< nodal positions, corner after corner
+  std::array<Pack, n_dofs> gradient;  ///< derivative by them
+  Pack inverse_side;
+
+  /// `element` gives the element of each lane.
+  template <class ElementOf>
+  void load(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, ElementOf&& element) {
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const Element<Dim>& e = elements[element(lane)];
+      inverse_side[lane] = 1.0 / e.side;
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (int k = 0; k < Dim; ++k) u[c * Dim + k][lane] = phi[e.nodes[c]][k];
+    }
+  }
+
+  void clear_gradient() { gradient.fill(Pack{}); }
+
+  /// phi at a quadrature point.
+  void position(const typename ShapeTable<Dim>::Point& q, std::array<Pack, Dim>& y) const {
+    for (int k = 0; k < Dim; ++k) y[k] = q.n[0] * u[k];
+    for (int c = 1; c < n_corners<Dim>; ++c)
+      for (int k = 0; k < Dim; ++k) y[k] += q.n[c] * u[c * Dim + k];
+  }
+
+  /// Dphi by rows at a quadrature point.
+  void jacobian(const typename ShapeTable<Dim>::Point& q, Pack* dphi) const {
+    for (int k = 0; k < Dim; ++k)
+      for (int j = 0; j < Dim; ++j) {
+        Pack s = q.dn[0][j] * u[k];
+        for (int c = 1; c < n_corners<Dim>; ++c) s += q.dn[c][j] * u[c * Dim + k];
+        dphi[k * Dim + j] = s * inverse_side;
+      }
+  }
+
+  /// Transpose of jacobian().
+  void add_jacobian_adjoint(const typename ShapeTable<Dim>::Point& q, const Pack* adjoint) {
+    for (int k = 0; k < Dim; ++k)
+      for (int j = 0; j < Dim; ++j) {
+        const Pack a = adjoint[k * Dim + j] * inverse_side;
+        for (int c = 0; c < n_corners<Dim>; ++c) gradient[c * Dim + k] += q.dn[c][j] * a;
+      }
+  }
+
+  /// Transpose of position().
+  void add_position_adjoint(const typename ShapeTable<Dim>::Point& q, const std::array<Pack, Dim>& adjoint) {
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int k = 0; k < Dim; ++k) gradient[c * Dim + k] += q.n[c] * adjoint[k];
+  }
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,108 @@
+#include "energies/elements.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+namespace shellmatch {
+
+template <int Dim>
+ShapeTable<Dim>::ShapeTable(int points_per_direction) {
+  for (const auto& q : gauss_rule<Dim>(points_per_direction)) {
+    Point p{.weight = q.weight, .xi = q.point, .n = {}, .dn = {}};
+    for (int c = 0; c < n_corners<Dim>; ++c) {
+      std::array<double, Dim> factor, slope;
+      for (int k = 0; k < Dim; ++k) {
+        const bool upper = (c >> k) & 1;
+        factor[k] = upper ? p.xi[k] : 1 - p.xi[k];
+        slope[k] = upper ? 1.0 : -1.0;
+      }
+      p.n[c] = 1;
+      for (int k = 0; k < Dim; ++k) {
+        p.n[c] *= factor[k];
+        p.dn[c][k] = 1;
+        for (int j = 0; j < Dim; ++j) p.dn[c][k] *= j == k ? slope[j] : factor[j];
+      }
+    }
+    points.push_back(p);
+  }
+}
+
+template <int Dim>
+Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : grid_(&grid) {
+  std::vector<Index> unknown_of(static_cast<std::size_t>(grid.n_nodes()), no_index);
+  for (const Index n : grid.free_nodes()) {
+    if (boundary == BoundaryCondition::dirichlet && grid.is_boundary_node(n)) continue;
+    unknown_of[n] = static_cast<Index>(nodes_.size());
+    nodes_.push_back(n);
+  }
+  std::vector<const HangingNode<Dim>*> hanging_of(static_cast<std::size_t>(grid.n_nodes()), nullptr);
+  for (const auto& h : grid.hanging_nodes()) hanging_of[h.node] = &h;
+
+  elements_.reserve(grid.leaves().size());
+  for (const Index leaf : grid.leaves()) elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side()});
+
+  const auto for_each_entry = [&](auto&& visit) {
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        const Index place = static_cast<Index>(e) * n_corners<Dim> + c;
+        const Index node = elements_[e].nodes[c];
+        if (const auto* h = hanging_of[node]) {
+          for (int p = 0; p < h->n_parents; ++p)
+            if (unknown_of[h->parents[p]] != no_index)
+              visit(unknown_of[h->parents[p]], Entry{place, 1.0F / static_cast<float>(h->n_parents)});
+        } else if (unknown_of[node] != no_index) {
+          visit(unknown_of[node], Entry{place, 1.0F});
+        }
+      }
+  };
+  first_.assign(nodes_.size() + 1, 0);
+  for_each_entry([&](Index u, const Entry&) { ++first_[u + 1]; });
+  for (std::size_t i = 0; i < nodes_.size(); ++i) first_[i + 1] += first_[i];
+  entries_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for_each_entry([&](Index u, const Entry& e) { entries_[next[u]++] = e; });
+}
+
+template <int Dim>
+void Unknowns<Dim>::expand(std::span<const double> x, std::vector<Vec<Dim>>& nodal) const {
+  SHELLMATCH_CHECK(x.size() == size() && nodal.size() == static_cast<std::size_t>(grid_->n_nodes()),
+                   "sizes of unknowns and nodal field");
+  parallel_for(nodes_.size(), [&](std::size_t i) {
+    for (int k = 0; k < Dim; ++k) nodal[nodes_[i]][k] = x[Dim * i + k];
+  }, 8192);
+  const auto hanging = grid_->hanging_nodes();
+  parallel_for(hanging.size(), [&](std::size_t i) {
+    const auto& h = hanging[i];
+    Vec<Dim> sum = nodal[h.parents[0]];
+    for (int p = 1; p < h.n_parents; ++p) sum += nodal[h.parents[p]];
+    nodal[h.node] = sum / h.n_parents;
+  }, 8192);
+}
+
+template <int Dim>
+void Unknowns<Dim>::restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<double> x) const {
+  SHELLMATCH_CHECK(x.size() == size(), "size of the unknowns");
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (int k = 0; k < Dim; ++k) x[Dim * i + k] = nodal[nodes_[i]][k];
+}
+
+template <int Dim>
+void Unknowns<Dim>::sum_elements(std::span<const double> element_gradients, std::span<double> gradient) const {
+  SHELLMATCH_CHECK(gradient.size() == size(), "size of the gradient");
+  parallel_for(nodes_.size(), [&](std::size_t i) {
+    std::array<double, Dim> sum{};
+    for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {
+      const double* g = element_gradients.data() + static_cast<std::size_t>(entries_[e].element_corner) * Dim;
+      const double w = static_cast<double>(entries_[e].weight);
+      for (int k = 0; k < Dim; ++k) sum[k] += w * g[k];
+    }
+    for (int k = 0; k < Dim; ++k) gradient[Dim * i + k] = sum[k];
+  }, 4096);
+}
+
+template struct ShapeTable<2>;
+template struct ShapeTable<3>;
+template class Unknowns<2>;
+template class Unknowns<3>;
+
+}  // namespace shellmatch

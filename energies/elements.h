@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Elements and unknowns of a grid as the energies use them: shape functions at quadrature points, batches of
+/// elements that are worked on together, and the sum of element gradients into the gradient by the unknowns.
+
+#include "energies/options.h"
+#include "grid/octree.h"
+#include "grid/quadrature.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// Multilinear shape functions and their derivatives at the points of a tensor Gauss rule on the unit cell.
+template <int Dim>
+struct ShapeTable {
+  struct Point {
+    double weight;
+    Vec<Dim> xi;
+    std::array<double, n_corners<Dim>> n;
+    std::array<std::array<double, Dim>, n_corners<Dim>> dn;  ///< by the unit cell's coordinates
+  };
+  std::vector<Point> points;
+  explicit ShapeTable(int points_per_direction);
+};
+
+/// A leaf as an element: its corners and its side.
+template <int Dim>
+struct Element {
+  std::array<Index, n_corners<Dim>> nodes;
+  double side;
+};
+
+/// The unknowns of a grid: Dim components for each node that neither hangs nor is fixed by the boundary
+/// condition. Unknown Dim*i + k is component k of node nodes()[i].
+template <int Dim>
+class Unknowns {
+ public:
+  Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary);
+
+  std::size_t size() const { return nodes_.size() * Dim; }
+  std::span<const Index> nodes() const { return nodes_; }
+  std::span<const Element<Dim>> elements() const { return elements_; }  ///< in the order of grid.leaves()
+
+  /// Writes x into the nodal field and gives hanging nodes the mean of their parents; fixed nodes stay.
+  void expand(std::span<const double> x, std::vector<Vec<Dim>>& nodal) const;
+
+  /// The unknowns' values of a nodal field.
+  void restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<double> x) const;
+
+  /// Sum of element gradients, element after element, corner after corner, Dim components each, into the
+  /// gradient by the unknowns: the transpose of expand(). Bit-reproducible, parallel over unknowns.
+  void sum_elements(std::span<const double> element_gradients, std::span<double> gradient) const;
+
+ private:
+  struct Entry {
+    Index element_corner;  ///< element number times corners, plus corner
+    float weight;          ///< 1, or 1/2, 1/4 through a hanging node: exact in float
+  };
+  const Octree<Dim>* grid_;
+  std::vector<Index> nodes_;
+  std::vector<Element<Dim>> elements_;
+  std::vector<std::size_t> first_;  ///< entries of unknown node i: [first_[i], first_[i+1])
+  std::vector<Entry> entries_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// A positive semidefinite model of the energy's second derivative, for Newton's method.
+///
+/// Match: Gauss-Newton. Membrane and bending: the second derivative of W, made positive semidefinite at every
+/// quadrature point in closed form, in the tangent frames of both surfaces (there W is a function of a matrix
+/// of one row and column less); derivatives of the template's coefficients by phi are dropped. Volume: the
+/// second derivative at the element's centre, by principal stretches. Barrier: Gauss-Newton.
+
+#include "energies/matching_energy.h"
+
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+class EnergyHessian {
+ public:
+  static constexpr int n_dofs = n_corners<Dim> * Dim;
+  static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
+
+  /// energy and unknowns must outlive this object.
+  EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TargetField<Dim>& target,
+                const EnergyOptions& options);
+
+  /// Computes the element matrices at phi. \pre the energy can be evaluated there.
+  void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
+
+  /// y = H x by the unknowns.
+  void apply(std::span<const double> x, std::span<double> y) const;
+
+  /// z = D^{-1} r with the blocks of one node each on H's diagonal.
+  void precondition(std::span<const double> r, std::span<double> z) const;
+
+  /// Entry (i, j), i <= j, of a packed element matrix.
+  static constexpr int packed(int i, int j) { return i * n_dofs - i * (i - 1) / 2 + (j - i); }
+
+ private:
+  /// One entry of the matrices of eight elements. Single precision is ample for a model that is solved to a
+  /// tenth. Lanes are written one by one, by different threads.
+  struct alignas(32) Lanes {
+    float v[autodiff::pack_size];
+  };
+  using ElementMatrices = std::array<Lanes, n_packed>;
+
+  void assemble_volume(std::span<const Vec<Dim>> phi, double weight);
+  void assemble_barrier(std::span<const Vec<Dim>> phi, double weight);
+  void assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights);
+  void assemble_blocks();
+
+  const MatchingEnergy<Dim>* energy_;
+  const Unknowns<Dim>* unknowns_;
+  const TargetField<Dim>* target_;
+  EnergyOptions options_;
+  std::vector<ElementMatrices> matrices_;                 ///< element e: entry e / 8, lane e % 8
+  std::vector<Mat<Dim>> inverse_blocks_;                  ///< of each unknown node
+  mutable std::vector<Vec<Dim>> nodal_;                   ///< scratch of apply()
+  mutable std::vector<double> element_products_;
+};
+
+}  // namespace shellmatch

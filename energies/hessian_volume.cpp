@@ -1,0 +1,114 @@
+// Second derivatives of the volume term and of the barrier.
+
+#include "base/parallel.h"
+#include "energies/element_batch.h"
+#include "energies/energy_hessian.h"
+#include "energies/fold_barrier.h"
+#include "energies/stretch_hessian.h"
+
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+/// Integral over the unit cell of dN_c/dxi_a dN_d/dxi_b, entry [c * Dim + a][d * Dim + b].
+template <int Dim>
+std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> gradient_products() {
+  std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> g{};
+  for (const auto& q : ShapeTable<Dim>(2).points)  // exact: the integrand is of degree 2 in each variable
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int a = 0; a < Dim; ++a)
+        for (int d = 0; d < n_corners<Dim>; ++d)
+          for (int b = 0; b < Dim; ++b) g[c * Dim + a][d * Dim + b] += q.weight * q.dn[c][a] * q.dn[d][b];
+  return g;
+}
+
+/// Second derivative of the density at the centre of an element.
+template <int Dim>
+Eigen::Matrix<double, Dim * Dim, Dim * Dim> centre_hessian(const Element<Dim>& element, std::span<const Vec<Dim>> phi,
+                                                           const EnergyOptions& options) {
+  Mat<Dim> j = Mat<Dim>::Zero();
+  for (int c = 0; c < n_corners<Dim>; ++c)
+    for (int k = 0; k < Dim; ++k)
+      j.col(k) += ((c >> k) & 1 ? 1.0 : -1.0) * phi[element.nodes[c]] / (element.side * (1 << (Dim - 1)));
+  const Lame<double> lame{options.lambda, options.mu};
+  switch (options.volume) {
+    case VolumeDensity::full: return stretch_hessian<FullVolume<Dim>, Dim>(j, lame);
+    case VolumeDensity::symmetric_dirichlet: return stretch_hessian<SymmetricDirichletVolume<Dim>, Dim>(j, lame);
+    case VolumeDensity::simplified: break;
+  }
+  return stretch_hessian<SimplifiedVolume<Dim>, Dim>(j, lame);
+}
+
+}  // namespace
+
+template <int Dim>
+void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double weight) {
+  static const auto products = gradient_products<Dim>();
+  const auto elements = unknowns_->elements();
+  using autodiff::Pack;
+  using autodiff::pack_size;
+  parallel_chunks(matrices_.size(), 64, [&](const Chunk& chunk) {
+    std::array<Pack, Dim * Dim * Dim * Dim> h;
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      h.fill(Pack{});
+      for (int lane = 0; lane < pack_size; ++lane) {
+        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
+        if (e >= elements.size()) continue;
+        // The gradients of the shape functions bring side^-2, the volume side^Dim.
+        const double scale = weight * std::pow(elements[e].side, Dim - 2);
+        const auto m = centre_hessian<Dim>(elements[e], phi, options_);
+        for (int i = 0; i < Dim * Dim; ++i)
+          for (int j = 0; j < Dim * Dim; ++j) h[i * Dim * Dim + j][lane] = scale * m(i, j);
+      }
+      for (int i = 0; i < n_dofs; ++i)
+        for (int j = i; j < n_dofs; ++j) {
+          const int k = i % Dim, l = j % Dim, c = i / Dim, d = j / Dim;
+          Pack sum{};
+          for (int p = 0; p < Dim; ++p)
+            for (int q = 0; q < Dim; ++q)
+              sum += products[c * Dim + p][d * Dim + q] * h[(k * Dim + p) * Dim * Dim + l * Dim + q];
+          for (int lane = 0; lane < pack_size; ++lane)
+            matrices_[b][packed(i, j)].v[lane] = static_cast<float>(sum[lane]);
+        }
+    }
+  });
+}
+
+template <int Dim>
+void EnergyHessian<Dim>::assemble_barrier(std::span<const Vec<Dim>> phi, double weight) {
+  const auto elements = unknowns_->elements();
+  parallel_chunks(elements.size(), 512, [&](const Chunk& chunk) {
+    using Jet = ceres::Jet<double, n_dofs>;
+    for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
+      std::array<double, n_dofs> x;
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (int k = 0; k < Dim; ++k) x[c * Dim + k] = phi[elements[e].nodes[c]][k];
+      const double volume = std::pow(elements[e].side, Dim);
+      const double limit = options_.fold_threshold * volume;
+      const auto values = bernstein_determinant<Dim>(x.data());
+      if (*std::min_element(values.begin(), values.end()) >= limit) continue;
+      std::array<Jet, n_dofs> jets;
+      for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(x[i], i);
+      for (const Jet& b : bernstein_determinant<Dim>(jets.data())) {
+        const double t = b.a / limit;
+        if (t >= 1) continue;
+        // B(t) = (1-t)^3/t, B''(t) = 2 (1/t^3 - 1) > 0
+        const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
+        const Eigen::Matrix<double, n_dofs, 1> g = b.v / limit;
+        auto& to = matrices_[e / autodiff::pack_size];
+        for (int i = 0; i < n_dofs; ++i)
+          for (int j = i; j < n_dofs; ++j)
+            to[packed(i, j)].v[e % autodiff::pack_size] += static_cast<float>(curvature * g[i] * g[j]);
+      }
+    }
+  });
+}
+
+template void EnergyHessian<2>::assemble_volume(std::span<const Vec<2>>, double);
+template void EnergyHessian<3>::assemble_volume(std::span<const Vec<3>>, double);
+template void EnergyHessian<2>::assemble_barrier(std::span<const Vec<2>>, double);
+template void EnergyHessian<3>::assemble_barrier(std::span<const Vec<3>>, double);
+
+}  // namespace shellmatch

@@ -1,0 +1,73 @@
+#pragma once
+/// \file
+/// E[phi] = E_match + E_mem + E_bend + E_vol, and the barrier against folds, on one grid: value and gradient.
+
+#include "energies/band.h"
+#include "energies/elements.h"
+#include "energies/options.h"
+#include "energies/target_field.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace shellmatch {
+
+/// The terms, in the order of every list of term values.
+enum class Term { match, membrane, bending, volume, barrier };
+inline constexpr int n_terms = 5;
+inline constexpr std::array<std::string_view, n_terms> term_names = {"match", "membrane", "bending", "volume", "barrier"};
+
+/// One number for each term: weights, or weighted values.
+struct TermValues {
+  std::array<double, n_terms> v{};
+  double& operator[](Term t) { return v[static_cast<int>(t)]; }
+  double operator[](Term t) const { return v[static_cast<int>(t)]; }
+  TermValues& operator+=(const TermValues& o) {
+    for (int i = 0; i < n_terms; ++i) v[i] += o.v[i];
+    return *this;
+  }
+  double sum() const { return (((v[0] + v[1]) + v[2]) + v[3]) + v[4]; }
+};
+
+/// The discrete energy on one grid, as a function of nodal positions. Immutable but for its scratch: one
+/// evaluation at a time. Grid, unknowns and target must outlive it.
+template <int Dim>
+class MatchingEnergy {
+ public:
+  /// `points_per_direction` of the Gauss rule; options.quadrature_order is what minimising uses, reports may
+  /// use more. sigma: half width of the band.
+  MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
+                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma, int points_per_direction);
+
+  /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
+  /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
+  /// anything that is not finite. \pre phi has one position for each node, hanging nodes consistent.
+  bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                std::span<double> gradient) const;
+
+  const Band<Dim>& band() const { return band_; }
+  const ShapeTable<Dim>& shape() const { return shape_; }
+
+ private:
+  template <bool WithGradient>
+  TermValues band_terms(std::span<const Vec<Dim>> phi, const TermValues& weights) const;
+  template <bool WithGradient>
+  double volume_term(std::span<const Vec<Dim>> phi, double weight) const;
+  template <bool WithGradient>
+  double barrier_term(std::span<const Vec<Dim>> phi, double weight) const;
+
+  const Unknowns<Dim>* unknowns_;
+  const TargetField<Dim>* target_;
+  EnergyOptions options_;
+  ShapeTable<Dim> shape_;
+  Band<Dim> band_;
+  mutable std::vector<double> element_gradients_;  ///< elements x corners x Dim
+};
+
+/// Weights of the terms for given nu and c_vol: 1/nu, delta, delta^3 and c_vol times the options' factors, and
+/// the barrier's.
+TermValues term_weights(const EnergyOptions& options, double nu, double volume_weight);
+
+}  // namespace shellmatch

@@ -1,0 +1,92 @@
+#include "geometry/generate_shape.h"
+
+#include "base/error.h"
+#include "geometry/generate_families.h"
+#include "geometry/generate_hand.h"
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+OriginalShape<Dim> posed(const Body<Dim>& body, std::string_view name) {
+  OriginalShape<Dim> shape;
+  for (const Vec<Dim>& x : body.rest.vertices) {
+    shape.vertices.push_back(body.pose(x));
+    const Vec<Dim>& y = shape.vertices.back();
+    if (!(y.minCoeff() >= 0.05 && y.maxCoeff() <= 0.95))
+      throw_input_error(
+          "{}: with these parameters the shape leaves [0.05, 0.95]^{}; choose smaller or less extreme ones",
+          name, Dim);
+  }
+  if constexpr (Dim == 3) {
+    for (const auto& facet : body.rest.facets) shape.polygons.emplace_back(facet.begin(), facet.end());
+  } else {
+    // Outlines are one ring, their points in order.
+    shape.polygons.emplace_back();
+    for (const auto& facet : body.rest.facets) shape.polygons.front().push_back(facet[0]);
+  }
+  return shape;
+}
+
+double checked_edge_length(const GeneratorInfo& info, double edge_length) {
+  if (edge_length == 0) return info.edge_length;
+  if (!(edge_length >= 0.003 && edge_length <= 0.05))
+    throw_input_error("{}: edge length {:g} is out of range; give 0.003 <= x <= 0.05, or 0 for {:g}",
+                      info.name, edge_length, info.edge_length);
+  return edge_length;
+}
+
+HandOptions hand_options(const GeneratorParameters& p) {
+  return {.spread = p.at("spread"),
+          .bend_thumb = p.at("bend_thumb"),
+          .bend_index = p.at("bend_index"),
+          .bend_middle = p.at("bend_middle"),
+          .bend_ring = p.at("bend_ring"),
+          .bend_little = p.at("bend_little")};
+}
+
+template <int Dim>
+GeneratedPair<Dim> make_pair(const Family& family, double edge_length) {
+  const std::string& name = family.info.name;
+  const GeneratorParameters &from = family.info.variants[0].values, &to = family.info.variants[1].values;
+  const auto reference = std::get<Body<Dim>>(family.build(from, edge_length));
+  const auto target = std::get<Body<Dim>>(family.build(to, 1.2 * edge_length));
+  GeneratedPair<Dim> pair{posed(reference, name), posed(target, name), {}};
+  if (name == "beet" || name == "face") return pair;
+  for (Index v = 0; v < static_cast<Index>(reference.rest.vertices.size()); ++v)
+    if (name != "hand") pair.truth.push_back({v, target.pose(reference.rest.vertices[v])});
+  if constexpr (Dim == 3)
+    if (name == "hand") {
+      const Hand hand(hand_options(from)), other(hand_options(to));
+      for (Index v = 0; v < static_cast<Index>(reference.rest.vertices.size()); ++v)
+        if (const auto y = hand.corresponding_point(other, reference.rest.vertices[v]))
+          pair.truth.push_back({v, *y});
+    }
+  return pair;
+}
+
+}  // namespace
+
+std::vector<GeneratorInfo> generator_catalogue() {
+  std::vector<GeneratorInfo> catalogue;
+  for (const Family& f : families()) catalogue.push_back(f.info);
+  return catalogue;
+}
+
+AnyShape generate_shape(std::string_view name, std::string_view variant, double edge_length,
+                        const GeneratorParameters& parameters) {
+  const Family& family = find_family(name);
+  const GeneratorParameters complete = complete_parameters(family.info, variant, parameters);
+  return std::visit([&](const auto& body) -> AnyShape { return posed(body, name); },
+                    family.build(complete, checked_edge_length(family.info, edge_length)));
+}
+
+AnyPair generated_pair(std::string_view name, double edge_length) {
+  const Family& family = find_family(name);
+  const double edge = checked_edge_length(family.info, edge_length);
+  if (family.info.dimension == 2) return make_pair<2>(family, edge);
+  return make_pair<3>(family, edge);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// The two forms in which a shape exists: the simplicial hypersurface that all computations use, and the
+/// shape as it was read, which is what the user gets back.
+
+#include "base/types.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// A hypersurface of simplices: triangles in space, segments in the plane.
+/// Orientation: facet normals point outward; that is (b - a) x (c - a) for triangles, and for a segment a -> b
+/// the direction turned clockwise, (dy, -dx), so that outer rings run counter-clockwise.
+template <int Dim>
+struct Surface {
+  std::vector<Vec<Dim>> vertices;
+  std::vector<std::array<Index, Dim>> facets;
+};
+
+/// Values at the vertices of a shape as it was read: colours, texture coordinates, labels.
+struct VertexAttribute {
+  std::string name;              ///< as in the file, "red" or "quality"
+  std::string type = "float";    ///< PLY type name the values are written back with: "uchar", "int", "double"
+  std::vector<double> values;    ///< one for each original vertex
+};
+
+/// A shape as it was read: every vertex in its order, polygons unsplit, attributes kept.
+template <int Dim>
+struct OriginalShape {
+  std::vector<Vec<Dim>> vertices;
+  std::vector<std::vector<Index>> polygons;  ///< in the plane: the rings, without repeating the first point
+  std::vector<VertexAttribute> attributes;
+};
+
+/// A shape ready for matching. `surface` is closed, welded and oriented outward.
+template <int Dim>
+struct Shape {
+  std::string source;             ///< the file it came from, for messages
+  OriginalShape<Dim> original;
+  Surface<Dim> surface;
+  std::vector<std::string> notes;  ///< what was mended, in words: "12 duplicate vertices welded"
+};
+
+/// An axis-parallel box.
+template <int Dim>
+struct Box {
+  Vec<Dim> min = Vec<Dim>::Constant(std::numeric_limits<double>::infinity());
+  Vec<Dim> max = Vec<Dim>::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec<Dim>& x) {
+    min = min.cwiseMin(x);
+    max = max.cwiseMax(x);
+  }
+  double diagonal() const { return (max - min).norm(); }
+};
+
+template <int Dim>
+Box<Dim> bounding_box(const std::vector<Vec<Dim>>& points) {
+  Box<Dim> box;
+  for (const Vec<Dim>& x : points) box.add(x);
+  return box;
+}
+
+/// Facet normal with the facet's length (plane) or twice its area (space) as its norm.
+inline Vec<2> facet_normal(const Surface<2>& s, Index f) {
+  const auto& [a, b] = s.facets[f];
+  const Vec<2> e = s.vertices[b] - s.vertices[a];
+  return {e.y(), -e.x()};
+}
+Vec<3> facet_normal(const Surface<3>& s, Index f);
+
+/// Length (plane) or area (space).
+template <int Dim>
+double facet_measure(const Surface<Dim>& s, Index f) {
+  return facet_normal(s, f).norm() / (Dim - 1);
+}
+
+/// Enclosed area (plane) or volume (space), signed by the orientation. Unit: length^Dim.
+template <int Dim>
+double enclosed_measure(const Surface<Dim>& s);
+
+}  // namespace shellmatch

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// eta_sigma, which spreads a surface over a band of half width sigma around it (paper, section 3).
+
+#include <cmath>
+
+namespace shellmatch {
+
+/// c of eta_sigma: one over the integral of exp(-1/(1 - t^2)) over (-1, 1), computed to 20 digits.
+inline constexpr double bump_constant = 2.25228362104358101050;
+
+/// eta_sigma(t) = c/sigma exp(-1/(1 - (t/sigma)^2)) for |t| < sigma, else 0: even, infinitely smooth, with
+/// integral 1. Unit 1/length. \pre sigma > 0
+inline double bump(double t, double sigma) {
+  const double s = t / sigma;
+  const double gap = 1 - s * s;
+  return gap > 0 ? bump_constant / sigma * std::exp(-1 / gap) : 0.0;
+}
+
+/// Derivative of eta_sigma with respect to t.
+inline double bump_derivative(double t, double sigma) {
+  const double s = t / sigma;
+  const double gap = 1 - s * s;
+  // Where exp underflows the quotient would be 0/0; eta and all its derivatives vanish there.
+  if (gap < 1.0 / 700) return 0.0;
+  return -2 * s / (sigma * gap * gap) * bump(t, sigma);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,45 @@
+#include "grid/classification.h"
+
+#include "base/error.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+double Classifier::operator()(double curvature) const {
+  const double k = cap > 0 ? std::clamp(curvature, -cap, cap) : curvature;
+  return kind == Classification::absolute ? std::max(std::abs(k), tau) : k + shift;
+}
+
+template <int Dim>
+Mat<Dim> extended_shape_operator(const Mat<Dim>& hessian, const Vec<Dim>& normal) {
+  const Mat<Dim> nn = normal * normal.transpose();
+  const Mat<Dim> p = Mat<Dim>::Identity() - nn;
+  return p * hessian * p + nn;
+}
+
+template <int Dim>
+Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& classifier, double exponent) {
+  // The iterative solver: the closed form (computeDirect) loses half the digits near double eigenvalues, and
+  // a shape operator next to an umbilic point has them.
+  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(extended_shape);
+  SHELLMATCH_CHECK(eigen.info() == Eigen::Success,
+                   "a shape operator has no eigenvalues; is a distance not finite?");
+  Vec<Dim> values;
+  for (int i = 0; i < Dim; ++i) {
+    const double c = classifier(eigen.eigenvalues()[i]);
+    SHELLMATCH_CHECK(c > 0, "a classified curvature is not positive");
+    values[i] = std::pow(c, exponent);
+  }
+  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+template Mat<2> extended_shape_operator<2>(const Mat<2>&, const Vec<2>&);
+template Mat<3> extended_shape_operator<3>(const Mat<3>&, const Vec<3>&);
+template Mat<2> classified_power<2>(const Mat<2>&, const Classifier&, double);
+template Mat<3> classified_power<3>(const Mat<3>&, const Classifier&, double);
+
+}  // namespace shellmatch

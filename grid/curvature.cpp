@@ -1,0 +1,136 @@
+#include "grid/curvature.h"
+
+#include "base/parallel.h"
+#include "grid/constraints.h"
+#include "grid/local_fit.h"
+#include "grid/projection.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distance,
+                            const CoefficientOptions& options, const Hessians<Dim>& hessians,
+                            std::span<const Index> nodes) {
+  NodalGeometry<Dim> g;
+  g.distance = std::move(distance);
+  g.normal = nodal_normals(grid, g.distance, options.normal_mass);
+  g.extended_shape.resize(grid.n_nodes());
+  const auto free = grid.free_nodes();
+  parallel_for(free.size(), [&](std::size_t i) {
+    g.extended_shape[free[i]] = pack_symmetric<Dim>(g.normal[free[i]] * g.normal[free[i]].transpose());
+  });
+  parallel_for(nodes.size(), [&](std::size_t i) {
+    g.extended_shape[nodes[i]] = pack_symmetric<Dim>(
+        extended_shape_operator<Dim>(unpack_symmetric<Dim>(hessians[i]), g.normal[nodes[i]]));
+  });
+  distribute(grid, g.extended_shape);
+  return g;
+}
+
+}  // namespace
+
+template <int Dim>
+NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> nodal_distance,
+                                  const CoefficientOptions& options, std::span<const Index> nodes) {
+  if (nodes.empty()) nodes = grid.free_nodes();
+  const auto hessians = fit_hessians(grid, nodal_distance, options, nodes);
+  return assemble(grid, std::move(nodal_distance), options, hessians, nodes);
+}
+
+template <int Dim>
+std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
+                                                 std::array<std::vector<double>, 2> nodal_distances,
+                                                 const CoefficientOptions& options,
+                                                 std::span<const Index> nodes) {
+  if (nodes.empty()) nodes = grid.free_nodes();
+  const auto hessians = fit_hessians(grid, nodal_distances, options, nodes);
+  return {assemble(grid, std::move(nodal_distances[0]), options, hessians[0], nodes),
+          assemble(grid, std::move(nodal_distances[1]), options, hessians[1], nodes)};
+}
+
+namespace {
+
+template <int Dim>
+double least_curvature(const Octree<Dim>& grid, const NodalGeometry<Dim>& geometry) {
+  double least = 0;
+  for (const Index node : grid.free_nodes()) {
+    const Mat<Dim> s = unpack_symmetric<Dim>(geometry.extended_shape[node]);
+    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(s, Eigen::EigenvaluesOnly);
+    least = std::min(least, eigen.eigenvalues()[0]);
+  }
+  return least;
+}
+
+}  // namespace
+
+template <int Dim>
+Classifier make_classifier(const Octree<Dim>& grid, const CoefficientOptions& options,
+                           const NodalGeometry<Dim>& first, const NodalGeometry<Dim>& second) {
+  Classifier c{.kind = options.classification, .tau = options.tau, .cap = 0, .shift = 0};
+  c.cap = options.max_curvature_times_h / grid.finest_side();
+  if (c.kind == Classification::shift) {
+    const double least = std::min(least_curvature(grid, first), least_curvature(grid, second));
+    c.shift = options.tau - (c.cap > 0 ? std::max(least, -c.cap) : least);
+  }
+  return c;
+}
+
+template <int Dim>
+CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geometry,
+                                const Classifier& classifier, bool inverse_root) {
+  CoefficientFields<Dim> fields{std::move(geometry.distance), std::move(geometry.normal),
+                                std::move(geometry.extended_shape)};
+  const auto free = grid.free_nodes();
+  parallel_for(free.size(), [&](std::size_t i) {
+    auto& s = fields.root[free[i]];
+    s = pack_symmetric<Dim>(
+        classified_power<Dim>(unpack_symmetric<Dim>(s), classifier, inverse_root ? -0.5 : 0.5));
+  });
+  distribute(grid, fields.root);
+  return fields;
+}
+
+template <int Dim>
+CoefficientFields<Dim> compute_coefficients(const Octree<Dim>& grid, std::vector<double> nodal_distance,
+                                            const CoefficientOptions& options, bool inverse_root) {
+  auto geometry = nodal_geometry(grid, std::move(nodal_distance), options);
+  const Classifier classifier = make_classifier(grid, options, geometry, geometry);
+  return classify(grid, std::move(geometry), classifier, inverse_root);
+}
+
+template <int Dim>
+CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
+                                              std::vector<double> template_distance,
+                                              const CoefficientOptions& options) {
+  auto [reference, target] = nodal_geometry<Dim>(
+      grid, std::array{std::move(reference_distance), std::move(template_distance)}, options);
+  const Classifier classifier = make_classifier(grid, options, reference, target);
+  return {classify(grid, std::move(reference), classifier, !options.invert_at_point),
+          classify(grid, std::move(target), classifier, false)};
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                        \
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
+                                                  const CoefficientOptions&, std::span<const Index>);      \
+  template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                          \
+      const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&,                   \
+      std::span<const Index>);                                                                             \
+  template Classifier make_classifier<Dim>(const Octree<Dim>&, const CoefficientOptions&,                  \
+                                           const NodalGeometry<Dim>&, const NodalGeometry<Dim>&);          \
+  template CoefficientFields<Dim> classify<Dim>(const Octree<Dim>&, NodalGeometry<Dim>, const Classifier&, \
+                                                bool);                                                     \
+  template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
+                                                            const CoefficientOptions&, bool);              \
+  template CoefficientPair<Dim> compute_coefficient_pair<Dim>(                                             \
+      const Octree<Dim>&, std::vector<double>, std::vector<double>, const CoefficientOptions&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Nodal fields as plain doubles: n components per node, one node after the other.
+
+#include "base/types.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// A symmetric matrix by its upper triangle, row after row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+template <int Dim>
+using SymmetricComponents = std::array<double, Dim*(Dim + 1) / 2>;
+
+template <int Dim>
+SymmetricComponents<Dim> pack_symmetric(const Mat<Dim>& a) {
+  SymmetricComponents<Dim> s;
+  for (int i = 0, n = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j) s[n++] = 0.5 * (a(i, j) + a(j, i));
+  return s;
+}
+
+template <int Dim>
+Mat<Dim> unpack_symmetric(const SymmetricComponents<Dim>& s) {
+  Mat<Dim> a;
+  for (int i = 0, n = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j, ++n) a(i, j) = a(j, i) = s[n];
+  return a;
+}
+
+/// The doubles of a field whose values are made of doubles alone: double, Vec or std::array.
+template <class T>
+std::span<double> components_of(std::vector<T>& field) {
+  static_assert(sizeof(T) % sizeof(double) == 0 && alignof(T) % alignof(double) == 0);
+  return {reinterpret_cast<double*>(field.data()), field.size() * (sizeof(T) / sizeof(double))};
+}
+
+template <class T>
+std::span<const double> components_of(const std::vector<T>& field) {
+  return components_of(const_cast<std::vector<T>&>(field));
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// The multilevel scheme (paper, algorithm 1): minimise on a grid, refine where the shapes are, go on from there.
+
+#include "energies/folds.h"
+#include "energies/matching_energy.h"
+#include "geometry/signed_distance.h"
+#include "grid/curvature.h"
+#include "grid/octree.h"
+#include "matching/deformation.h"
+#include "matching/options.h"
+#include "matching/run_matching.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// Seconds of wall time by phase of the run.
+using PhaseSeconds = std::map<std::string, double>;
+
+/// What came of one level.
+struct LevelResult {
+  LevelStart start;                  ///< of its last minimisation
+  Index n_band_cells = 0;
+  std::size_t n_band_points = 0;
+  double band_measure = 0;           ///< integral of eta_sigma(d1): tends to the measure of M1
+  TermValues minimised;              ///< with the quadrature that was minimised
+  TermValues reported;               ///< with a finer one
+  double reported_gradient_norm = 0; ///< Euclidean norm of the minimised energy's gradient in the metric, at the end
+  FoldReport folds;
+  MinimizerSummary last;             ///< of the last minimisation
+  int iterations = 0;                ///< of all minimisations of the level
+  long value_evaluations = 0, gradient_evaluations = 0;
+  double seconds = 0;
+};
+
+/// Everything that belongs to the grid of one level.
+template <int Dim>
+struct LevelState {
+  const Octree<Dim>& grid;
+  const std::vector<Vec<Dim>>& phi;
+  const CoefficientFields<Dim>& reference;
+  const CoefficientFields<Dim>& target;
+  const std::vector<Element<Dim>>& elements;
+};
+
+template <int Dim>
+struct CascadeResult {
+  Octree<Dim> grid;
+  std::vector<Vec<Dim>> phi;
+  std::vector<LevelResult> levels;
+  bool interrupted = false;
+};
+
+/// Called at the end of every level, with the grid on which it was computed.
+template <int Dim>
+using LevelCallback = std::function<void(const LevelResult&, const LevelState<Dim>&)>;
+
+/// Runs the cascade from the identity. The shapes lie in the unit domain.
+template <int Dim>
+CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
+                               const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
+                               PhaseSeconds& seconds);
+
+/// nu and c_vol of a level's minimisations, in their order.
+struct ScheduleStep {
+  double nu, volume_weight;
+};
+std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& options, int level);
+
+}  // namespace shellmatch

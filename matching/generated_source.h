@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Built-in shapes by name, wherever a file may stand.
+
+#include "geometry/surface.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace shellmatch {
+
+/// Is `source` "generate:NAME" or "generate:NAME/VARIANT"?
+bool is_generated_source(const std::string& source);
+
+/// "NAME" or "NAME/VARIANT" in two; the variant is empty where it is not given.
+std::pair<std::string, std::string> split_variant(const std::string& text);
+
+/// The built-in shape with its default parameters and edge length. \pre is_generated_source(source).
+/// \throws InputError naming the shapes or variants that there are
+std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::string& source);
+
+}  // namespace shellmatch

@@ -1,0 +1,38 @@
+#include "matching/options.h"
+
+namespace shellmatch {
+
+ExperimentOptions profile_defaults(Profile profile) {
+  ExperimentOptions options;
+  options.profile = profile;
+  if (profile == Profile::paper) {
+    // Section 6: nu is divided by ten once per refinement, with nothing in between.
+    options.cascade.nu_substeps = 1;
+    // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian as it comes, and the
+    // root C(S1)^(-1/2) interpolated as such.
+    options.coefficients.fit_weight = 0;
+    options.coefficients.max_curvature_times_h = 0;
+    options.coefficients.invert_at_point = false;
+    options.coefficients.classification = Classification::absolute;
+    options.coefficients.tau = 1;
+    // Section 6: the simplified volume term and nothing else against folds, natural boundary conditions.
+    options.energy.volume = VolumeDensity::simplified;
+    options.energy.fold_barrier = 0;
+    options.energy.boundary = BoundaryCondition::neumann;
+    // Section 5: Fletcher-Reeves in L2 without restarts of its own; alpha is halved until Armijo's rule holds and
+    // taken over to the next iteration.
+    options.solver.name = "fletcher_reeves";
+    options.solver.metric = Metric::l2;
+    FletcherReevesOptions& method = options.solver.fletcher_reeves;
+    method.update = ConjugateUpdate::fletcher_reeves;
+    method.interpolation = Interpolation::halving;
+    method.initial_step = InitialStep::memory;
+    method.step_growth = 1;
+    method.curvature = 0;
+    method.orthogonality = 0;
+    method.restart_every = 0;
+  }
+  return options;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,84 @@
+#pragma once
+/// \file
+/// The description of an experiment: everything a run depends on.
+
+#include "base/options.h"
+#include "energies/options.h"
+#include "grid/options.h"
+#include "solvers/options.h"
+
+#include <string>
+
+namespace shellmatch {
+
+enum class Profile { standard, paper };
+template <>
+struct EnumNames<Profile> {
+  static constexpr std::pair<Profile, std::string_view> names[] = {{Profile::standard, "default"}, {Profile::paper, "paper"}};
+};
+
+enum class PlacementKind { fit, as_is };
+template <>
+struct EnumNames<PlacementKind> {
+  static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
+};
+
+/// Where the shapes are and how they get into the unit domain.
+struct InputOptions {
+  std::string reference, template_file;
+  PlacementKind placement = PlacementKind::fit;
+  double margin = 0.15;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
+    visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
+    visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
+    visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
+  }
+};
+
+/// The cascade from coarse to fine (paper, algorithm 1 and section 6).
+struct CascadeOptions {
+  int min_level = 3, max_level = 7;
+  double nu = 0.002, nu_factor = 0.1;
+  int nu_substeps = 3;
+  double volume = 0.025, volume_factor = 0.5;
+  double sigma_cells = 2;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
+    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells, those that meet either shape"});
+    visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
+    visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
+    visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level; 1 is the paper's"});
+    visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
+    visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
+    visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band"});
+  }
+};
+
+/// Everything, as one YAML document.
+struct ExperimentOptions {
+  Profile profile = Profile::standard;
+  InputOptions input;
+  CascadeOptions cascade;
+  EnergyOptions energy;
+  CoefficientOptions coefficients;
+  SolverOptions solver;
+  int threads = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("profile", self.profile, {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
+    visit("input", self.input, {.meaning = "the two shapes"});
+    visit("cascade", self.cascade, {.meaning = "coarse to fine"});
+    visit("energy", self.energy, {.meaning = "weights and material"});
+    visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
+    visit("solver", self.solver, {.meaning = "the minimiser"});
+    visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
+  }
+};
+
+/// The defaults of a profile.
+ExperimentOptions profile_defaults(Profile profile);
+
+}  // namespace shellmatch

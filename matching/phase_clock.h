@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Wall time by phase.
+
+#include <chrono>
+#include <map>
+#include <string>
+
+namespace shellmatch {
+
+/// Adds the time from start(name) to the next start() or to destruction to seconds[name].
+class PhaseClock {
+ public:
+  explicit PhaseClock(std::map<std::string, double>& seconds) : seconds_(seconds) {}
+  ~PhaseClock() { stop(); }
+  PhaseClock(const PhaseClock&) = delete;
+  PhaseClock& operator=(const PhaseClock&) = delete;
+
+  void start(const std::string& phase) {
+    stop();
+    phase_ = phase;
+    begin_ = std::chrono::steady_clock::now();
+  }
+  void stop() {
+    if (phase_.empty()) return;
+    seconds_[phase_] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    phase_.clear();
+  }
+
+ private:
+  std::map<std::string, double>& seconds_;
+  std::string phase_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace shellmatch

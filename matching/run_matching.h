@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// A whole run: two shapes in, an output folder out.
+
+#include "base/types.h"
+#include "matching/options.h"
+#include "solvers/minimizer.h"
+
+#include <string>
+
+namespace shellmatch {
+
+/// One minimisation of the cascade, as it begins.
+struct LevelStart {
+  int level = 0;
+  int substep = 1, n_substeps = 1;  ///< minimisations with decreasing nu on the same grid, counted from 1
+  double nu = 0, volume_weight = 0, sigma = 0;
+  Index n_nodes = 0, n_free_nodes = 0, n_cells = 0;
+};
+
+/// What wants to know how a run goes on. Every function is called by the thread that called run_matching.
+/// An exception thrown by an observer ends the run with nothing half-written.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// Something worth telling the user once, such as vertices that were welded.
+  virtual void note(const std::string& /*text*/) {}
+  /// The run turns to something else: "reading", "distances", "writing".
+  virtual void phase(const std::string& /*name*/) {}
+  virtual void level_started(const LevelStart& /*start*/) {}
+  /// After every accepted step. Return false to stop cleanly.
+  virtual bool iterated(const LevelStart& /*start*/, const IterationRecord& /*record*/) { return true; }
+  virtual void level_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
+};
+
+/// Reads and places the shapes, runs the cascade and writes the output folder, all of it or nothing.
+/// \param force replace an output folder that an earlier run wrote
+/// \throws InputError, EnvironmentError
+void run_matching(const ExperimentOptions& options, const std::string& output_folder, bool force, Observer& observer);
+
+}  // namespace shellmatch

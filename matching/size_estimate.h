@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How large will the grid become? Asked before a run starts, so that one which cannot end does not begin.
+
+#include "base/types.h"
+
+#include <cstdint>
+#include <string>
+
+namespace shellmatch {
+
+/// Of the finest level, from above: meant to be too large by a factor of at most about 2.
+struct SizeEstimate {
+  double n_nodes = 0;
+  double memory_bytes = 0;  ///< at the peak of the run
+  double disk_bytes = 0;    ///< of the output folder
+};
+
+/// The grid that is uniform at `min_level` and refined to `max_level` at surfaces whose lengths (plane) or
+/// areas (space) in the unit domain add up to `measure`.
+template <int Dim>
+SizeEstimate estimate_size(double measure, int min_level, int max_level);
+
+/// \throws EnvironmentError if the machine has too little memory, or the disk of `folder` too little room, that
+///   says how much is there, how much is needed and which largest level would do
+template <int Dim>
+void check_size(double measure, int min_level, int max_level, const std::string& folder);
+
+}  // namespace shellmatch

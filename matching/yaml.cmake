@@ -1,0 +1,10 @@
+list(APPEND MATCHING_SOURCES
+  generated_source.cpp
+  inspection.cpp
+  inspection_json.cpp
+  option_text.cpp
+  options.cpp
+  shape_source.cpp
+  yaml_document.cpp
+  yaml_options.cpp
+  yaml_write.cpp)

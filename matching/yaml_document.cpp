@@ -1,0 +1,155 @@
+#include "matching/yaml_document.h"
+
+#include "base/error.h"
+#include "matching/option_text.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace shellmatch {
+
+namespace {
+
+// No experiment needs more; it bounds what a wrong file can cost.
+constexpr std::size_t max_bytes = 1 << 20;
+
+std::string read_text(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw_input_error("{}: no such file", path);
+  if (std::filesystem::is_directory(path, error))
+    throw_input_error("{}: is a folder; expected a YAML file", path);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw_input_error("{}: cannot be opened: {}", path, std::strerror(errno));
+  std::string text(max_bytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) throw_input_error("{}: cannot be read: {}", path, std::strerror(errno));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > max_bytes) throw_input_error("{}: larger than 1 MB; expected a YAML file of options", path);
+  return text;
+}
+
+std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node& value, const std::string& where) {
+  const auto scalar = [&](const YAML::Node& node) {
+    if (node.IsNull()) throw_input_error("{}: has no value; expected {}", where, allowed_text(option));
+    if (!node.IsScalar())
+      throw_input_error("{}: a {} is not allowed here; expected {}", where, node.IsMap() ? "section" : "list",
+                        allowed_text(option));
+    // yaml-cpp marks plain scalars "?" and quoted ones "!"; anything else is a tag that somebody wrote.
+    if (const std::string& tag = node.Tag(); !tag.empty() && tag != "?" && tag != "!")
+      throw_input_error("{}: the tag {} is not allowed; expected {}", where, tag, allowed_text(option));
+    return parse_scalar(option, node.Scalar(), node.Tag() == "!", where);
+  };
+  std::vector<OptionScalar> values;
+  if (!option.is_list) return {scalar(value)};
+  if (!value.IsSequence())
+    throw_input_error("{}: a list is missing; expected {}", where, allowed_text(option));
+  for (const YAML::Node& element : value) values.push_back(scalar(element));
+  return values;
+}
+
+}  // namespace
+
+struct YamlDocument::Content {
+  std::string name;
+  YAML::Node top;
+  std::map<std::string, int> lines;  // of the keys set so far, by path, counted from 1
+
+  std::string place(const std::string& path) const {
+    const auto line = lines.find(path);
+    return line == lines.end() ? fmt::format("{}: {}", name, path) : fmt::format("{}:{}: {}", name, line->second, path);
+  }
+
+  void fill_option(const YAML::Node& value, const OptionNode& option) {
+    option.set(parse_node(option, value, place(option.path)));
+  }
+
+  void fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section);
+};
+
+void YamlDocument::Content::fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section) {
+  for (const auto& entry : map) {
+    const int line = entry.first.Mark().line + 1;
+    if (!entry.first.IsScalar())
+      throw_input_error("{}:{}: {}: a key must be a word", name, line,
+                        section.path.empty() ? "at the top" : section.path);
+    const std::string& key = entry.first.Scalar();
+    const auto option = std::find_if(section.children.begin(), section.children.end(),
+                                     [&](const OptionNode& child) { return child.name == key; });
+    if (option == section.children.end())
+      throw_input_error("{}:{}: {}", name, line, unknown_key_text(root, section, key));
+    const auto [earlier, is_new] = lines.try_emplace(option->path, line);
+    if (!is_new)
+      throw_input_error("{}:{}: {}: the same key stands in line {} already; keep one of them", name, line,
+                        option->path, earlier->second);
+    if (option->kind != OptionKind::section) {
+      fill_option(entry.second, *option);
+    } else if (entry.second.IsMap()) {
+      fill_section(entry.second, root, *option);
+    } else {
+      std::vector<std::string> names;
+      for (const OptionNode& child : option->children) names.push_back(child.name);
+      throw_input_error("{}: {}; expected a section with some of the keys {}", place(option->path),
+                        entry.second.IsNull() ? "the section is empty" : "is no section", fmt::join(names, ", "));
+    }
+  }
+}
+
+YamlDocument::YamlDocument(std::unique_ptr<Content> content) : content_(std::move(content)) {}
+YamlDocument::YamlDocument(YamlDocument&&) noexcept = default;
+YamlDocument::~YamlDocument() = default;
+
+YamlDocument YamlDocument::from_file(const std::string& path) { return from_text(read_text(path), path); }
+
+YamlDocument YamlDocument::from_text(const std::string& text, const std::string& name) {
+  if (text.find('\0') != std::string::npos)
+    throw_input_error("{}: holds zero bytes; expected a YAML file of options, as text", name);
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    throw_input_error("{}:{}: YAML syntax error in column {}: {}", name, error.mark.line + 1, error.mark.column + 1,
+                      error.msg);
+  }
+  if (documents.empty() || (documents.size() == 1 && documents[0].IsNull()))
+    throw_input_error("{}: the file is empty; expected options as 'key: value' (`shellmatch config` prints all)", name);
+  if (documents.size() > 1)
+    throw_input_error("{}:{}: a second YAML document begins; expected one per file", name,
+                      documents[1].Mark().line + 1);
+  if (!documents[0].IsMap())
+    throw_input_error("{}:{}: expected a map of options, as 'key: value', but found {}", name,
+                      documents[0].Mark().line + 1, documents[0].IsSequence() ? "a list" : "a single value");
+  return YamlDocument(std::make_unique<Content>(Content{name, documents[0], {}}));
+}
+
+std::string YamlDocument::place(const std::string& path) const { return content_->place(path); }
+
+void YamlDocument::fill_one(const OptionNode& root, const std::string& key) {
+  for (const auto& entry : content_->top)
+    if (entry.first.IsScalar() && entry.first.Scalar() == key) {
+      content_->lines[key] = entry.first.Mark().line + 1;
+      return content_->fill_option(entry.second, *find_option(root, key));
+    }
+}
+
+void YamlDocument::fill(const OptionNode& root) {
+  content_->lines.clear();
+  content_->fill_section(content_->top, root, root);
+}
+
+std::vector<OptionScalar> parse_value(const OptionNode& option, const std::string& text, const std::string& where) {
+  if (option.kind == OptionKind::text && !option.is_list) return {text};
+  try {
+    return parse_node(option, YAML::Load(text), where);
+  } catch (const YAML::Exception& error) {
+    throw_input_error("{}: {} (column {}); expected {}", where, error.msg, error.mark.column + 1, allowed_text(option));
+  }
+}
+
+}  // namespace shellmatch

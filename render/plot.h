@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Line plots: energies against iterations or seconds, and whatever studies compare.
+
+#include "render/canvas.h"
+
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+struct Series {
+  std::string name;                 ///< in the legend; empty leaves it out
+  std::vector<double> x, y;         ///< of equal length; points that are not finite, or not positive on a
+                                    ///< logarithmic axis, interrupt the line
+  bool dashed = false, points = false;
+};
+
+struct Plot {
+  std::string title, x_label, y_label;
+  bool log_x = false, log_y = false;
+  std::vector<Series> series = {};
+  std::vector<double> marks = {};      ///< upright thin lines at these x, where a level begins for instance
+  int width = 900, height = 560;    ///< pixels
+};
+
+/// A plot without any point that can be shown says so in its middle.
+void draw_plot(const Plot& plot, Canvas& canvas);
+
+/// By the ending of `path`: .png or .svg. \throws EnvironmentError if the file cannot be written.
+void write_plot(const Plot& plot, const std::string& path);
+
+}  // namespace shellmatch

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Our limited-memory BFGS: the robust default for large problems.
+
+#include "solvers/options.h"
+
+namespace shellmatch {
+
+/// Algorithm 7.5 of Nocedal & Wright: the two-loop recursion 7.4 with the scaling (7.20), steps by the weak
+/// Wolfe conditions. The condition makes s.y positive, and the unit step is nearly always accepted, so a step
+/// costs little more than one evaluation with gradient.
+///
+/// A trial that cannot be evaluated contracts the step. Pairs without positive curvature (s.y <= least_cosine
+/// |s||y|) are left out. Where the direction does not go down or its line search fails, the memory is dropped
+/// and the steepest descent tried; if that fails too the run ends with StopReason::no_descent.
+/// 2 `memory` + 5 vectors, all allocated before the loop.
+class Lbfgs final : public Minimizer {
+ public:
+  explicit Lbfgs(const LbfgsOptions& options = {}) : options_(options) {}
+  std::string name() const override { return "lbfgs"; }
+  MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                            const IterationCallback& callback = {}) const override;
+
+ private:
+  LbfgsOptions options_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// The metric as a linear change of variables around the objective, so that every method runs in every metric.
+
+#include "solvers/minimizer.h"
+#include "solvers/options.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// A metric M = F^T F on n unknowns, given by its factor F. In the variables y = F x the Euclidean inner product
+/// is that of M, and the Euclidean gradient F^-T g is F times the gradient M^-1 g in that metric.
+class MetricFactor {
+ public:
+  virtual ~MetricFactor() = default;
+  virtual std::size_t size() const = 0;
+  /// y = F x
+  virtual void apply(std::span<const double> x, std::span<double> y) const = 0;
+  /// x = F^-1 y
+  virtual void solve(std::span<const double> y, std::span<double> x) const = 0;
+  /// z = F^-T g; z may be g itself.
+  virtual void solve_transposed(std::span<const double> g, std::span<double> z) const = 0;
+};
+
+/// F = D^{1/2}, the root of a diagonal such as the lumped mass matrix (metric l2).
+class DiagonalFactor final : public MetricFactor {
+ public:
+  /// \throws InputError where an entry is not positive and finite; the message names it.
+  explicit DiagonalFactor(std::span<const double> diagonal);
+  std::size_t size() const override { return root_.size(); }
+  void apply(std::span<const double> x, std::span<double> y) const override;
+  void solve(std::span<const double> y, std::span<double> x) const override;
+  void solve_transposed(std::span<const double> g, std::span<double> z) const override;
+
+ private:
+  std::vector<double> root_, inverse_root_;
+};
+
+/// The factor of a metric for an objective; null where the change of variables would be the identity: metric
+/// euclidean, or an objective without a mass. \throws InputError where the mass is not one positive number for
+/// each unknown.
+std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective& objective);
+
+/// The objective as a function of y = F x. Its lumped mass is empty: its metric is Euclidean.
+class MetricObjective final : public Objective {
+ public:
+  /// Keeps references to both.
+  MetricObjective(Objective& objective, const MetricFactor& factor);
+  std::size_t size() const override { return objective_.size(); }
+  bool evaluate(std::span<const double> y, double& value, std::span<double> gradient) override;
+  std::vector<std::string> term_names() const override { return objective_.term_names(); }
+  std::vector<double> term_values() const override { return objective_.term_values(); }
+
+ private:
+  Objective& objective_;
+  const MetricFactor& factor_;
+  std::vector<double> x_;
+};
+
+/// Minimises in the metric: goes over to y, minimises, comes back. Gradient norms and steps of the record are
+/// those of the metric. Where the first point is the best it comes back bit by bit.
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor, Objective& objective,
+                                    std::vector<double>& x, const StopOptions& stop,
+                                    const IterationCallback& callback = {});
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, Metric metric, Objective& objective,
+                                    std::vector<double>& x, const StopOptions& stop,
+                                    const IterationCallback& callback = {});
+
+}  // namespace shellmatch

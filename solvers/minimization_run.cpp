@@ -1,0 +1,82 @@
+#include "solvers/minimization_run.h"
+
+#include "base/error.h"
+#include "solvers/vector_ops.h"
+
+#include <cmath>
+
+namespace shellmatch {
+
+MinimizationRun::MinimizationRun(Objective& objective, const StopOptions& stop, const IterationCallback& callback)
+    : objective_(objective), callback_(callback), monitor_(stop) {}
+
+Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double> gradient) {
+  SHELLMATCH_CHECK(x.size() == size() && (gradient.empty() || gradient.size() == size()),
+                   "point and gradient must have as many entries as there are unknowns");
+  ++summary_.value_evaluations;
+  if (!gradient.empty()) ++summary_.gradient_evaluations;
+  Evaluation at;
+  at.feasible = objective_.evaluate(x, at.value, gradient) && std::isfinite(at.value);
+  if (at.feasible && !gradient.empty()) {
+    at.gradient_norm = norm(gradient);
+    at.feasible = std::isfinite(at.gradient_norm);
+  }
+  return at;
+}
+
+bool MinimizationRun::start(std::span<const double> x, std::span<double> gradient) {
+  const Evaluation at = evaluate(x, gradient);
+  if (!at.feasible) {
+    finish(StopReason::cannot_evaluate_start);
+    return false;
+  }
+  summary_.initial_value = summary_.final_value = at.value;
+  start_gradient_norm_ = at.gradient_norm;
+  IterationRecord record;
+  record.value = at.value;
+  record.gradient_norm = at.gradient_norm;
+  record.terms = term_values();
+  const bool go_on = report(std::move(record));
+  if (size() == 0 && summary_.reason == StopReason::gradient_norm) summary_.message = "there are no unknowns";
+  return go_on;
+}
+
+bool MinimizationRun::accept(double value, double gradient_norm, double step, std::vector<double> terms) {
+  IterationRecord record;
+  record.iteration = ++summary_.iterations;
+  record.value = summary_.final_value = value;
+  record.gradient_norm = gradient_norm;
+  record.step = step;
+  record.terms = std::move(terms);
+  return report(std::move(record));
+}
+
+bool MinimizationRun::report(IterationRecord record) {
+  record.value_evaluations = summary_.value_evaluations;
+  record.gradient_evaluations = summary_.gradient_evaluations;
+  record.seconds = monitor_.seconds();
+  const auto reason = monitor_.check(record);
+  if (callback_ && !callback_(record)) finish(StopReason::interrupted, monitor_.message(StopReason::interrupted));
+  if (reason) finish(*reason);
+  return !over_;
+}
+
+void MinimizationRun::finish(StopReason reason, std::string message) {
+  if (over_) return;
+  over_ = true;
+  const bool own_failure = reason == StopReason::no_descent || reason == StopReason::library;
+  if (own_failure && out_of_time()) {
+    reason = StopReason::max_seconds;
+    message.clear();
+  }
+  summary_.reason = reason;
+  summary_.message = message.empty() ? monitor_.message(reason) : std::move(message);
+}
+
+MinimizerSummary MinimizationRun::summary() const {
+  MinimizerSummary s = summary_;
+  s.seconds = monitor_.seconds();
+  return s;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,87 @@
+#pragma once
+/// \file
+/// The one interface of all minimisers, the record they keep and the rules by which they stop.
+
+#include "base/options.h"
+#include "solvers/objective.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+/// When a minimiser stops. The same rules, measured in the same way, for every method.
+struct StopOptions {
+  int max_iterations = 1000;
+  double relative_decrease = 1e-6;
+  int decrease_window = 10;
+  double gradient_norm = 1e-9;
+  double max_seconds = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("max_iterations", self.max_iterations, {.unit = "iterations", .min = 0, .meaning = "most accepted steps"});
+    visit("relative_decrease", self.relative_decrease,
+          {.min = 0, .meaning = "stop when the value fell by less than this share of itself over `decrease_window` iterations"});
+    visit("decrease_window", self.decrease_window,
+          {.unit = "iterations", .min = 1, .meaning = "number of iterations over which `relative_decrease` is measured"});
+    visit("gradient_norm", self.gradient_norm,
+          {.min = 0, .meaning = "stop when the gradient's norm in the chosen metric is at most this share of its first value"});
+    visit("max_seconds", self.max_seconds, {.unit = "seconds", .min = 0, .meaning = "time limit for one minimisation; 0 means none"});
+  }
+};
+
+/// One accepted step, the same record for every method.
+struct IterationRecord {
+  int iteration = 0;               ///< 0 is the start
+  double value = 0;
+  std::vector<double> terms;       ///< as Objective::term_values
+  double gradient_norm = 0;        ///< in the metric of the minimisation
+  double step = 0;                 ///< norm of the step in that metric
+  long value_evaluations = 0;      ///< so far, those with gradient included
+  long gradient_evaluations = 0;   ///< so far
+  double seconds = 0;              ///< since the start of this minimisation
+};
+
+enum class StopReason {
+  relative_decrease, gradient_norm, max_iterations, max_seconds, no_descent, cannot_evaluate_start, interrupted, library,
+};
+template <>
+struct EnumNames<StopReason> {
+  static constexpr std::pair<StopReason, std::string_view> names[] = {
+      {StopReason::relative_decrease, "relative_decrease"}, {StopReason::gradient_norm, "gradient_norm"},
+      {StopReason::max_iterations, "max_iterations"}, {StopReason::max_seconds, "max_seconds"},
+      {StopReason::no_descent, "no_descent"}, {StopReason::cannot_evaluate_start, "cannot_evaluate_start"},
+      {StopReason::interrupted, "interrupted"}, {StopReason::library, "library"}};
+};
+
+struct MinimizerSummary {
+  StopReason reason = StopReason::max_iterations;
+  std::string message;             ///< the method's own words, in one line
+  double initial_value = 0, final_value = 0;
+  int iterations = 0;
+  long value_evaluations = 0, gradient_evaluations = 0;
+  double seconds = 0;
+};
+
+/// Called after every accepted step and at the start; return false to stop (StopReason::interrupted).
+using IterationCallback = std::function<bool(const IterationRecord&)>;
+
+/// A method of minimisation. Holds options only: one object may serve many problems, one after the other.
+class Minimizer {
+ public:
+  virtual ~Minimizer() = default;
+  virtual std::string name() const = 0;
+
+  /// Does the method depend on the metric? Newton's does not: it brings its own.
+  virtual bool uses_metric() const { return true; }
+
+  /// Minimises from x and leaves the best point found there. Never throws for want of convergence: the
+  /// summary says why it stopped.
+  virtual MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                                    const IterationCallback& callback = {}) const = 0;
+};
+
+}  // namespace shellmatch

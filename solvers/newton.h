@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Newton's method with an inexact linear solver, for objectives that offer a model of their second derivative.
+
+#include "solvers/minimizer.h"
+#include "solvers/options.h"
+
+namespace shellmatch {
+
+/// Line search Newton with conjugate gradients: Nocedal & Wright, Numerical Optimization, algorithm 7.1. The
+/// objective's model of the second derivative is positive semidefinite, so that directions are descent
+/// directions; the linear system is solved to min(max_forcing, sqrt of the relative gradient norm), measured in
+/// the preconditioner's norm. When a line search fails, the preconditioned gradient is tried once.
+///
+/// The objective must be a SecondOrderObjective; others end with StopReason::library and a message.
+class Newton final : public Minimizer {
+ public:
+  explicit Newton(const NewtonOptions& options) : options_(options) {}
+  std::string name() const override { return "newton"; }
+  bool uses_metric() const override { return false; }
+  MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                            const IterationCallback& callback = {}) const override;
+
+ private:
+  NewtonOptions options_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// What a solver sees of a problem, whatever the problem is.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// A function of n real unknowns, a sum of named terms.
+class Objective {
+ public:
+  virtual ~Objective() = default;
+
+  /// Number of unknowns.
+  virtual std::size_t size() const = 0;
+
+  /// Value at x, and where `gradient` is not empty (then its size is size()) the Euclidean gradient.
+  /// Returns false where the function cannot be evaluated (a fold under a barrier, anything not finite);
+  /// value and gradient are then meaningless and the solver has to come nearer to where it was.
+  virtual bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) = 0;
+
+  /// Names of the terms whose sum is the value; may be empty.
+  virtual std::vector<std::string> term_names() const { return {}; }
+
+  /// Weighted values of the terms at the last point that was evaluated, in the order of term_names().
+  virtual std::vector<double> term_values() const { return {}; }
+
+  /// Diagonal of the lumped mass matrix, one positive number for each unknown: the L2 metric. Empty means
+  /// that the problem has none and the metric is Euclidean.
+  virtual std::span<const double> lumped_mass() const { return {}; }
+};
+
+/// An objective that offers a positive semidefinite model H of its second derivative.
+class SecondOrderObjective : public Objective {
+ public:
+  /// Computes H at x, where the objective has been evaluated.
+  virtual void prepare_second_derivative(std::span<const double> x) = 0;
+  /// y = H x with the H prepared last.
+  virtual void apply_second_derivative(std::span<const double> x, std::span<double> y) const = 0;
+  /// z = B^{-1} r, with B symmetric positive definite and spectrally near to H.
+  virtual void precondition(std::span<const double> r, std::span<double> z) const = 0;
+};
+
+}  // namespace shellmatch

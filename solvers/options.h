@@ -1,0 +1,150 @@
+#pragma once
+/// \file
+/// Which minimiser, and how it is set. Symbols and equations: Nocedal & Wright, Numerical Optimization, 2nd
+/// edition (2006).
+
+#include "base/options.h"
+#include "solvers/library_options.h"
+#include "solvers/minimizer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+enum class Metric { euclidean, l2 };
+template <>
+struct EnumNames<Metric> {
+  static constexpr std::pair<Metric, std::string_view> names[] = {{Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}};
+};
+
+/// How a step that was too long is shortened.
+enum class Interpolation { halving, quadratic, cubic };
+template <>
+struct EnumNames<Interpolation> {
+  static constexpr std::pair<Interpolation, std::string_view> names[] = {
+      {Interpolation::halving, "halving"}, {Interpolation::quadratic, "quadratic"}, {Interpolation::cubic, "cubic"}};
+};
+
+/// The first trial of a line search of conjugate gradients, from what the step before has taught.
+enum class InitialStep { memory, slope, decrease, curvature };
+template <>
+struct EnumNames<InitialStep> {
+  static constexpr std::pair<InitialStep, std::string_view> names[] = {{InitialStep::memory, "memory"},
+                                                                       {InitialStep::slope, "slope"},
+                                                                       {InitialStep::decrease, "decrease"},
+                                                                       {InitialStep::curvature, "curvature"}};
+};
+
+/// The factor beta of conjugate gradients.
+enum class ConjugateUpdate { fletcher_reeves, bounded_polak_ribiere };
+template <>
+struct EnumNames<ConjugateUpdate> {
+  static constexpr std::pair<ConjugateUpdate, std::string_view> names[] = {
+      {ConjugateUpdate::fletcher_reeves, "fletcher_reeves"},
+      {ConjugateUpdate::bounded_polak_ribiere, "bounded_polak_ribiere"}};
+};
+
+/// The paper's method, solvers/fletcher_reeves.h. Its letter is interpolation = halving, initial_step = memory,
+/// step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality = 0, least_cosine = 0.
+struct FletcherReevesOptions {
+  double armijo = 1e-4;
+  double curvature = 0;
+  Interpolation interpolation = Interpolation::cubic;
+  double contraction = 0.5;
+  InitialStep initial_step = InitialStep::curvature;
+  double step_growth = 2;
+  double first_step = 0.01;
+  ConjugateUpdate update = ConjugateUpdate::fletcher_reeves;
+  int restart_every = 0;
+  double orthogonality = 0;
+  double least_cosine = 0.03;
+  int max_trials = 40;
+  int gradient_trials = 2;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("armijo", self.armijo, {.min = 0, .max = 0.5, .min_excluded = true, .meaning = "c1: share of the linear decrease that a step must reach"});
+    visit("curvature", self.curvature, {.min = 0, .max = 0.999, .meaning = "c2: steps are lengthened until the slope has risen to this share of its start (weak Wolfe); 0 asks for the Armijo condition alone, as the paper does"});
+    visit("interpolation", self.interpolation, {.meaning = "how a step that was too long is shortened: by `contraction` (halving, the paper's), or to the minimum of a parabola or a cubic, kept within 0.1 to 0.8 of it"});
+    visit("contraction", self.contraction, {.min = 0.01, .max = 0.95, .meaning = "factor on a step that is halved, or that leads to where the function cannot be evaluated"});
+    visit("initial_step", self.initial_step, {.meaning = "first trial alpha of a line search: memory, the last one accepted times `step_growth`; slope, the same first-order change as in the last step (page 59) times `step_growth`; decrease, from the last decrease (3.60); curvature, the minimum if the function bends along the new direction as it did along the last; all but memory are kept within a tenth and ten times of the last one"});
+    visit("step_growth", self.step_growth, {.min = 1, .max = 100, .meaning = "factor of initial_step = memory and slope; 1 lets the step only shrink, as the paper's words can be read"});
+    visit("first_step", self.first_step, {.unit = "length in the metric", .min = 0, .min_excluded = true, .meaning = "norm of the very first trial step"});
+    visit("update", self.update, {.meaning = "beta: the paper's, or Polak and Ribiere's kept within plus and minus Fletcher and Reeves' (5.48)"});
+    visit("restart_every", self.restart_every, {.unit = "iterations", .min = 0, .meaning = "restart with the steepest descent after so many iterations; 0 means never"});
+    visit("orthogonality", self.orthogonality, {.min = 0, .max = 10, .meaning = "restart where successive gradients have |g_k.g_k-1| >= this share of |g_k|^2 (5.52; 0.1 is usual); 0 means never"});
+    visit("least_cosine", self.least_cosine, {.min = 0, .max = 0.9, .meaning = "restart where the cosine of the angle between direction and steepest descent is smaller (the method jams there); 0 restarts only where the direction does not go down"});
+    visit("max_trials", self.max_trials, {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
+    visit("gradient_trials", self.gradient_trials, {.unit = "evaluations", .min = 0, .max = 1000, .meaning = "so many trials of a line search are evaluated with their gradient at once, later ones by value first; 0: always value first"});
+  }
+};
+
+/// Our limited-memory BFGS, solvers/lbfgs.h.
+struct LbfgsOptions {
+  int memory = 12;
+  double armijo = 1e-4;
+  double curvature = 0.9;
+  Interpolation interpolation = Interpolation::cubic;
+  double contraction = 0.5;
+  double first_step = 0.01;
+  double least_cosine = 1e-8;
+  int max_trials = 40;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("memory", self.memory, {.unit = "pairs of vectors", .min = 1, .max = 200, .meaning = "steps from which second derivatives are estimated; each costs two vectors of memory"});
+    visit("armijo", self.armijo, {.min = 0, .max = 0.5, .min_excluded = true, .meaning = "c1: share of the linear decrease that a step must reach"});
+    visit("curvature", self.curvature, {.min = 0, .max = 0.999, .meaning = "c2: the slope must rise to this share of its start (weak Wolfe); 0 asks for the Armijo condition alone"});
+    visit("interpolation", self.interpolation, {.meaning = "how a step that was too long is shortened"});
+    visit("contraction", self.contraction, {.min = 0.01, .max = 0.95, .meaning = "factor on a step that is halved, or that leads to where the function cannot be evaluated"});
+    visit("first_step", self.first_step, {.unit = "length in the metric", .min = 0, .min_excluded = true, .meaning = "norm of the very first trial step"});
+    visit("least_cosine", self.least_cosine, {.min = 0, .max = 1, .meaning = "a pair is kept only where s.y is greater than this share of |s||y|, so that the estimate stays positive definite"});
+    visit("max_trials", self.max_trials, {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
+  }
+};
+
+/// Newton's method with an inexact linear solver, solvers/newton.h.
+struct NewtonOptions {
+  double armijo = 1e-4;
+  double max_forcing = 0.1;
+  int max_linear_iterations = 60;
+  int max_trials = 30;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("armijo", self.armijo, {.min = 0, .max = 0.5, .min_excluded = true, .meaning = "c1: share of the linear decrease that a step must reach"});
+    visit("max_forcing", self.max_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the linear system is solved to this share of its residual, or to the root of the relative gradient norm where that is smaller"});
+    visit("max_linear_iterations", self.max_linear_iterations, {.unit = "iterations", .min = 1, .max = 10000, .meaning = "most iterations of conjugate gradients for one step"});
+    visit("max_trials", self.max_trials, {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
+  }
+};
+
+struct SolverOptions {
+  std::string name = "fletcher_reeves";
+  Metric metric = Metric::l2;
+  StopOptions stop;
+  FletcherReevesOptions fletcher_reeves;
+  LbfgsOptions lbfgs;
+  NewtonOptions newton;
+  CeresOptions ceres;
+  NloptOptions nlopt;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("name", self.name, {.meaning = "the method: fletcher_reeves (the paper's), lbfgs, newton, ceres_steepest_descent, ceres_ncg, ceres_bfgs, ceres_lbfgs, nlopt_lbfgs, nlopt_tnewton, nlopt_var1, nlopt_var2, nlopt_mma, nlopt_ccsaq or nlopt_slsqp"});
+    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken"});
+    visit("stop", self.stop, {.meaning = "when a minimisation ends"});
+    visit("fletcher_reeves", self.fletcher_reeves, {.meaning = "options of the paper's conjugate gradients"});
+    visit("lbfgs", self.lbfgs, {.meaning = "options of our limited-memory BFGS"});
+    visit("newton", self.newton, {.meaning = "options of Newton's method"});
+    visit("ceres", self.ceres, {.meaning = "options of the methods ceres_*, under Ceres' own names"});
+    visit("nlopt", self.nlopt, {.meaning = "options of the methods nlopt_*"});
+  }
+};
+
+/// Names of all minimisers, in the order of documentation.
+std::vector<std::string> minimizer_names();
+
+/// The minimiser of that name. \throws InputError for a name that is not among minimizer_names(), for an option
+/// out of its range, and for options that do not go together.
+std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options);
+
+}  // namespace shellmatch

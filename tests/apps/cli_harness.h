@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Runs the real program as a user would.
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+struct ProgramResult {
+  int exit_code = -1;        ///< 128 + signal where a signal ended it
+  std::string out, err;
+  bool timed_out = false;    ///< it was killed
+};
+
+/// A process that was started; killed and awaited at the latest when this object goes.
+class Program {
+ public:
+  /// \param words   those after the program's name
+  /// \param folder  working folder; empty for the present one
+  explicit Program(const std::vector<std::string>& words, const std::string& folder = "");
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void send_signal(int signal) const;
+  /// Collects its output until it ends or the time is over.
+  ProgramResult wait(std::chrono::milliseconds limit = std::chrono::seconds(60));
+  /// Collects until `text` has appeared on stderr; false if the program ended or the time was over before.
+  bool wait_for_stderr(const std::string& text, std::chrono::milliseconds limit = std::chrono::seconds(60));
+
+ private:
+  bool collect(std::chrono::steady_clock::time_point deadline);
+
+  int pid_ = -1, out_fd_ = -1, err_fd_ = -1;
+  ProgramResult result_;
+};
+
+/// Starts the program and waits for its end.
+ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
+                          std::chrono::milliseconds limit = std::chrono::seconds(60));
+
+}  // namespace shellmatch

@@ -1,0 +1,162 @@
+// What the paper proves or shows by example, on the integrands themselves where they can say it.
+
+#include "energies/densities.h"
+#include "energies/integrands.h"
+#include "tests/energies/random_matrices.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+
+template <int Dim>
+Mat<Dim> projection(const Vec<Dim>& n) {
+  return Mat<Dim>::Identity() - n * n.transpose();
+}
+
+// Everything lemma:MN speaks of: bases whose last vector is the normal, the tangential blocks of M and N, and the
+// tangential block of A, which satisfies A P1 = P2 A.
+template <int Dim>
+struct LemmaData {
+  static constexpr int T = Dim - 1;
+  Mat<Dim> basis1, basis2;
+  Mat<T> m, n;
+  Vec<Dim> n1() const { return basis1.col(T); }
+  Vec<Dim> n2() const { return basis2.col(T); }
+  Mat<Dim> embed(const Mat<Dim>& left, const Mat<T>& block, const Mat<Dim>& right) const {
+    return left.template leftCols<T>() * block * right.template leftCols<T>().transpose();
+  }
+  Mat<Dim> full_m() const { return embed(basis1, m, basis1) + n1() * n1().transpose(); }
+  Mat<Dim> full_n() const { return embed(basis2, n, basis2) + n2() * n2().transpose(); }
+
+  explicit LemmaData(std::mt19937& random)
+      : basis1(random_rotation<Dim>(random)),
+        basis2(random_rotation<Dim>(random)),
+        m(random_symmetric<T>(random, 0.3, 4)),
+        n(random_symmetric<T>(random, 0.3, 4)) {}
+
+  // |A^T P2 N P2 A - P1 M P1|
+  double mismatch(const Mat<Dim>& a) const {
+    const Mat<Dim> p1 = projection<Dim>(n1()), p2 = projection<Dim>(n2());
+    return (a.transpose() * p2 * full_n() * p2 * a - p1 * full_m() * p1).norm();
+  }
+  Mat<Dim> lambda(const Mat<Dim>& a) const {
+    const Mat<Dim> p1 = projection<Dim>(n1()), p2 = projection<Dim>(n2());
+    return p2 * power<Dim>(full_n(), 0.5) * p2 * a * p1 * power<Dim>(full_m(), -0.5) * p1 + n2() * n1().transpose();
+  }
+  // The bending term's density, as the program computes it.
+  double density(const Mat<Dim>& a) const {
+    const Mat<Dim> p1 = projection<Dim>(n1());
+    const TargetPoint<Dim, double> y{0, small<Dim>(n2()), small_symmetric<Dim>(power<Dim>(full_n(), 0.5))};
+    const ReferencePoint<Dim, double> x{0, small<Dim>(n1()),
+                                        small_symmetric<Dim>(p1 * power<Dim>(full_m(), -0.5) * p1)};
+    return Bending<Dim>::density(y, small(a), x, Lame<double>{1, 1});
+  }
+};
+
+template <int Dim>
+void check_lemma(unsigned seed) {
+  std::mt19937 random(seed);
+  for (int i = 0; i < 50; ++i) {
+    const LemmaData<Dim> d(random);
+    constexpr int T = Dim - 1;
+    const Mat<Dim> normal_part = random_matrix<1>(random)(0, 0) * d.n2() * d.n1().transpose();
+    // Curvatures carried over by N^{-1/2} Q M^{1/2}: Lambda is orthogonal, and a rotation if Q is.
+    const Mat<T> q = random_rotation<T>(random);
+    const Mat<T> carried = power<T>(d.n, -0.5) * q * power<T>(d.m, 0.5);
+    const Mat<Dim> good = d.embed(d.basis2, carried, d.basis1) + normal_part;
+    EXPECT_LT(d.mismatch(good), 1e-12);
+    EXPECT_LT((d.lambda(good).transpose() * d.lambda(good) - Mat<Dim>::Identity()).norm(), 1e-12);
+    EXPECT_NEAR(d.density(good), 0, 1e-12);
+    // And neither holds, nor is there energy 0, for any other tangential block.
+    const Mat<Dim> bad = d.embed(d.basis2, carried + 0.3 * random_matrix<T>(random), d.basis1) + normal_part;
+    if (d.mismatch(bad) < 1e-3) continue;
+    EXPECT_GT((d.lambda(bad).transpose() * d.lambda(bad) - Mat<Dim>::Identity()).norm(), 1e-5);
+    EXPECT_GT(d.density(bad), 0);
+    EXPECT_NEAR(d.density(bad), thin_shell_density(small(d.lambda(bad)), Lame<double>{1, 1}), 1e-11);
+  }
+}
+
+TEST(Theory, LambdaIsOrthogonalExactlyWhereCurvaturesMatch) {
+  check_lemma<2>(1);
+  check_lemma<3>(2);
+}
+
+// Example ex:norank1conv: F convex in (trace, determinant) of the Cauchy-Green tensor is not enough.
+TEST(Theory, CauchyGreenMembraneIsNotRankOneConvex) {
+  const Vec<2> e2(0, 1);
+  const auto wf = [&](double l) {
+    Mat<2> b;
+    b << l, 0, 1 - l, 0;
+    const Mat<2> c = b.transpose() * b;
+    const double a = c.trace(), det = (c + e2 * e2.transpose()).determinant();
+    return 0.5 * a + 0.5 * det + 1 / det - 2;
+  };
+  EXPECT_NEAR(wf(0), 0, 1e-15);
+  EXPECT_NEAR(wf(1), 0, 1e-15);
+  EXPECT_NEAR(wf(0.5), 0.5, 1e-15);
+  // The membrane's own density, for the same normals, is convex on that line.
+  const auto membrane = [&](double l) {
+    const TargetPoint<2, double> y{0, small<2>(e2), {}};
+    const ReferencePoint<2, double> x{0, small<2>(e2), {}};
+    Mat<2> b;
+    b << l, 0, 1 - l, 0;
+    return Membrane<2>::density(y, small(b), x, Lame<double>{1, 1});
+  };
+  for (double l = 0; l < 0.95; l += 0.1)
+    EXPECT_LE(membrane(l + 0.05), 0.5 * (membrane(l) + membrane(l + 0.1)) + 1e-14);
+}
+
+// The oscillating isometries [eq:varphik] have |d phi_k| = 1 everywhere, their weak limit r0 e_theta has not.
+TEST(Theory, CauchyGreenMembraneAllowsOscillations) {
+  const double amplitude = 0.95;
+  const Vec<2> tangent(1, 0), normal(0, 1);
+  const auto density = [&](const Vec<2>& derivative) {
+    const Mat<2> dphi = derivative * tangent.transpose();
+    return thin_shell_density(small<double, 2>(dphi.transpose() * dphi + normal * normal.transpose()), Lame<double>{1, 1});
+  };
+  const int n = 1000;
+  Vec<2> mean = Vec<2>::Zero();
+  for (int i = 0; i < n; ++i) {
+    const double radial = amplitude * std::sin(2 * std::numbers::pi * i / n);
+    const Vec<2> derivative(std::sqrt(1 - radial * radial), radial);  // in the frame (e_theta, e_r)
+    EXPECT_NEAR(density(derivative), 0, 1e-14);
+    mean += derivative / n;
+  }
+  EXPECT_LT(mean.norm(), 0.9);
+  EXPECT_GT(density(mean), 0.1);
+}
+
+TEST(Theory, QuadraticBendingIsNotConvexOnARankOneSegment) {
+  const Mat<3> p = projection<3>(Vec<3>::UnitZ());
+  const auto density = [&](double t) {
+    const Mat<3> a = Mat<3>::Identity() - t * Vec<3>::UnitX() * Vec<3>::UnitX().transpose();
+    return (a.transpose() * p * a - p).squaredNorm();
+  };
+  EXPECT_GT(density(0.625), 0.5 * (density(0.5) + density(0.75)) + 0.01);
+}
+
+// Figure fig:detDtt: for the identity the extended tangential derivative has determinant n1.n2.
+TEST(Theory, ExtendedTangentialDerivativeOfTheIdentityDegenerates) {
+  const auto determinant_at = []<int Dim>(const Vec<Dim>& n1, const Vec<Dim>& n2) {
+    return (projection<Dim>(n2) * projection<Dim>(n1) + n2 * n1.transpose()).determinant();
+  };
+  EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(0, 1))), 0, 1e-15);
+  EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(-0.6, 0.8))), -0.6, 1e-15);
+  std::mt19937 random(3);
+  for (int i = 0; i < 20; ++i) {
+    const Vec<3> n1 = random_matrix<3, 1>(random).normalized(), n2 = random_matrix<3, 1>(random).normalized();
+    EXPECT_NEAR((determinant_at.operator()<3>(n1, n2)), n1.dot(n2), 1e-14);
+    // W stays finite there: the membrane of the identity can be evaluated whatever the normals.
+    const TargetPoint<3, double> y{0, small<3>(n2), {}};
+    const ReferencePoint<3, double> x{0, small<3>(n1), {}};
+    EXPECT_TRUE(std::isfinite(Membrane<3>::density(y, small<double, 3>(Mat<3>::Identity()), x, Lame<double>{1, 1})));
+  }
+}
+
+}  // namespace
+}  // namespace shellmatch

@@ -1,0 +1,199 @@
+#include "base/error.h"
+#include "matching/deformation_file.h"
+#include "matching/rebuild_grid.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <bit>
+#include <csignal>
+#include <random>
+
+namespace shellmatch {
+namespace {
+
+using testing::contents_of;
+using testing::message_of;
+using testing::put;
+using testing::TemporaryFolder;
+
+// Refined towards a point off the middle, so that there are hanging nodes at several levels.
+template <int Dim>
+Octree<Dim> refined_grid(int min_level, int max_level) {
+  Octree<Dim> grid(min_level);
+  const Vec<Dim> centre = Vec<Dim>::Constant(0.3);
+  for (int level = min_level; level < max_level; ++level)
+    grid.refine([&](Index c) {
+      const double r = (grid.cell_centre(c) - centre).norm();
+      return grid.cell(c).level == level && std::abs(r - 0.2) < grid.cell(c).side();
+    });
+  return grid;
+}
+
+// Values of all sizes, whose every bit counts.
+template <int Dim>
+Deformation<Dim> some_deformation(int min_level = 1, int max_level = 4) {
+  Deformation<Dim> d{refined_grid<Dim>(min_level, max_level), {}, {}};
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (Index i = 0; i < d.grid.n_nodes(); ++i) {
+    Vec<Dim> x;
+    for (int k = 0; k < Dim; ++k) x[k] = i % 7 == 0 ? std::ldexp(number(random), -300) : number(random) / 3;
+    d.phi.push_back(x);
+  }
+  d.phi[1][0] = -0.0;
+  d.placement.scale = 1 / 3.0;
+  for (int k = 0; k < Dim; ++k) d.placement.offset[k] = number(random);
+  return d;
+}
+
+template <int Dim>
+typename Octree<Dim>::Coord coord_of(const Octree<Dim>& grid, Index node) {
+  typename Octree<Dim>::Coord c;
+  for (int k = 0; k < Dim; ++k)
+    c[k] = static_cast<std::int32_t>(std::ldexp(grid.node_position(node)[k], Octree<Dim>::max_level));
+  return c;
+}
+
+template <int Dim>
+void expect_same(const Deformation<Dim>& a, const Deformation<Dim>& b) {
+  ASSERT_EQ(a.grid.leaves().size(), b.grid.leaves().size());
+  for (const Index leaf : a.grid.leaves()) {
+    const Index other = b.grid.find_cell(a.grid.cell(leaf).level, a.grid.cell(leaf).corner);
+    ASSERT_NE(other, no_index);
+    ASSERT_TRUE(b.grid.cell(other).is_leaf());
+  }
+  ASSERT_EQ(a.grid.n_nodes(), b.grid.n_nodes());
+  ASSERT_EQ(a.grid.hanging_nodes().size(), b.grid.hanging_nodes().size());
+  for (Index i = 0; i < a.grid.n_nodes(); ++i) {
+    const Index j = b.grid.find_node(coord_of(a.grid, i));
+    ASSERT_NE(j, no_index);
+    for (int k = 0; k < Dim; ++k)
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(a.phi[i][k]), std::bit_cast<std::uint64_t>(b.phi[j][k]));
+  }
+  EXPECT_EQ(a.placement.scale, b.placement.scale);
+  EXPECT_EQ(a.placement.offset, b.placement.offset);
+}
+
+template <int Dim>
+void expect_exact_round_trip() {
+  const TemporaryFolder tmp;
+  const Deformation<Dim> d = some_deformation<Dim>();
+  ASSERT_GT(d.grid.hanging_nodes().size(), 0u);
+  const std::string path = tmp / deformation_file_name;
+  std::vector<double> d1(d.grid.n_nodes(), 0.5), n1(static_cast<std::size_t>(Dim) * d.grid.n_nodes(), 1);
+  write_deformation(path, d, {{"d1", 1, d1}, {"n1", Dim, n1}},
+                    {{"in_band", std::vector<double>(d.grid.leaves().size(), 1)}});
+  EXPECT_EQ(deformation_dimension(path), Dim);
+  expect_same(d, read_deformation<Dim>(path));
+  expect_same(d, read_deformation<Dim>(tmp / ""));  // the folder
+  const std::string wrong = message_of<InputError>([&] { read_deformation<5 - Dim>(path); });
+  EXPECT_NE(wrong.find(path), std::string::npos);
+  EXPECT_NE(wrong.find("dimension"), std::string::npos);
+
+  // Twice the same file to the bit.
+  write_deformation(tmp / "again.vtu", d, {{"d1", 1, d1}, {"n1", Dim, n1}},
+                    {{"in_band", std::vector<double>(d.grid.leaves().size(), 1)}});
+  EXPECT_EQ(contents_of(path), contents_of(tmp / "again.vtu"));
+}
+TEST(DeformationFileTest, RoundTripIsExactInThePlane) { expect_exact_round_trip<2>(); }
+TEST(DeformationFileTest, RoundTripIsExactInSpace) { expect_exact_round_trip<3>(); }
+
+TEST(DeformationFileTest, UniformGridsAndSingleCellsComeBack) {
+  const TemporaryFolder tmp;
+  for (const int level : {0, 2}) {
+    const Deformation<3> d = some_deformation<3>(level, level);
+    write_deformation(tmp / "u.vtu", d);
+    expect_same(d, read_deformation<3>(tmp / "u.vtu"));
+  }
+}
+
+TEST(DeformationFileTest, AFileCutOffAnywhereIsAnInputError) {
+  const TemporaryFolder tmp;
+  write_deformation(tmp / "whole.vtu", some_deformation<2>());
+  const std::string whole = contents_of(tmp / "whole.vtu");
+  for (std::size_t i = 0; i < 60; ++i) {
+    const std::size_t length = i < 30 ? i * whole.size() / 30 : whole.size() - 2 - (i - 30);
+    put(tmp / "cut.vtu", whole.substr(0, length));
+    EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "cut.vtu"); }), "") << length;
+    EXPECT_NE(message_of<InputError>([&] { deformation_dimension(tmp / "cut.vtu"); }), "") << length;
+  }
+  // A piece missing from the middle, the end in place.
+  for (std::size_t i = 1; i < 30; ++i) {
+    const std::size_t at = i * whole.size() / 31;
+    put(tmp / "cut.vtu", whole.substr(0, at) + whole.substr(at + 9));
+    EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "cut.vtu"); }), "") << at;
+  }
+}
+
+TEST(DeformationFileTest, AChangedByteIsFoundOrDoesNotMatter) {
+  const TemporaryFolder tmp;
+  const Deformation<2> d = some_deformation<2>();
+  write_deformation(tmp / "whole.vtu", d);
+  const std::string whole = contents_of(tmp / "whole.vtu");
+  int n_found = 0;
+  for (std::size_t i = 0; i < 200; ++i) {
+    std::string changed = whole;
+    changed[i * whole.size() / 200] ^= static_cast<char>(1 << (i % 8));
+    put(tmp / "changed.vtu", changed);
+    try {
+      expect_same(d, read_deformation<2>(tmp / "changed.vtu"));
+    } catch (const InputError&) {
+      ++n_found;
+    }
+  }
+  EXPECT_GT(n_found, 100);
+}
+
+TEST(DeformationFileTest, ForeignFilesAreInputErrorsThatNameThem) {
+  const TemporaryFolder tmp;
+  put(tmp / "a.vtu", "");
+  put(tmp / "b.vtu", "ply\nformat ascii 1.0\n");
+  put(tmp / "c.vtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+                     "<UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"></Piece></UnstructuredGrid>\n</VTKFile>\n");
+  for (const std::string name : {"a.vtu", "b.vtu", "c.vtu", "not_there.vtu", ""}) {
+    const std::string message = message_of<InputError>([&] { read_deformation<3>(tmp / name); });
+    EXPECT_NE(message.find(tmp / name), std::string::npos) << message;
+  }
+}
+
+TEST(DeformationFileTest, AFullDiskIsAnEnvironmentError) {
+  const TemporaryFolder tmp;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 2048;  // writing beyond fails as on a full disk
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = message_of<EnvironmentError>([&] { write_deformation(tmp / "d.vtu", some_deformation<3>()); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(message.find("d.vtu"), std::string::npos) << message;
+  EXPECT_THROW(write_deformation(tmp / "no_folder/d.vtu", some_deformation<2>()), EnvironmentError);
+}
+
+TEST(RebuildGridTest, RefusesGapsOverlapsAndLostBalance) {
+  const std::vector<LeafPlace<2>> good{{1, {0, 0}}, {1, {1, 0}}, {1, {0, 1}}, {1, {1, 1}}};
+  EXPECT_TRUE(rebuild_grid<2>(good));
+  auto gap = good;
+  gap.pop_back();
+  EXPECT_FALSE(rebuild_grid<2>(gap));
+  auto twice = good;
+  twice[3] = twice[0];  // fills the volume all the same
+  EXPECT_FALSE(rebuild_grid<2>(twice));
+  auto more = good;
+  more.push_back({2, {0, 0}});
+  EXPECT_FALSE(rebuild_grid<2>(more));
+
+  // A cell of level 3 beside one of level 1.
+  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}}, {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
+  for (int c = 0; c < 4; ++c) steep.push_back({3, {4 + (c & 1), c >> 1}});
+  EXPECT_FALSE(rebuild_grid<2>(steep));
+
+  // What would need a fine uniform grid costs nothing.
+  EXPECT_FALSE(rebuild_grid<3>({{19, {0, 0, 0}}, {19, {5, 5, 5}}}));
+}
+
+}  // namespace
+}  // namespace shellmatch

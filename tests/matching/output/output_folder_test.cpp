@@ -1,0 +1,141 @@
+#include "base/error.h"
+#include "matching/output_folder.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace shellmatch {
+namespace {
+
+using testing::contents_of;
+using testing::message_of;
+using testing::put;
+using testing::TemporaryFolder;
+using Names = std::vector<std::string>;
+
+TEST(OutputFolderTest, NothingIsSeenBeforeCommitAndAllOfItAfterwards) {
+  const TemporaryFolder tmp;
+  OutputFolder out(tmp / "run", false);
+  write_file(out.path_of("summary.json"), "{}");
+  write_file(out.path_of("pictures/level_03.png"), "p");
+  EXPECT_FALSE(std::filesystem::exists(tmp / "run"));
+  out.commit();
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/pictures", "run/pictures/level_03.png", "run/summary.json"}));
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "{}");
+  EXPECT_EQ(out.final_path(), std::filesystem::canonical(tmp / "run").string());
+}
+
+TEST(OutputFolderTest, WithoutCommitNothingIsLeftNotEvenParents) {
+  const TemporaryFolder tmp;
+  {
+    OutputFolder out(tmp / "a/b/run", false);
+    write_file(out.path_of("pictures/x.png"), "x");
+  }
+  EXPECT_EQ(tmp.entries(), Names{});
+  {
+    OutputFolder out(tmp / "a/b/run/", false);  // a slash at the end means the same
+    write_file(out.path_of("x"), "x");
+    out.commit();
+  }
+  EXPECT_EQ(tmp.entries(), (Names{"a", "a/b", "a/b/run", "a/b/run/x"}));
+}
+
+TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_directories(tmp / "run");
+  put(tmp / "run/summary.json", "old");
+  put(tmp / "run/old.txt", "old");
+  const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", false); });
+  EXPECT_NE(message.find("not empty"), std::string::npos) << message;
+  EXPECT_NE(message.find("--force"), std::string::npos) << message;
+
+  { OutputFolder out(tmp / "run", true); write_file(out.path_of("summary.json"), "broken off"); }
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/old.txt", "run/summary.json"}));
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
+
+  OutputFolder out(tmp / "run", true);
+  write_file(out.path_of("summary.json"), "new");
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
+  out.commit();
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/summary.json"}));
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "new");
+}
+
+TEST(OutputFolderTest, ForceReplacesNoFolderThatNoRunHasWritten) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_directories(tmp / "home");
+  put(tmp / "home/thesis.tex", "years of work");
+  EXPECT_THROW(OutputFolder(tmp / "home", true), InputError);
+  EXPECT_EQ(tmp.entries(), (Names{"home", "home/thesis.tex"}));
+}
+
+TEST(OutputFolderTest, EmptyFoldersAreFilledAndFilesAreNot) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_directories(tmp / "run");
+  { OutputFolder out(tmp / "run", false); write_file(out.path_of("a"), "a"); out.commit(); }
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/a"}));
+  put(tmp / "file", "x");
+  EXPECT_THROW(OutputFolder(tmp / "file", true), InputError);
+  EXPECT_THROW(OutputFolder("", false), InputError);
+  EXPECT_THROW(OutputFolder("/", true), InputError);
+}
+
+TEST(OutputFolderTest, ALinkStaysAndWhatItLeadsToIsReplaced) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_directories(tmp / "disk/run");
+  put(tmp / "disk/run/history.csv", "old");
+  std::filesystem::create_directory_symlink(tmp / "disk/run", tmp / "run");
+  OutputFolder out(tmp / "run", true);
+  write_file(out.path_of("history.csv"), "new");
+  out.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(tmp / "run"));
+  EXPECT_EQ(contents_of(tmp / "disk/run/history.csv"), "new");
+}
+
+TEST(OutputFolderTest, WhoComesSecondDoesNotOverwrite) {
+  const TemporaryFolder tmp;
+  {
+    OutputFolder first(tmp / "run", false), second(tmp / "run", false);
+    write_file(first.path_of("summary.json"), "first");
+    write_file(second.path_of("summary.json"), "second");
+    first.commit();
+    EXPECT_THROW(second.commit(), InputError);
+  }
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/summary.json"}));
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "first");
+}
+
+TEST(OutputFolderTest, PlacesThatCannotBeWrittenAreEnvironmentErrors) {
+  const TemporaryFolder tmp;
+  put(tmp / "file", "x");
+  EXPECT_THROW(OutputFolder(tmp / "file/run", false), EnvironmentError);
+  if (std::filesystem::exists("/proc/self")) {
+    EXPECT_THROW(OutputFolder("/proc/shellmatch/run", false), EnvironmentError);
+  }
+  EXPECT_EQ(tmp.entries(), Names{"file"});
+}
+
+TEST(OutputFolderTest, AFullDiskIsAnEnvironmentErrorThatSaysSo) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  const std::string message = message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
+  EXPECT_NE(message.find("make room"), std::string::npos) << message;
+}
+
+TEST(OutputFolderTest, PartialResultsAreKeptWithoutEmptyFiles) {
+  const TemporaryFolder tmp;
+  {
+    OutputFolder out(tmp / "run", false);
+    write_file(out.path_of("history.csv"), "level\n");
+    write_file(out.path_of("summary.json"), "");
+    EXPECT_TRUE(out.keep_partial());
+  }
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/history.csv"}));
+  {
+    OutputFolder out(tmp / "nothing", false);
+    EXPECT_FALSE(out.keep_partial());
+  }
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/history.csv"}));
+}
+
+}  // namespace
+}  // namespace shellmatch

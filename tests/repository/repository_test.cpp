@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include "tests/repository/include_rules.h"
+#include "tests/repository/text_rules.h"
+
+// The rules held against this repository. That each rule can be broken is shown in rules_test.cpp.
+
+namespace shellmatch::repository {
+namespace {
+
+const SourceTree& this_repository() {
+  static const SourceTree tree = read_tree(SHELLMATCH_SOURCE_DIR);
+  return tree;
+}
+
+void expect_none(const std::vector<Finding>& findings) { EXPECT_TRUE(findings.empty()) << to_text(findings); }
+
+// A rule that sees no file holds always.
+TEST(Repository, IsSeen) {
+  EXPECT_TRUE(this_repository().files.contains("base/error.h"));
+  EXPECT_TRUE(this_repository().files.contains("README.md"));
+  EXPECT_GT(this_repository().files.size(), 50u);
+}
+
+TEST(Repository, IncludesRunOneWay) { expect_none(check_include_direction(this_repository())); }
+TEST(Repository, LibrariesEnterByTheirDoors) { expect_none(check_doors(this_repository())); }
+TEST(Repository, FilesAreShort) { expect_none(check_lengths(this_repository())); }
+TEST(Repository, NamesNoMachine) { expect_none(check_machine_paths(this_repository())); }
+TEST(Repository, DocumentsPointToWhatIsThere) { expect_none(check_links(this_repository())); }
+TEST(Repository, InstalledPackageFindsAllDependencies) { expect_none(check_dependencies(this_repository())); }
+
+}  // namespace
+}  // namespace shellmatch::repository
