@@ -8,6 +8,8 @@
 #include "geometry/write_shape.h"
 #include "matching/deformation_file.h"
 
+#include <fmt/core.h>
+
 #include <cstdio>
 
 namespace shellmatch {

@@ -49,7 +49,7 @@ void list_one(const GeneratorInfo& info) {
     std::cout << fmt::format("  {:<16}{}\n", variant.name, variant.meaning);
   std::cout << "Parameters:\n";
   for (const GeneratorParameter& p : info.parameters)
-    std::cout << fmt::format("  {:<16}{} ({}{}{}; {:g})\n", p.name, p.info.meaning, p.info.unit,
+    std::cout << fmt::format("  {:<16}{} ({}{}{}; default {:g})\n", p.name, p.info.meaning, p.info.unit,
                              p.info.unit.empty() ? "" : ", ", range_text(p.info), p.default_value);
 }
 

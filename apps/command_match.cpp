@@ -39,7 +39,7 @@ void match(const ExperimentOptions& options, const std::string& output, const Ru
   catch_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
   run_matching(options, output, settings.force, progress);
-  if (interrupt_requested()) throw Interrupted("stopped on request");
+  if (interrupt_requested()) throw Interrupted(fmt::format("stopped on request; what was reached is in {}", output));
   progress.note(fmt::format("written: {}", output));
 }
 

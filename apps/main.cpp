@@ -4,6 +4,8 @@
 #include "apps/interrupt.h"
 #include "base/error.h"
 
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -13,7 +13,7 @@ namespace shellmatch {
 namespace {
 
 void stop_if_asked() {
-  if (interrupt_requested()) throw Interrupted("stopped on request");
+  if (interrupt_requested()) throw Interrupted("stopped on request; nothing was written");
 }
 
 std::string place(const LevelStart& start, int max_level) {

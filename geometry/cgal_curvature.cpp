@@ -55,8 +55,8 @@ VertexCurvature fit(const std::vector<Kernel::Point_3>& points, const Vec<3>& ou
   JetFit fit;
   auto monge = fit(points.begin(), points.end(), static_cast<std::size_t>(degree), 2);
   monge.comply_wrt_given_normal({outward.x(), outward.y(), outward.z()});
-  // In CGAL's form z = (k1 x^2 + k2 y^2)/2 + ..., z along the normal, a convex surface has negative curvatures and
-  // the first is the larger one.
+  // In CGAL's form z = (k1 x^2 + k2 y^2)/2 + ..., z along the normal, a convex surface has negative
+  // curvatures and the first is the larger one.
   VertexCurvature result;
   result.k1 = -monge.principal_curvatures(1);
   result.k2 = -monge.principal_curvatures(0);
@@ -80,14 +80,17 @@ std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Vec<3> no_vector = Vec<3>::Constant(nan);
   std::vector<VertexCurvature> result(surface.vertices.size(), {nan, nan, no_vector, no_vector, no_vector});
-  parallel_for(surface.vertices.size(), [&](std::size_t v) {
-    std::vector<Kernel::Point_3> points;
-    for (const Index w : neighbourhood(neighbours, static_cast<Index>(v), options.n_rings, n_points)) {
-      const Vec<3>& x = surface.vertices[w];
-      points.emplace_back(x.x(), x.y(), x.z());
-    }
-    if (points.size() >= n_points) result[v] = fit(points, normals[v], options.degree);
-  }, 64);
+  parallel_for(
+      surface.vertices.size(),
+      [&](std::size_t v) {
+        std::vector<Kernel::Point_3> points;
+        for (const Index w : neighbourhood(neighbours, static_cast<Index>(v), options.n_rings, n_points)) {
+          const Vec<3>& x = surface.vertices[w];
+          points.emplace_back(x.x(), x.y(), x.z());
+        }
+        if (points.size() >= n_points) result[v] = fit(points, normals[v], options.degree);
+      },
+      64);
   return result;
 }
 

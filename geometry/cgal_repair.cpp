@@ -1,5 +1,4 @@
-// Consistent orientation, flat triangles and self-intersections through CGAL's Polygon Mesh Processing.
-#include "base/error.h"
+// Consistent orientation and flat triangles through CGAL's Polygon Mesh Processing.
 #include "geometry/repair_steps.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,7 +28,8 @@ Orientation orient_consistently(Surface<3>& surface) {
   for (const Vec<3>& x : surface.vertices) points.push_back(point(x));
   std::vector<std::array<std::size_t, 3>> triangles;
   for (const auto& [a, b, c] : surface.facets)
-    triangles.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+    triangles.push_back(
+        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
   CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles);
   Orientation result;
   result.n_split = points.size() - surface.vertices.size();
@@ -45,7 +45,9 @@ Orientation orient_consistently(Surface<3>& surface) {
 std::size_t count_flat_triangles(const Surface<3>& surface) {
   std::size_t n = 0;
   for (const auto& [a, b, c] : surface.facets)
-    n += CGAL::collinear(point(surface.vertices[a]), point(surface.vertices[b]), point(surface.vertices[c])) ? 1 : 0;
+    n += CGAL::collinear(point(surface.vertices[a]), point(surface.vertices[b]), point(surface.vertices[c]))
+             ? 1
+             : 0;
   return n;
 }
 

@@ -40,9 +40,10 @@ void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
     const auto& [a, b] = outline.facets[f];
     boxes.emplace_back(point(outline, a).bbox() + point(outline, b).bbox(), static_cast<Index>(f));
   }
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const SegmentBox& one, const SegmentBox& two) {
-    visit(std::min(one.info(), two.info()), std::max(one.info(), two.info()));
-  });
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                [&](const SegmentBox& one, const SegmentBox& two) {
+                                  visit(std::min(one.info(), two.info()), std::max(one.info(), two.info()));
+                                });
 }
 
 }  // namespace
@@ -61,7 +62,8 @@ std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline
   const auto look = [&](Index f, Index v) {
     const auto& [a, b] = outline.facets[f];
     if (CGAL::collinear(point(outline, a), point(outline, v), point(outline, b)) &&
-        CGAL::collinear_are_strictly_ordered_along_line(point(outline, a), point(outline, v), point(outline, b)))
+        CGAL::collinear_are_strictly_ordered_along_line(point(outline, a), point(outline, v),
+                                                        point(outline, b)))
       found.emplace_back(f, v);
   };
   for_each_near_pair(outline, [&](Index f, Index g) {
@@ -72,7 +74,8 @@ std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline
     const Vec<2> from_end = outline.vertices[one.second] - outline.vertices[outline.facets[one.first][0]];
     return std::make_tuple(one.first, from_end.squaredNorm(), one.second);
   };
-  std::sort(found.begin(), found.end(), [&](const auto& one, const auto& two) { return order(one) < order(two); });
+  std::sort(found.begin(), found.end(),
+            [&](const auto& one, const auto& two) { return order(one) < order(two); });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

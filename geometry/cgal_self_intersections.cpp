@@ -31,14 +31,19 @@ int align_shared_corners(std::array<Index, Dim>& f, std::array<Index, Dim>& g) {
   const auto holds = [](const std::array<Index, Dim>& facet, Index v) {
     return std::find(facet.begin(), facet.end(), v) != facet.end();
   };
-  for (int i = 0; i < Dim && !(holds(g, f[0]) && (n_shared == 1 || holds(g, f[1]))); ++i) f = rotated<Dim>(f, 1);
-  for (int i = 0; i < Dim && !(holds(f, g[0]) && (n_shared == 1 || holds(f, g[1]))); ++i) g = rotated<Dim>(g, 1);
+  for (int i = 0; i < Dim && !(holds(g, f[0]) && (n_shared == 1 || holds(g, f[1]))); ++i)
+    f = rotated<Dim>(f, 1);
+  for (int i = 0; i < Dim && !(holds(f, g[0]) && (n_shared == 1 || holds(f, g[1]))); ++i)
+    g = rotated<Dim>(g, 1);
   return n_shared;
 }
 
-bool is_flat(const Surface<2>& s, const std::array<Index, 2>& f) { return s.vertices[f[0]] == s.vertices[f[1]]; }
+bool is_flat(const Surface<2>& s, const std::array<Index, 2>& f) {
+  return s.vertices[f[0]] == s.vertices[f[1]];
+}
 bool is_flat(const Surface<3>& s, const std::array<Index, 3>& f) {
-  return CGAL::collinear(cgal_point(s.vertices[f[0]]), cgal_point(s.vertices[f[1]]), cgal_point(s.vertices[f[2]]));
+  return CGAL::collinear(cgal_point(s.vertices[f[0]]), cgal_point(s.vertices[f[1]]),
+                         cgal_point(s.vertices[f[2]]));
 }
 
 bool meet(const Surface<2>& s, std::array<Index, 2> f, std::array<Index, 2> g) {
@@ -49,7 +54,8 @@ bool meet(const Surface<2>& s, std::array<Index, 2> f, std::array<Index, 2> g) {
   if (n_shared == 1)
     return CGAL::collinear(point(f[0]), point(f[1]), point(g[1])) &&
            !CGAL::collinear_are_strictly_ordered_along_line(point(f[1]), point(f[0]), point(g[1]));
-  return CGAL::do_intersect(Kernel::Segment_2(point(f[0]), point(f[1])), Kernel::Segment_2(point(g[0]), point(g[1])));
+  return CGAL::do_intersect(Kernel::Segment_2(point(f[0]), point(f[1])),
+                            Kernel::Segment_2(point(g[0]), point(g[1])));
 }
 
 bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
@@ -68,7 +74,8 @@ bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
            CGAL::coplanar_orientation(point(f[0]), point(f[1]), point(f[2]), point(g[2])) == CGAL::POSITIVE;
   // Triangles with a common corner meet elsewhere only if the edge opposite to it of one of them does.
   if (n_shared == 1)
-    return CGAL::do_intersect(triangle(f), opposite_edge(g)) || CGAL::do_intersect(triangle(g), opposite_edge(f));
+    return CGAL::do_intersect(triangle(f), opposite_edge(g)) ||
+           CGAL::do_intersect(triangle(g), opposite_edge(f));
   return CGAL::do_intersect(triangle(f), triangle(g));
 }
 
@@ -85,7 +92,8 @@ std::vector<Index> find(const Surface<Dim>& surface) {
   std::vector<bool> found(surface.facets.size(), false);
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const FacetBox& a, const FacetBox& b) {
     if (found[a.info()] && found[b.info()]) return;
-    if (meet(surface, surface.facets[a.info()], surface.facets[b.info()])) found[a.info()] = found[b.info()] = true;
+    if (meet(surface, surface.facets[a.info()], surface.facets[b.info()]))
+      found[a.info()] = found[b.info()] = true;
   });
   std::vector<Index> facets;
   for (std::size_t f = 0; f < found.size(); ++f)

@@ -21,8 +21,9 @@ double ratio_or_nan(double deformed, double reference) { return reference > 0 ? 
 
 template <int Dim>
 void require_same_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
-  SHELLMATCH_CHECK(reference.facets == deformed.facets && reference.vertices.size() == deformed.vertices.size(),
-                   "distortion compares a surface with the same surface deformed");
+  SHELLMATCH_CHECK(
+      reference.facets == deformed.facets && reference.vertices.size() == deformed.vertices.size(),
+      "distortion compares a surface with the same surface deformed");
 }
 
 }  // namespace
@@ -53,9 +54,9 @@ std::vector<double> vertex_measure_ratios(const Surface<Dim>& reference, const S
   return after;
 }
 
-// With an orthonormal frame (u, v) in the reference triangle, its edges are (l, 0) and (x, y); the map has the
-// columns g1 / l and (g2 - x g1 / l) / y, g1 and g2 being the deformed edges. s1^2 + s2^2 is the square of its norm
-// and s1 s2 the ratio of areas, from which s1 -+ s2 follow without cancellation in s2.
+// With an orthonormal frame (u, v) in the reference triangle, its edges are (l, 0) and (x, y); the map has
+// the columns g1 / l and (g2 - x g1 / l) / y, g1 and g2 being the deformed edges. s1^2 + s2^2 is the square
+// of its norm and s1 s2 the ratio of areas, from which s1 -+ s2 follow without cancellation in s2.
 std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surface<3>& deformed) {
   require_same_facets(reference, deformed);
   std::vector<Stretch> stretches;
@@ -103,7 +104,8 @@ std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       Vec<Dim> centre = Vec<Dim>::Zero();
       for (const Index v : deformed.facets[f]) centre += deformed.vertices[v] / Dim;
-      const Vec<Dim> normal = facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
+      const Vec<Dim> normal =
+          facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
       if (facet_normal(deformed, static_cast<Index>(f)).dot(normal) < 0) ++count;
     }
     return count;
@@ -122,7 +124,8 @@ Distortion<Dim> distortion(const Surface<Dim>& reference, const Surface<Dim>& de
   Distortion<Dim> result;
   result.measure_ratio = quantiles(ratios);
   result.angle_distortion = quantiles(angle_distortions(reference, deformed));
-  result.n_collapsed = static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
+  result.n_collapsed =
+      static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
   result.n_facing_away = count_facing_away(deformed, template_distance);
   result.n_self_intersecting = self_intersecting_facets(deformed).size();
   result.n_self_intersecting_reference = self_intersecting_facets(reference).size();

@@ -10,13 +10,13 @@
 
 namespace shellmatch {
 
-/// Measure of every deformed facet divided by that of the same reference facet: area ratio in space, length ratio
-/// in the plane. NaN for a reference facet without measure.
+/// Measure of every deformed facet divided by that of the same reference facet: area ratio in space, length
+/// ratio in the plane. NaN for a reference facet without measure.
 template <int Dim>
 std::vector<double> facet_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// The same for every vertex: sums over its facets, divided. NaN where the reference facets have no measure or
-/// there are none.
+/// The same for every vertex: sums over its facets, divided. NaN where the reference facets have no measure
+/// or there are none.
 template <int Dim>
 std::vector<double> vertex_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
@@ -27,12 +27,13 @@ struct Stretch {
 /// One for each facet; NaN for a reference triangle without area.
 std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surface<3>& deformed);
 
-/// s1 / s2 for each facet: 1 where all angles are kept, infinite where the deformed triangle has no area. In the
-/// plane, where a segment has no angles, 1.
+/// s1 / s2 for each facet: 1 where all angles are kept, infinite where the deformed triangle has no area. In
+/// the plane, where a segment has no angles, 1.
 template <int Dim>
 std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// Facets whose normal and that of the template's facet nearest to their centre enclose more than a right angle.
+/// Facets whose normal and that of the template's facet nearest to their centre enclose more than a right
+/// angle.
 template <int Dim>
 std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 
@@ -44,11 +45,11 @@ Quantiles quantiles(std::vector<double> values);
 
 template <int Dim>
 struct Distortion {
-  Quantiles measure_ratio;                ///< of facets
-  Quantiles angle_distortion;             ///< of facets
-  std::size_t n_collapsed = 0;            ///< facets with a measure ratio below 0.01
-  std::size_t n_facing_away = 0;          ///< from the template's normal
-  std::size_t n_self_intersecting = 0;    ///< deformed facets that meet others than their neighbours
+  Quantiles measure_ratio;                        ///< of facets
+  Quantiles angle_distortion;                     ///< of facets
+  std::size_t n_collapsed = 0;                    ///< facets with a measure ratio below 0.01
+  std::size_t n_facing_away = 0;                  ///< from the template's normal
+  std::size_t n_self_intersecting = 0;            ///< deformed facets that meet others than their neighbours
   std::size_t n_self_intersecting_reference = 0;  ///< the same before
 };
 

@@ -69,7 +69,8 @@ struct FacetTree<Dim>::Builder {
         leaf.corner[i][lane] = a[i];
         for (int e = 0; e < Dim - 1; ++e) leaf.edge[e][i][lane] = edge[e][i];
       }
-      for (int e = 0; e < Dim - 1; ++e) leaf.inverse_length2[e][lane] = inverse_or_zero(edge[e].squaredNorm());
+      for (int e = 0; e < Dim - 1; ++e)
+        leaf.inverse_length2[e][lane] = inverse_or_zero(edge[e].squaredNorm());
       if constexpr (Dim == 3) {
         leaf.inverse_length2[2][lane] = inverse_or_zero((edge[1] - edge[0]).squaredNorm());
         leaf.inverse_normal2[lane] =
@@ -141,7 +142,7 @@ template <int Dim>
 void FacetTree<Dim>::squared_distances(const Leaf& leaf, const Vec<Dim>& x, Lanes& result) {
   const Lanes zero{}, one = zero + 1;
   // Square of the distance from v to the segment from 0 to e.
-  const auto to_segment = [&](const Lanes (&v)[Dim], const Lanes (&e)[Dim], const Lanes& inverse_length2,
+  const auto to_segment = [&](const Lanes(&v)[Dim], const Lanes(&e)[Dim], const Lanes& inverse_length2,
                               Lanes& distance2) {
     Lanes along = v[0] * e[0];
     for (int k = 1; k < Dim; ++k) along += v[k] * e[k];
@@ -223,7 +224,8 @@ Index FacetTree<Dim>::nearest(const Vec<Dim>& x) const {
     for (int i = 0; i < width; ++i) {
       if (!(distances[i] <= best)) continue;
       int place = n_entries++;
-      for (; place > first && stack[place - 1].distance2 < distances[i]; --place) stack[place] = stack[place - 1];
+      for (; place > first && stack[place - 1].distance2 < distances[i]; --place)
+        stack[place] = stack[place - 1];
       stack[place] = {distances[i], node.child[i]};
     }
   }

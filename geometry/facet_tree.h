@@ -36,7 +36,7 @@ class FacetTree {
     Lanes corner[Dim];                        ///< coordinates of the first corner
     Lanes edge[Dim - 1][Dim];                 ///< vectors from there to the others
     Lanes inverse_length2[Dim == 2 ? 1 : 3];  ///< of the edges; 0 for an edge without length
-    Lanes inverse_normal2;                    ///< in space: of the product of the edges; 0 for a facet without area
+    Lanes inverse_normal2;  ///< in space: of the product of the edges; 0 for a facet without area
     std::array<Index, width> facet;
   };
   /// Boxes in single precision, rounded outward by more than the error of the distances.

@@ -85,7 +85,7 @@ Vec<3> spine_direction(double along, double bend, double sway) {
 Vec<3> bent(const Vec<3>& x, double bend, double sway) {
   // Simpson's rule from 0.25, before which the spine is straight; the integrand is smooth.
   constexpr double start = 0.25;
-  constexpr int n = 32;
+  constexpr int n = 64;
   Vec<3> spine(start, 0.5, spine_height);
   const double length = x.x() - start, step = length / n;
   for (int i = 0; i <= n; ++i)

@@ -18,7 +18,7 @@ struct HandOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("spread", self.spread,
-          {.min = 0.7, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
+          {.min = 0.85, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
     const auto bend = [&](const char* name, auto& value) {
       visit(name, value,
             {.unit = "degrees",

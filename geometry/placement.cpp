@@ -25,8 +25,8 @@ void for_each_used_vertex(const Surface<Dim>& surface, Visit&& visit) {
     if (used[v]) visit(v, surface.vertices[v]);
 }
 
-/// A vertex of the computational surface may have no counterpart in the file, so that it is named by its place
-/// there where the file has one at the same point.
+/// A vertex of the computational surface may have no counterpart in the file, so that it is named by its
+/// place there where the file has one at the same point.
 template <int Dim>
 std::string vertex_name(const Shape<Dim>& shape, std::size_t v) {
   const Vec<Dim>& x = shape.surface.vertices[v];
@@ -40,7 +40,8 @@ void require_inside(const Shape<Dim>& shape, double clearance) {
   for_each_used_vertex(shape.surface, [&](std::size_t v, const Vec<Dim>& x) {
     if ((x.array() >= clearance).all() && (x.array() <= 1 - clearance).all()) return;
     throw_input_error(
-        "{}: {} at {} is not inside [{:g}, {:g}]^{}, where shapes must lie that are used as they are; scale and move "
+        "{}: {} at {} is not inside [{:g}, {:g}]^{}, where shapes must lie that are used as they are; scale "
+        "and move "
         "both shapes, or use the placement 'fit'",
         shape.source, vertex_name(shape, v), coordinates(x), clearance, 1 - clearance, Dim);
   });
@@ -56,8 +57,10 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
   const double side = (box.max - box.min).maxCoeff();
   // Written so that NaN fails, too.
   if (!(side > 0) || !std::isfinite(side))
-    throw_input_error("{} and {}: the shapes have no extent that could be placed in the unit domain; all of their "
-                      "points coincide or are not finite", reference.source, template_shape.source);
+    throw_input_error(
+        "{} and {}: the shapes have no extent that could be placed in the unit domain; all of their "
+        "points coincide or are not finite",
+        reference.source, template_shape.source);
   Similarity<Dim> placement;
   placement.scale = (1 - 2 * margin) / side;
   placement.offset = Vec<Dim>::Constant(0.5) - placement.scale * (0.5 * box.min + 0.5 * box.max);
@@ -65,7 +68,8 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
 }
 
 template <int Dim>
-Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double clearance) {
+Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
+                                double clearance) {
   require_inside(reference, clearance);
   require_inside(template_shape, clearance);
   return {};

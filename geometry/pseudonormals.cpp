@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace shellmatch {
 
@@ -55,35 +54,66 @@ std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index
   return n_edges;
 }
 
-/// Facets without area have a zero normal at first: gives them the mean of their neighbours' normals, weighted
-/// by the lengths of the edges between them, one ring of such facets after the other. Whoever lies deeper
-/// among them than `max_rings` keeps the zero normal.
-void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
-                     std::size_t n_edges, std::vector<Vec<3>>& normals) {
-  constexpr int max_rings = 16;
-  std::vector<Index> missing;
+/// The edge of a facet, 0 to 2, that is at least as long as the others.
+int longest_edge(const Surface<3>& surface, Index f) {
+  const auto& facet = surface.facets[f];
+  Vec<3> lengths;
+  for (int e = 0; e < 3; ++e)
+    lengths[e] = (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm();
+  int longest;
+  lengths.maxCoeff(&longest);
+  return longest;
+}
+
+std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges_of_facet,
+                                  std::size_t n_edges, const std::vector<Vec<3>>& normals) {
+  std::vector<Vec<3>> sums(n_edges, Vec<3>::Zero());
   for (std::size_t f = 0; f < normals.size(); ++f)
-    if (normals[f].isZero(0)) missing.push_back(static_cast<Index>(f));
+    for (const Index e : edges_of_facet[f]) sums[e] += normals[f];
+  return sums;
+}
+
+/// A facet without area joins its longest edge to the two others, which lie on it. It gets the normal from
+/// across the longest edge, so that the others see what is really there; of a heap of such facets one ring
+/// after the other. Those that have not got a normal after `max_rings` keep the zero normal.
+void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
+                     std::size_t n_edges, const std::vector<Index>& degenerate,
+                     std::vector<Vec<3>>& normals) {
+  constexpr int max_rings = 16;
+  std::vector<Index> missing = degenerate;
+  bool any_edge = false;  // where the longest edges lead nowhere, all edges are asked
   for (int ring = 0; ring < max_rings && !missing.empty(); ++ring) {
-    std::vector<Vec<3>> sum(n_edges, Vec<3>::Zero());
-    for (std::size_t f = 0; f < normals.size(); ++f)
-      for (const Index e : edges_of_facet[f]) sum[e] += normals[f];
-    std::vector<Vec<3>> found(missing.size());
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-      const auto& facet = surface.facets[missing[i]];
-      Vec<3> mean = Vec<3>::Zero();
-      for (int e = 0; e < 3; ++e)
-        mean += (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm() *
-                sum[edges_of_facet[missing[i]][e]];
-      found[i] = unit_or_zero<3>(mean);
-    }
+    const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
     std::vector<Index> still_missing;
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-      normals[missing[i]] = found[i];
-      if (found[i].isZero(0)) still_missing.push_back(missing[i]);
+    for (const Index f : missing) {
+      const auto& edges = edges_of_facet[f];
+      normals[f] = unit_or_zero<3>(any_edge ? Vec<3>(sums[edges[0]] + sums[edges[1]] + sums[edges[2]])
+                                            : sums[edges[longest_edge(surface, f)]]);
+      if (normals[f].isZero(0)) still_missing.push_back(f);
     }
+    any_edge = still_missing.size() == missing.size();
     missing = std::move(still_missing);
   }
+}
+
+/// Sums of the normals on both sides of every edge. A facet without area shows its longest edge the mean of
+/// what lies beyond the two others.
+std::vector<Vec<3>> edge_normals(const Surface<3>& surface,
+                                 const std::vector<std::array<Index, 3>>& edges_of_facet, std::size_t n_edges,
+                                 const std::vector<Index>& degenerate, const std::vector<Vec<3>>& normals) {
+  const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
+  std::vector<Vec<3>> result = sums;
+  for (const Index f : degenerate) {
+    const auto& facet = surface.facets[f];
+    const int longest = longest_edge(surface, f);
+    Vec<3> beyond = Vec<3>::Zero();
+    for (const int e : {(longest + 1) % 3, (longest + 2) % 3})
+      beyond += (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm() *
+                (sums[edges_of_facet[f][e]] - normals[f]);
+    result[edges_of_facet[f][longest]] += unit_or_zero<3>(beyond) - normals[f];
+  }
+  for (Vec<3>& n : result) n = unit_or_zero<3>(n);
+  return result;
 }
 
 }  // namespace
@@ -91,21 +121,21 @@ void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Ind
 template <int Dim>
 Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
     : facets_(surface.facets.size()), vertices_(surface.vertices.size(), Vec<Dim>::Zero()) {
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
+  for (std::size_t f = 0; f < facets_.size(); ++f)
     facets_[f] = unit_or_zero<Dim>(facet_normal(surface, static_cast<Index>(f)));
-    if constexpr (Dim == 3) {
-      const auto& [a, b, c] = surface.facets[f];
-      if (is_degenerate(surface.vertices[b] - surface.vertices[a], surface.vertices[c] - surface.vertices[a]))
-        facets_[f].setZero();
-    }
-  }
   if constexpr (Dim == 3) {
+    std::vector<Index> degenerate;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      const auto& [a, b, c] = surface.facets[f];
+      if (!is_degenerate(surface.vertices[b] - surface.vertices[a],
+                         surface.vertices[c] - surface.vertices[a]))
+        continue;
+      facets_[f].setZero();
+      degenerate.push_back(static_cast<Index>(f));
+    }
     const std::size_t n_edges = number_edges(surface, edges_of_facet_);
-    fill_degenerate(surface, edges_of_facet_, n_edges, facets_);
-    edges_.assign(n_edges, Vec<3>::Zero());
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      for (const Index e : edges_of_facet_[f]) edges_[e] += facets_[f];
-    for (Vec<Dim>& n : edges_) n = unit_or_zero<Dim>(n);
+    fill_degenerate(surface, edges_of_facet_, n_edges, degenerate, facets_);
+    edges_ = edge_normals(surface, edges_of_facet_, n_edges, degenerate, facets_);
   }
   for (std::size_t f = 0; f < facets_.size(); ++f)
     for (int i = 0; i < Dim; ++i)
@@ -114,7 +144,8 @@ Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
 }
 
 template <int Dim>
-const Vec<Dim>& Pseudonormals<Dim>::operator()(const Surface<Dim>& surface, Index f, FeatureMask feature) const {
+const Vec<Dim>& Pseudonormals<Dim>::operator()(const Surface<Dim>& surface, Index f,
+                                               FeatureMask feature) const {
   if (feature == inside_facet<Dim>) return facets_[f];
   if (std::has_single_bit(feature)) return vertices_[surface.facets[f][std::countr_zero(feature)]];
   // Edges (0, 1), (1, 2), (2, 0) have the masks 3, 6 and 5.

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace shellmatch {
 namespace {
 
 constexpr float level = 0.5f;
-constexpr double min_ring_length = 8;  // pixels
+constexpr double min_ring_length = 8;     // pixels
+constexpr double max_area_change = 0.02;  // relative, beyond which a note says so
 
 void check_foreground(const GreyImage& image, const std::string& source) {
   float brightest = 0;
@@ -25,17 +27,22 @@ void check_foreground(const GreyImage& image, const std::string& source) {
       n_rim += rim && value > level ? 1 : 0;
     }
   if (brightest <= level)
-    throw_input_error("{}: no pixel is brighter than half of white (the brightest has {:.3g} of it); the shape must be "
-                      "white on black", source, brightest);
+    throw_input_error(
+        "{}: no pixel is brighter than half of white (the brightest has {:.3g} of it); the shape must be "
+        "white on black",
+        source, brightest);
   if (n_rim > 0)
-    throw_input_error("{}: the bright part touches the rim of the image ({}), so the shape is cut off there; add a "
-                      "dark margin, or exchange black and white", source, counted(n_rim, "pixel", "pixels"));
+    throw_input_error(
+        "{}: the bright part touches the rim of the image ({}), so the shape is cut off there; add a "
+        "dark margin, or exchange black and white",
+        source, counted(n_rim, "pixel", "pixels"));
 }
 
 // Does every pixel have one of two values?
 bool is_binary(const GreyImage& image) {
   const auto [low, high] = std::minmax_element(image.values.begin(), image.values.end());
-  return std::all_of(image.values.begin(), image.values.end(), [&](float v) { return v == *low || v == *high; });
+  return std::all_of(image.values.begin(), image.values.end(),
+                     [&](float v) { return v == *low || v == *high; });
 }
 
 // Adds dark pixels all around.
@@ -49,8 +56,8 @@ GreyImage padded(const GreyImage& image, int width) {
 }
 
 // One direction of a Gaussian; `next` is the distance of neighbours in `values`. Outside is dark.
-void smooth_lines(std::vector<float>& values, int n_lines, int length, std::ptrdiff_t line_step, std::ptrdiff_t next,
-                  const std::vector<float>& kernel) {
+void smooth_lines(std::vector<float>& values, int n_lines, int length, std::ptrdiff_t line_step,
+                  std::ptrdiff_t next, const std::vector<float>& kernel) {
   const int reach = static_cast<int>(kernel.size()) - 1;
   std::vector<float> line(static_cast<std::size_t>(length) + 2 * static_cast<std::size_t>(reach), 0.0f);
   for (int l = 0; l < n_lines; ++l) {
@@ -83,7 +90,8 @@ void smooth(GreyImage& image, double deviation) {
 // Marching squares. Crossing points lie on the grid's edges; each has one successor, with bright to the left.
 class MarchingSquares {
  public:
-  explicit MarchingSquares(const GreyImage& image) : image_(image), n_(image.values.size()), next_(2 * n_, no_edge) {
+  explicit MarchingSquares(const GreyImage& image)
+      : image_(image), n_(image.values.size()), next_(2 * n_, no_edge) {
     for (int row = 0; row + 1 < image.height; ++row)
       for (int column = 0; column + 1 < image.width; ++column) march(column, row);
   }
@@ -105,7 +113,9 @@ class MarchingSquares {
  private:
   static constexpr std::size_t no_edge = static_cast<std::size_t>(-1);
 
-  std::size_t pixel(int column, int row) const { return static_cast<std::size_t>(row) * image_.width + column; }
+  std::size_t pixel(int column, int row) const {
+    return static_cast<std::size_t>(row) * image_.width + column;
+  }
 
   // Edge to the right of a pixel: its number; edge below it: n + its number.
   void march(int column, int row) {
@@ -113,10 +123,11 @@ class MarchingSquares {
     const std::array<float, 4> value = {image_.at(column, row + 1), image_.at(column + 1, row + 1),
                                         image_.at(column + 1, row), image_.at(column, row)};
     // Edge k runs from corner k to corner k + 1.
-    const std::array<std::size_t, 4> edge = {pixel(column, row + 1), n_ + pixel(column + 1, row), pixel(column, row),
-                                             n_ + pixel(column, row)};
+    const std::array<std::size_t, 4> edge = {pixel(column, row + 1), n_ + pixel(column + 1, row),
+                                             pixel(column, row), n_ + pixel(column, row)};
     const auto bright = [&](std::size_t k) { return value[k % 4] > level; };
-    // Along the square's border, the contour leaves where bright turns dark and enters where dark turns bright.
+    // Along the square's border, the contour leaves where bright turns dark and enters where dark turns
+    // bright.
     std::array<std::size_t, 2> leaves{}, enters{};
     std::size_t n_leaves = 0, n_enters = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -136,7 +147,8 @@ class MarchingSquares {
     const bool right = e < n_;
     const int column = static_cast<int>((right ? e : e - n_) % image_.width);
     const int row = static_cast<int>((right ? e : e - n_) / image_.width);
-    const double a = image_.at(column, row), b = right ? image_.at(column + 1, row) : image_.at(column, row + 1);
+    const double a = image_.at(column, row),
+                 b = right ? image_.at(column + 1, row) : image_.at(column, row + 1);
     const double t = (level - a) / (b - a);
     return right ? Vec<2>(column + t, -row) : Vec<2>(column, -row - t);
   }
@@ -154,29 +166,40 @@ double length(const std::vector<Vec<2>>& ring) {
 
 }  // namespace
 
-OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source, std::vector<std::string>& notes) {
+OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
+                            std::vector<std::string>& notes) {
   check_foreground(image, source);
   constexpr int pad = 6;  // more than the smoothing reaches
   GreyImage smoothed = padded(image, pad);
   smooth(smoothed, is_binary(image) ? 1.0 : 0.5);
   OriginalShape<2> shape;
   std::size_t n_specks = 0;
+  double area = 0;
   for (const std::vector<Vec<2>>& ring : MarchingSquares(smoothed).rings()) {
     if (length(ring) < min_ring_length) {
       ++n_specks;
       continue;
     }
     std::vector<Index> polygon;
-    for (const Vec<2>& x : ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec<2>&x = ring[k], &y = ring[(k + 1) % ring.size()];
+      area += 0.5 * (x.x() * y.y() - x.y() * y.x());
       polygon.push_back(static_cast<Index>(shape.vertices.size()));
       shape.vertices.emplace_back(x.x() - pad + 0.5, x.y() + pad + image.height - 0.5);
     }
     shape.polygons.push_back(std::move(polygon));
   }
-  if (n_specks > 0)
-    notes.push_back(counted(n_specks, "ring", "rings") + " shorter than 8 pixels left out");
+  if (n_specks > 0) notes.push_back(counted(n_specks, "ring", "rings") + " shorter than 8 pixels left out");
+  // Each pixel counts as far as it is bright; thin lines and small spots lose that in the smoothing.
+  const double bright = std::accumulate(image.values.begin(), image.values.end(), 0.0);
+  if (is_binary(image) && std::abs(area - bright) > max_area_change * bright)
+    notes.push_back(
+        fmt::format("smoothing the border changed the area by {:.1f} %: thin or small parts went, a finer "
+                    "image would keep them",
+                    100 * (area / bright - 1)));
   if (shape.polygons.empty())
-    throw_input_error("{}: the bright part is too small or too thin for an outline; enlarge the image", source);
+    throw_input_error("{}: the bright part is too small or too thin for an outline; enlarge the image",
+                      source);
   return shape;
 }
 

@@ -29,11 +29,12 @@ GreyImage read_png(const std::string& path, std::string_view bytes);
 GreyImage read_pgm(const std::string& path, std::string_view bytes);
 
 /// The border lines of what is brighter than 1/2, as closed smooth rings: marching squares with linear
-/// interpolation on a slightly smoothed image (Gaussian, standard deviation 1 pixel for black-and-white images,
-/// half a pixel where grey pixels already tell where the border runs).
-/// Pixel units, y upward: the centre of the pixel in column i of row j (from the top) is (i + 1/2, height - j - 1/2).
-/// Bright parts lie to the left of the direction of a ring. Rings shorter than 8 pixels are left out, with a note.
-/// \throws InputError where nothing is bright, or where the bright part touches the rim of the image.
-OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source, std::vector<std::string>& notes);
+/// interpolation on a slightly smoothed image (Gaussian, standard deviation 1 pixel for black-and-white
+/// images, half a pixel where grey pixels already tell where the border runs). Pixel units, y upward: the
+/// centre of the pixel in column i of row j (from the top) is (i + 1/2, height - j - 1/2). Bright parts lie
+/// to the left of the direction of a ring. Rings shorter than 8 pixels are left out, with a note. \throws
+/// InputError where nothing is bright, or where the bright part touches the rim of the image.
+OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
+                            std::vector<std::string>& notes);
 
 }  // namespace shellmatch

@@ -4,8 +4,10 @@ namespace shellmatch {
 
 void add_vertex(const Place& place, const Vec<3>& x, OriginalShape<3>& shape) {
   if (!x.allFinite())
-    throw_input_error("{}: vertex {} (counted from 0) has a coordinate that is not finite ({}, {}, {}); "
-                      "remove the vertex or give it a position", place.text(), shape.vertices.size(), x.x(), x.y(), x.z());
+    throw_input_error(
+        "{}: vertex {} (counted from 0) has a coordinate that is not finite ({}, {}, {}); "
+        "remove the vertex or give it a position",
+        place.text(), shape.vertices.size(), x.x(), x.y(), x.z());
   if (shape.vertices.size() == static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw_input_error("{}: more than {} vertices; simplify the mesh", place.text(), shape.vertices.size());
   shape.vertices.push_back(x);
@@ -13,8 +15,10 @@ void add_vertex(const Place& place, const Vec<3>& x, OriginalShape<3>& shape) {
 
 void add_corner(const Place& place, std::int64_t index, std::size_t n_vertices, std::vector<Index>& polygon) {
   if (index < 0 || index >= static_cast<std::int64_t>(n_vertices))
-    throw_input_error("{}: a face names vertex {} (counted from 0), but there are {} vertices; "
-                      "the file is damaged or was cut off", place.text(), index, n_vertices);
+    throw_input_error(
+        "{}: a face names vertex {} (counted from 0), but there are {} vertices; "
+        "the file is damaged or was cut off",
+        place.text(), index, n_vertices);
   polygon.push_back(static_cast<Index>(index));
 }
 

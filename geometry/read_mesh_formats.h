@@ -4,9 +4,9 @@
 /// taken from CGAL's readers: those give no line for an error, allocate what a damaged header asks for and
 /// drop attributes.
 ///
-/// All of them check declared counts against the data, indices against the number of vertices and coordinates for
-/// being finite, and throw InputError with the file and the line or element. A shape may be open or have no
-/// faces.
+/// All of them check declared counts against the data, indices against the number of vertices and coordinates
+/// for being finite, and throw InputError with the file and the line or element. A shape may be open or have
+/// no faces.
 
 #include "geometry/read_text.h"
 #include "geometry/surface.h"

@@ -1,4 +1,5 @@
-// Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or from the end where negative.
+// Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or from the end where
+// negative.
 #include "geometry/read_mesh_formats.h"
 
 #include <array>
@@ -47,21 +48,22 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
       for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
         const std::optional<std::int64_t> index = to_integer(word.substr(0, word.find('/')));
         if (!index || *index == 0)
-          lines.fail("a corner of a face should be a vertex number from 1, or a negative one, not '{}'", word);
+          lines.fail("a corner of a face should be a vertex number from 1, or a negative one, not '{}'",
+                     word);
         const auto n = static_cast<std::int64_t>(mesh.shape.vertices.size());
         const std::int64_t corner = *index > 0 ? *index - 1 : n + *index;
         if (corner < 0 || corner >= std::numeric_limits<Index>::max())
           lines.fail("a face names vertex {}, but there are {} vertices so far", *index, n);
         // Vertices may follow the faces that name them.
-        if (corner >= n) far_corners.emplace_back(mesh.shape.polygons.size(), number);
+        if (corner >= n && (far_corners.empty() || far_corners.back().second != number))
+          far_corners.emplace_back(mesh.shape.polygons.size(), number);
         polygon.push_back(static_cast<Index>(corner));
       }
       add_polygon(std::move(polygon), mesh.shape, n_ignored);
     }
   }
   const std::size_t n_vertices = mesh.shape.vertices.size();
-  if (n_vertices == 0)
-    throw_input_error("{}: no vertices ('v' lines) found; is it an OBJ file?", path);
+  if (n_vertices == 0) throw_input_error("{}: no vertices ('v' lines) found; is it an OBJ file?", path);
   for (const auto& [polygon, line] : far_corners) {
     if (polygon == mesh.shape.polygons.size()) continue;
     std::vector<Index> checked;

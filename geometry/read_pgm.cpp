@@ -18,7 +18,8 @@ std::int64_t next_count(std::string_view& rest, const std::string& path, std::st
   }
   if (rest.empty()) throw_input_error("{}: the PGM image is cut off: {} is missing", path, what);
   const std::optional<std::int64_t> value = to_integer(next_word(rest, blanks));
-  if (!value || *value < 0) throw_input_error("{}: {} of the PGM image is not a whole number from 0", path, what);
+  if (!value || *value < 0)
+    throw_input_error("{}: {} of the PGM image is not a whole number from 0", path, what);
   return *value;
 }
 
@@ -34,7 +35,8 @@ GreyImage read_pgm(const std::string& path, std::string_view bytes) {
   if (width == 0 || height == 0 || width > max_pixels || height > max_pixels || width * height > max_pixels)
     throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height,
                       max_pixels / 1'000'000);
-  if (white < 1 || white > 65535) throw_input_error("{}: the largest value of a PGM image is 1 to 65535, not {}", path, white);
+  if (white < 1 || white > 65535)
+    throw_input_error("{}: the largest value of a PGM image is 1 to 65535, not {}", path, white);
   GreyImage image{static_cast<int>(width), static_cast<int>(height), {}};
   const auto n = static_cast<std::size_t>(width * height);
   const std::size_t bytes_per_value = white > 255 ? 2 : 1;
@@ -42,8 +44,8 @@ GreyImage read_pgm(const std::string& path, std::string_view bytes) {
   if (binary && !rest.empty()) rest.remove_prefix(1);
   const std::size_t needed = binary ? n * bytes_per_value : 2 * n - 1;
   if (rest.size() < needed)
-    throw_input_error("{}: the PGM image is cut off: {} x {} pixels take {} bytes, {} are there", path, width, height,
-                      needed, rest.size());
+    throw_input_error("{}: the PGM image is cut off: {} x {} pixels take {} bytes, {} are there", path, width,
+                      height, needed, rest.size());
   image.values.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     std::int64_t value = 0;
@@ -54,7 +56,8 @@ GreyImage read_pgm(const std::string& path, std::string_view bytes) {
         value = value << 8 | static_cast<unsigned char>(rest[i * bytes_per_value + k]);
     }
     if (value > white)
-      throw_input_error("{}: pixel {} (counted from 0) is {}, above the largest value {}", path, i, value, white);
+      throw_input_error("{}: pixel {} (counted from 0) is {}, above the largest value {}", path, i, value,
+                        white);
     image.values.push_back(static_cast<float>(value) / static_cast<float>(white));
   }
   return image;

@@ -14,7 +14,8 @@ namespace {
 // The values of the body one after the other, whatever the form.
 class PlyBody {
  public:
-  PlyBody(const PlyHeader& header, LineReader& lines) : form_(header.form), lines_(lines), bytes_(lines.rest()) {}
+  PlyBody(const PlyHeader& header, LineReader& lines)
+      : form_(header.form), lines_(lines), bytes_(lines.rest()) {}
 
   void begin_item(const PlyElement& element, std::size_t item) {
     element_ = &element;
@@ -27,14 +28,22 @@ class PlyBody {
   double value(PlyType type) {
     if (form_ == PlyForm::text) return lines_.number_of(rest_, "a value of the " + element_->name);
     switch (type) {
-      case PlyType::int8: return binary<std::int8_t>();
-      case PlyType::uint8: return binary<std::uint8_t>();
-      case PlyType::int16: return binary<std::int16_t>();
-      case PlyType::uint16: return binary<std::uint16_t>();
-      case PlyType::int32: return binary<std::int32_t>();
-      case PlyType::uint32: return binary<std::uint32_t>();
-      case PlyType::float32: return binary<float>();
-      case PlyType::float64: return binary<double>();
+      case PlyType::int8:
+        return binary<std::int8_t>();
+      case PlyType::uint8:
+        return binary<std::uint8_t>();
+      case PlyType::int16:
+        return binary<std::int16_t>();
+      case PlyType::uint16:
+        return binary<std::uint16_t>();
+      case PlyType::int32:
+        return binary<std::int32_t>();
+      case PlyType::uint32:
+        return binary<std::uint32_t>();
+      case PlyType::float32:
+        return binary<float>();
+      case PlyType::float64:
+        return binary<double>();
     }
     return 0;
   }
@@ -69,7 +78,8 @@ class PlyBody {
     if (form_ != PlyForm::text && !bytes_.empty())
       notes.push_back(counted(bytes_.size(), "byte", "bytes") + " after the last element ignored");
     if (form_ == PlyForm::text && lines_.next())
-      lines_.fail("the header declares {}, but the file goes on; correct the header", describe_counts(header));
+      lines_.fail("the header declares {}, but the file goes on; correct the header",
+                  describe_counts(header));
   }
 
  private:

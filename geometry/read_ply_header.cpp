@@ -9,13 +9,14 @@ struct TypeFacts {
   std::string_view name, new_name;
   std::size_t size;
 };
-constexpr TypeFacts types[] = {{"char", "int8", 1},   {"uchar", "uint8", 1}, {"short", "int16", 2},
-                               {"ushort", "uint16", 2}, {"int", "int32", 4},   {"uint", "uint32", 4},
+constexpr TypeFacts types[] = {{"char", "int8", 1},     {"uchar", "uint8", 1},   {"short", "int16", 2},
+                               {"ushort", "uint16", 2}, {"int", "int32", 4},     {"uint", "uint32", 4},
                                {"float", "float32", 4}, {"double", "float64", 8}};
 
 PlyType known_type(std::string_view name, const LineReader& lines) {
   const std::optional<PlyType> type = ply_type(name);
-  if (!type) lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
+  if (!type)
+    lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
   return *type;
 }
 
@@ -41,7 +42,8 @@ PlyForm read_form(LineReader& lines, std::string_view rest) {
   lines.fail("the format should be ascii, binary_little_endian or binary_big_endian, not '{}'", name);
 }
 
-// Every item takes at least so many bytes: a damaged count must not make us allocate what the file cannot hold.
+// Every item takes at least so many bytes: a damaged count must not make us allocate what the file cannot
+// hold.
 void check_size(const PlyHeader& header, const LineReader& lines) {
   for (const PlyElement& element : header.elements) {
     std::size_t item = 0;
@@ -53,8 +55,10 @@ void check_size(const PlyHeader& header, const LineReader& lines) {
     }
     // The last line of a text may do without its end.
     if (item > 0 && element.n_items > (lines.n_left() + 1) / item)
-      throw_input_error("{}: cut off, or the header is wrong: it declares {} elements of kind '{}', which do not fit into "
-                        "the {} bytes that follow", lines.path(), element.n_items, element.name, lines.n_left());
+      throw_input_error(
+          "{}: cut off, or the header is wrong: it declares {} elements of kind '{}', which do not fit into "
+          "the {} bytes that follow",
+          lines.path(), element.n_items, element.name, lines.n_left());
   }
 }
 
@@ -62,7 +66,8 @@ void check_size(const PlyHeader& header, const LineReader& lines) {
 
 PlyHeader read_ply_header(LineReader& lines) {
   PlyHeader header;
-  if (!lines.next() || lines.line() != "ply") throw_input_error("{}: a PLY file starts with the line 'ply'", lines.path());
+  if (!lines.next() || lines.line() != "ply")
+    throw_input_error("{}: a PLY file starts with the line 'ply'", lines.path());
   bool form_known = false;
   while (lines.next_line()) {
     std::string_view rest = lines.line();
@@ -88,7 +93,8 @@ PlyHeader read_ply_header(LineReader& lines) {
       if (header.elements.empty()) lines.fail("a property comes before the first element");
       header.elements.back().properties.push_back(read_property(lines, rest));
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-      lines.fail("unknown word in the header; a PLY header has format, comment, element, property and end_header");
+      lines.fail(
+          "unknown word in the header; a PLY header has format, comment, element, property and end_header");
     }
   }
   throw_input_error("{}: cut off: the header has no end_header", lines.path());
@@ -105,7 +111,8 @@ std::optional<PlyType> ply_type(std::string_view name) {
 
 std::string describe_counts(const PlyHeader& header) {
   std::string text;
-  for (const PlyElement& e : header.elements) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", e.n_items, e.name);
+  for (const PlyElement& e : header.elements)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", e.n_items, e.name);
   return text;
 }
 

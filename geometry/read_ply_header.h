@@ -33,8 +33,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads up to "end_header". \throws InputError naming the line where it is not a header, or where it declares more
-/// elements than the file has bytes for.
+/// Reads up to "end_header". \throws InputError naming the line where it is not a header, or where it
+/// declares more elements than the file has bytes for.
 PlyHeader read_ply_header(LineReader& lines);
 
 /// Bytes of a value in a binary file.

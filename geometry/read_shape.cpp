@@ -46,25 +46,30 @@ MeshFile read_mesh_file(const std::string& path) {
 
 OriginalShape<2> read_mask(const std::string& path, std::vector<std::string>& notes) {
   const std::string bytes = read_file_bytes(path);
-  return mask_rings(file_extension(path) == ".png" ? read_png(path, bytes) : read_pgm(path, bytes), path, notes);
+  return mask_rings(file_extension(path) == ".png" ? read_png(path, bytes) : read_pgm(path, bytes), path,
+                    notes);
 }
 
 }  // namespace
 
 int dimension_of_file(const std::string& path) {
   switch (kind_of(path)) {
-    case FileKind::mesh: return 3;
+    case FileKind::mesh:
+      return 3;
     case FileKind::outline:
-    case FileKind::mask: return 2;
-    default: return 0;
+    case FileKind::mask:
+      return 2;
+    default:
+      return 0;
   }
 }
 
 Shape<3> read_mesh(const std::string& path) {
   require_file(path);
   if (dimension_of_file(path) == 2)
-    throw_input_error("{}: an outline or mask is a shape of the plane, but a shape of space is wanted here: {}", path,
-                      mesh_list);
+    throw_input_error(
+        "{}: an outline or mask is a shape of the plane, but a shape of space is wanted here: {}", path,
+        mesh_list);
   if (dimension_of_file(path) != 3) unsupported(path);
   MeshFile file = read_mesh_file(path);
   Shape<3> shape{path, std::move(file.shape), {}, std::move(file.notes)};
@@ -75,7 +80,8 @@ Shape<3> read_mesh(const std::string& path) {
 Shape<2> read_outline(const std::string& path) {
   require_file(path);
   if (dimension_of_file(path) == 3)
-    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path, outline_list);
+    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path,
+                      outline_list);
   if (dimension_of_file(path) != 2) unsupported(path);
   Shape<2> shape{path, {}, {}, {}};
   shape.original = kind_of(path) == FileKind::mask ? read_mask(path, shape.notes)
@@ -99,9 +105,12 @@ OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std
       return std::move(file.shape);
     }
     case FileKind::outline:
-    case FileKind::points: return read_points<3>(path, read_file_bytes(path), false);
-    case FileKind::mask: throw_input_error("{}: a mask is a shape of the plane, but this deformation is one of space", path);
-    default: unsupported(path);
+    case FileKind::points:
+      return read_points<3>(path, read_file_bytes(path), false);
+    case FileKind::mask:
+      throw_input_error("{}: a mask is a shape of the plane, but this deformation is one of space", path);
+    default:
+      unsupported(path);
   }
 }
 
@@ -109,11 +118,15 @@ OriginalShape<2> read_points_or_outline_2d(const std::string& path, std::vector<
   require_file(path);
   std::vector<std::string> own_notes;
   switch (kind_of(path)) {
-    case FileKind::mask: return read_mask(path, notes ? *notes : own_notes);
+    case FileKind::mask:
+      return read_mask(path, notes ? *notes : own_notes);
     case FileKind::outline:
-    case FileKind::points: return read_points<2>(path, read_file_bytes(path), false);
-    case FileKind::mesh: throw_input_error("{}: a mesh is a shape of space, but this deformation is one of the plane", path);
-    default: unsupported(path);
+    case FileKind::points:
+      return read_points<2>(path, read_file_bytes(path), false);
+    case FileKind::mesh:
+      throw_input_error("{}: a mesh is a shape of space, but this deformation is one of the plane", path);
+    default:
+      unsupported(path);
   }
 }
 

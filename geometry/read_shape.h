@@ -2,8 +2,8 @@
 /// \file
 /// Reading of shapes: what a file name stands for, and a closed surface out of it.
 ///
-/// In space: meshes .obj, .off, .ply, .stl. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings separated
-/// by blank lines) and masks .png, .pgm (bright on dark).
+/// In space: meshes .obj, .off, .ply, .stl. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
+/// separated by blank lines) and masks .png, .pgm (bright on dark).
 
 #include "geometry/surface.h"
 
@@ -19,8 +19,9 @@ using AnyShape = std::variant<Shape<2>, Shape<3>>;
 /// \throws InputError in one sentence that names the file, the line or element, what is wrong and what to do.
 Shape<3> read_mesh(const std::string& path);
 
-/// Reads an outline or the border of a mask, whose coordinates are pixels with y upward (geometry/read_mask.h).
-/// A last point that repeats the first of its ring is dropped. \throws InputError as above.
+/// Reads an outline or the border of a mask, whose coordinates are pixels with y upward
+/// (geometry/read_mask.h). A last point that repeats the first of its ring is dropped. \throws InputError as
+/// above.
 Shape<2> read_outline(const std::string& path);
 
 /// One of the two, by the ending of the file name.
@@ -34,6 +35,7 @@ int dimension_of_file(const std::string& path);
 OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std::string>* notes = nullptr);
 
 /// The same in the plane: points or outlines with two columns, as they stand in the file; or a mask.
-OriginalShape<2> read_points_or_outline_2d(const std::string& path, std::vector<std::string>* notes = nullptr);
+OriginalShape<2> read_points_or_outline_2d(const std::string& path,
+                                           std::vector<std::string>* notes = nullptr);
 
 }  // namespace shellmatch

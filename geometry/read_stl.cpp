@@ -50,10 +50,13 @@ MeshFile read_binary(const std::string& path, std::string_view bytes) {
   MeshFile mesh;
   const std::size_t n = declared_triangles(bytes), needed = header_size + triangle_size * n;
   if (bytes.size() < needed)
-    throw_input_error("{}: cut off, or not an STL file: the header declares {} triangles, which take {} bytes; the file "
-                      "has {}", path, n, needed, bytes.size());
+    throw_input_error(
+        "{}: cut off, or not an STL file: the header declares {} triangles, which take {} bytes; the file "
+        "has {}",
+        path, n, needed, bytes.size());
   if (bytes.size() > needed)
-    mesh.notes.push_back(counted(bytes.size() - needed, "byte", "bytes") + " after the last triangle ignored");
+    mesh.notes.push_back(counted(bytes.size() - needed, "byte", "bytes") +
+                         " after the last triangle ignored");
   Welder welder(mesh.shape);
   for (std::size_t t = 0; t < n; ++t) {
     std::vector<Index> triangle;
@@ -78,10 +81,12 @@ std::vector<Index> read_facet(LineReader& lines, Welder& welder) {
       for (int k = 0; k < 3; ++k) x[k] = lines.number_of(rest, "a coordinate of a vertex");
       polygon.push_back(welder.vertex({lines.path(), "line", lines.number()}, x));
     } else if (equals_ignoring_case(keyword, "endfacet")) {
-      if (polygon.size() != 3) lines.fail("a facet of an STL file has three vertices, this one has {}", polygon.size());
+      if (polygon.size() != 3)
+        lines.fail("a facet of an STL file has three vertices, this one has {}", polygon.size());
       return polygon;
     } else if (!equals_ignoring_case(keyword, "outer") && !equals_ignoring_case(keyword, "endloop")) {
-      lines.fail("unknown word in a facet; 'outer loop', 'vertex', 'endloop' or 'endfacet' should stand here");
+      lines.fail(
+          "unknown word in a facet; 'outer loop', 'vertex', 'endloop' or 'endfacet' should stand here");
     }
   }
   throw_input_error("{}: cut off: the file ends within facet (line {})", lines.path(), lines.number());
@@ -122,8 +127,9 @@ MeshFile read_stl(const std::string& path, std::string_view bytes) {
   const bool text = equals_ignoring_case(word, "solid") && bytes.find('\0') == bytes.npos;
   if (text) return read_text(path, bytes);
   if (!has_header)
-    throw_input_error("{}: cut off, or not an STL file: it neither starts with 'solid' nor has a binary header of {} bytes",
-                      path, header_size);
+    throw_input_error(
+        "{}: cut off, or not an STL file: it neither starts with 'solid' nor has a binary header of {} bytes",
+        path, header_size);
   return read_binary(path, bytes);
 }
 

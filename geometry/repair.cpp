@@ -1,6 +1,7 @@
 #include "geometry/repair.h"
 
 #include "base/error.h"
+#include "geometry/cgal_self_intersections.h"
 #include "geometry/read_text.h"
 #include "geometry/repair_steps.h"
 
@@ -45,7 +46,8 @@ PartMeasure measure(const Surface<3>& surface, const std::vector<Index>& part) {
   for (const Index f : part) {
     const auto& [a, b, c] = surface.facets[f];
     result.volume += (surface.vertices[a] - centre)
-                         .dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre)) / 6;
+                         .dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre)) /
+                     6;
   }
   return result;
 }
@@ -100,7 +102,8 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   const auto [n_collapsed, n_copies] = remove_repetitions(surface);
   notes.add(n_collapsed, "triangle", "triangles", "with a repeated corner removed");
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
-  if (surface.facets.empty()) throw_input_error("{}: the faces have no area; a closed surface is needed", source);
+  if (surface.facets.empty())
+    throw_input_error("{}: the faces have no area; a closed surface is needed", source);
   check_closed(surface, source);
 
   const Orientation orientation = orient_consistently(surface);
@@ -108,11 +111,14 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   try {
     check_closed(surface, source);
   } catch (const InputError&) {
-    throw_input_error("{}: the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart", source);
+    throw_input_error(
+        "{}: the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart",
+        source);
   }
   notes.add(orientation.n_split, "vertex", "vertices", "added where the surface touches itself");
   const std::size_t n_flat = count_flat_triangles(surface);
-  if (n_flat == surface.facets.size()) throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
+  if (n_flat == surface.facets.size())
+    throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
   if (n_flat > 0 && !remove_flat_triangles(surface))
     throw_input_error("{}: {} without area could not be removed; remove them in a mesh editor", source,
                       counted(n_flat, "triangle", "triangles"));
@@ -120,7 +126,8 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   orient_outward(surface, source, notes);
   remove_unused_vertices(surface);
   if (surface.facets.size() <= self_intersection_limit)
-    notes.add(count_self_intersections(surface), "pair", "pairs", "of triangles cross or overlap (left as they are)");
+    notes.add(self_intersecting_facets(surface).size(), "triangle", "triangles",
+              "that cross or touch others (left as they are)");
   return surface;
 }
 

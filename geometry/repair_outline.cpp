@@ -18,9 +18,9 @@ struct Ring {
 
 using Point = std::pair<double, double>;
 
-// Cuts a ring where it comes back to a point it has visited: the loop in between becomes a ring of its own, and a
-// loop of two points, which is a spike without width, is dropped. What is left touches itself nowhere at its points,
-// and the depth of nesting settles the orientation of the loops.
+// Cuts a ring where it comes back to a point it has visited: the loop in between becomes a ring of its own,
+// and a loop of two points, which is a spike without width, is dropped. What is left touches itself nowhere
+// at its points, and the depth of nesting settles the orientation of the loops.
 std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& ring, const std::vector<Vec<2>>& x,
                                              std::size_t& n_spikes) {
   std::vector<std::vector<Index>> loops;
@@ -50,8 +50,8 @@ struct Repairs {
   std::size_t n_repeated = 0, n_spikes = 0, n_touches = 0;
 };
 
-std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::size_t number, const std::string& source,
-                                       Repairs& repairs) {
+std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::size_t number,
+                                       const std::string& source, Repairs& repairs) {
   const std::vector<Index>& polygon = original.polygons[number];
   const auto& x = original.vertices;
   std::vector<Index> points;
@@ -60,8 +60,9 @@ std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::si
   while (points.size() > 1 && x[points.back()] == x[points.front()]) points.pop_back();
   repairs.n_repeated += polygon.size() - points.size();
   if (points.size() < 3)
-    throw_input_error("{}: ring {} has only {} (point {} on); a closed outline needs three or more", source, number + 1,
-                      counted(points.size(), "different point", "different points"), polygon.empty() ? 0 : polygon[0] + 1);
+    throw_input_error("{}: ring {} has only {} (point {} on); a closed outline needs three or more", source,
+                      number + 1, counted(points.size(), "different point", "different points"),
+                      polygon.empty() ? 0 : polygon[0] + 1);
   return points;
 }
 
@@ -69,7 +70,8 @@ std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::si
 Surface<2> segments_of(const std::vector<Vec<2>>& vertices, const std::vector<std::vector<Index>>& rings) {
   Surface<2> all{vertices, {}};
   for (const std::vector<Index>& ring : rings)
-    for (std::size_t k = 0; k < ring.size(); ++k) all.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      all.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
   return all;
 }
 
@@ -90,12 +92,12 @@ void share_touching_points(const std::vector<Vec<2>>& vertices, std::vector<std:
   }
 }
 
-void add_rings(const std::vector<Index>& points, const std::vector<Vec<2>>& x, std::size_t number, const std::string& source,
-               std::vector<Ring>& rings, Repairs& repairs) {
+void add_rings(const std::vector<Index>& points, const std::vector<Vec<2>>& x, std::size_t number,
+               const std::string& source, std::vector<Ring>& rings, Repairs& repairs) {
   const std::vector<std::vector<Index>> loops = simple_loops(points, x, repairs.n_spikes);
   if (loops.empty())
-    throw_input_error("{}: ring {} (point {} on) has no area: it goes back the way it came", source, number + 1,
-                      points[0] + 1);
+    throw_input_error("{}: ring {} (point {} on) has no area: it goes back the way it came", source,
+                      number + 1, points[0] + 1);
   repairs.n_touches += loops.size() - 1;
   for (const std::vector<Index>& loop : loops) {
     Ring ring{loop, {}, 0};
@@ -116,12 +118,14 @@ void check_crossings(const Surface<2>& outline, const std::string& source) {
   for (std::size_t i = 0; i < n_shown; ++i) {
     const auto& [f, g] = found[i];
     const Vec<2> x = crossing_point(outline, f, g);
-    places += fmt::format("{}segments {}-{} and {}-{} at ({:.6g}, {:.6g})", i == 0 ? "" : ", ", outline.facets[f][0] + 1,
-                          outline.facets[f][1] + 1, outline.facets[g][0] + 1, outline.facets[g][1] + 1, x.x(), x.y());
+    places += fmt::format("{}segments {}-{} and {}-{} at ({:.6g}, {:.6g})", i == 0 ? "" : ", ",
+                          outline.facets[f][0] + 1, outline.facets[f][1] + 1, outline.facets[g][0] + 1,
+                          outline.facets[g][1] + 1, x.x(), x.y());
   }
-  throw_input_error("{}: the outline crosses or touches itself in {}: {}{} (points counted from 1); move or remove "
-                    "points there", source, counted(found.size(), "place", "places"), places,
-                    found.size() > n_shown ? ", ..." : "");
+  throw_input_error(
+      "{}: the outline crosses or touches itself in {}: {}{} (points counted from 1); move or remove "
+      "points there",
+      source, counted(found.size(), "place", "places"), places, found.size() > n_shown ? ", ..." : "");
 }
 
 // Crossing number of the ray to the right; x lies on no segment.
@@ -144,7 +148,8 @@ int nesting_depth(std::size_t number, const std::vector<Ring>& rings, const std:
   int depth = 0;
   for (std::size_t other = 0; other < rings.size(); ++other) {
     const Box<2>& box = rings[other].box;
-    if (other == number || (x.array() < box.min.array()).any() || (x.array() > box.max.array()).any()) continue;
+    if (other == number || (x.array() < box.min.array()).any() || (x.array() > box.max.array()).any())
+      continue;
     depth += is_inside(x, rings[other], points) ? 1 : 0;
   }
   return depth;
@@ -189,12 +194,14 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   }
   if (repairs.n_repeated > 0)
     notes.push_back(counted(repairs.n_repeated, "repeated point", "repeated points") + " left out");
-  if (repairs.n_spikes > 0) notes.push_back(counted(repairs.n_spikes, "spike", "spikes") + " without width removed");
+  if (repairs.n_spikes > 0)
+    notes.push_back(counted(repairs.n_spikes, "spike", "spikes") + " without width removed");
   if (repairs.n_touches > 0)
     notes.push_back(counted(repairs.n_touches, "loop", "loops") + " cut off where an outline touches itself");
   if (n_holes > 0) notes.push_back(counted(n_holes, "ring is a hole", "rings are holes"));
   if (n_turned > 0)
-    notes.push_back(counted(n_turned, "ring", "rings") + " turned round (outlines run counter-clockwise, holes clockwise)");
+    notes.push_back(counted(n_turned, "ring", "rings") +
+                    " turned round (outlines run counter-clockwise, holes clockwise)");
   return outline;
 }
 

@@ -15,7 +15,9 @@ struct Edge {
   Index a, b;  // a < b
   Index facet;
   bool same_ends(const Edge& other) const { return a == other.a && b == other.b; }
-  bool operator<(const Edge& other) const { return std::tie(a, b, facet) < std::tie(other.a, other.b, other.facet); }
+  bool operator<(const Edge& other) const {
+    return std::tie(a, b, facet) < std::tie(other.a, other.b, other.facet);
+  }
 };
 
 std::vector<Edge> sorted_edges(const Surface<3>& surface) {
@@ -73,7 +75,8 @@ std::size_t weld_seams(Surface<3>& surface) {
     const Vec<3>& x = surface.vertices[v];
     return std::array<double, 3>{x.x(), x.y(), x.z()};
   };
-  std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return coordinates(v) < coordinates(w); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index v, Index w) { return coordinates(v) < coordinates(w); });
   std::vector<Index> target(surface.vertices.size());
   std::iota(target.begin(), target.end(), Index{0});
   std::size_t n_welded = 0;
@@ -88,21 +91,26 @@ std::size_t weld_seams(Surface<3>& surface) {
 }
 
 std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface) {
-  std::size_t n_collapsed = 0, n_copies = 0;
-  std::set<std::array<Index, 3>> seen;
-  Triangles kept;
-  for (const auto& facet : surface.facets) {
-    auto turned = facet;
-    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    if (facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0])
-      ++n_collapsed;
-    else if (!seen.insert(turned).second)
-      ++n_copies;
-    else
-      kept.push_back(facet);
+  Triangles proper;
+  for (const auto& [a, b, c] : surface.facets)
+    if (a != b && b != c && c != a) proper.push_back({a, b, c});
+  const std::size_t n_collapsed = surface.facets.size() - proper.size();
+  // Copies stand next to each other once every triangle starts with its smallest corner; the first of each
+  // stays.
+  std::vector<std::pair<std::array<Index, 3>, std::size_t>> turned;
+  for (std::size_t t = 0; t < proper.size(); ++t) {
+    std::array<Index, 3> corners = proper[t];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    turned.emplace_back(corners, t);
   }
-  surface.facets = std::move(kept);
-  return {n_collapsed, n_copies};
+  std::sort(turned.begin(), turned.end());
+  std::vector<bool> copy(proper.size(), false);
+  for (std::size_t i = 1; i < turned.size(); ++i)
+    copy[turned[i].second] = turned[i].first == turned[i - 1].first;
+  surface.facets.clear();
+  for (std::size_t t = 0; t < proper.size(); ++t)
+    if (!copy[t]) surface.facets.push_back(proper[t]);
+  return {n_collapsed, proper.size() - surface.facets.size()};
 }
 
 void check_closed(const Surface<3>& surface, const std::string& source) {
@@ -122,12 +130,16 @@ void check_closed(const Surface<3>& surface, const std::string& source) {
     return position(surface.vertices[e.a]) + " to " + position(surface.vertices[e.b]);
   };
   const std::string boundary =
-      open.empty() ? "" : fmt::format("{} in {}, one from {}", counted(open.size(), "boundary edge", "boundary edges"),
-                                      counted(loop_names.size(), "loop", "loops"), place(open[0]));
+      open.empty()
+          ? ""
+          : fmt::format("{} in {}, one from {}", counted(open.size(), "boundary edge", "boundary edges"),
+                        counted(loop_names.size(), "loop", "loops"), place(open[0]));
   if (!crowded.empty())
-    throw_input_error("{}: the surface is not manifold: {} more than two faces, one from {}{}{}; remove inner walls and "
-                      "doubled faces", source, counted(crowded.size(), "edge has", "edges have"), place(crowded[0]),
-                      open.empty() ? "" : "; it is also open: ", boundary);
+    throw_input_error(
+        "{}: the surface is not manifold: {} more than two faces, one from {}{}{}; remove inner walls and "
+        "doubled faces",
+        source, counted(crowded.size(), "edge has", "edges have"), place(crowded[0]),
+        open.empty() ? "" : "; it is also open: ", boundary);
   if (!open.empty())
     throw_input_error("{}: the surface is open: {}; close its holes in a mesh editor", source, boundary);
 }

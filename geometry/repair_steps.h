@@ -49,9 +49,6 @@ std::vector<std::vector<Index>> connected_parts(const Surface<3>& surface);
 /// \pre every part is closed.
 std::vector<int> nesting_depths(const Surface<3>& surface, const std::vector<std::vector<Index>>& parts);
 
-/// Pairs of triangles that cross or overlap.
-std::size_t count_self_intersections(const Surface<3>& surface);
-
 /// Removes vertices without a triangle; returns how many.
 std::size_t remove_unused_vertices(Surface<3>& surface);
 

@@ -83,7 +83,8 @@ Triangles triangulate(const OriginalShape<3>& shape) {
         continue;
       }
     }
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) triangles.push_back({corners[0], corners[k], corners[k + 1]});
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      triangles.push_back({corners[0], corners[k], corners[k + 1]});
   }
   return triangles;
 }

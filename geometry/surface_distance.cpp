@@ -43,7 +43,8 @@ DistanceStatistics statistics(std::vector<double> values) {
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
   std::vector<double> distances(points.size());
-  parallel_for(points.size(), [&](std::size_t i) { distances[i] = std::abs(surface(points[i])); }, 256);
+  parallel_for(
+      points.size(), [&](std::size_t i) { distances[i] = std::abs(surface(points[i])); }, 256);
   return distances;
 }
 

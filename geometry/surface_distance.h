@@ -13,8 +13,8 @@ struct DistanceStatistics {
   double mean, p95, max;  ///< p95: 95 of 100 distances are not larger
 };
 
-/// The q-quantile of the values, the element at place q (n - 1), rounded, of the sorted list; NaN where there is
-/// none. \pre 0 <= q <= 1; no value is NaN.
+/// The q-quantile of the values, the element at place q (n - 1), rounded, of the sorted list; NaN where there
+/// is none. \pre 0 <= q <= 1; no value is NaN.
 double quantile(std::vector<double> values, double q);
 
 DistanceStatistics statistics(std::vector<double> values);

@@ -13,7 +13,8 @@ double angle(const Surface<2>& surface, const std::array<Index, 2>& facet, const
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
-/// van Oosterom and Strackee, 'The solid angle of a plane triangle', IEEE Trans. Biomed. Eng. 30(2), 1983, (8).
+/// van Oosterom and Strackee, 'The solid angle of a plane triangle', IEEE Trans. Biomed. Eng. 30(2), 1983,
+/// (8).
 double angle(const Surface<3>& surface, const std::array<Index, 3>& facet, const Vec<3>& x) {
   const Vec<3> a = surface.vertices[facet[0]] - x, b = surface.vertices[facet[1]] - x,
                c = surface.vertices[facet[2]] - x;

@@ -9,9 +9,9 @@
 
 namespace shellmatch {
 
-/// Sum over all facets of the signed angle (plane, over 2 pi) or solid angle (space, over 4 pi) that they fill as
-/// seen from x. The time is proportional to the number of facets: for checks and small surfaces.
-/// On a facet the value jumps; the result there is one of both sides or their mean.
+/// Sum over all facets of the signed angle (plane, over 2 pi) or solid angle (space, over 4 pi) that they
+/// fill as seen from x. The time is proportional to the number of facets: for checks and small surfaces. On a
+/// facet the value jumps; the result there is one of both sides or their mean.
 template <int Dim>
 double winding_number(const Surface<Dim>& surface, const Vec<Dim>& x);
 

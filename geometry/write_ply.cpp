@@ -1,6 +1,6 @@
 #include "base/error.h"
-#include "geometry/read_text.h"
 #include "geometry/read_ply_header.h"
+#include "geometry/read_text.h"
 #include "geometry/write_shape.h"
 
 #include <algorithm>
@@ -27,20 +27,29 @@ void append_integer(std::string& bytes, double value) {
 
 void append_value(std::string& bytes, PlyType type, double value) {
   switch (type) {
-    case PlyType::int8: return append_integer<std::int8_t>(bytes, value);
-    case PlyType::uint8: return append_integer<std::uint8_t>(bytes, value);
-    case PlyType::int16: return append_integer<std::int16_t>(bytes, value);
-    case PlyType::uint16: return append_integer<std::uint16_t>(bytes, value);
-    case PlyType::int32: return append_integer<std::int32_t>(bytes, value);
-    case PlyType::uint32: return append_integer<std::uint32_t>(bytes, value);
-    case PlyType::float32: return append(bytes, static_cast<float>(value));
-    case PlyType::float64: return append(bytes, value);
+    case PlyType::int8:
+      return append_integer<std::int8_t>(bytes, value);
+    case PlyType::uint8:
+      return append_integer<std::uint8_t>(bytes, value);
+    case PlyType::int16:
+      return append_integer<std::int16_t>(bytes, value);
+    case PlyType::uint16:
+      return append_integer<std::uint16_t>(bytes, value);
+    case PlyType::int32:
+      return append_integer<std::int32_t>(bytes, value);
+    case PlyType::uint32:
+      return append_integer<std::uint32_t>(bytes, value);
+    case PlyType::float32:
+      return append(bytes, static_cast<float>(value));
+    case PlyType::float64:
+      return append(bytes, value);
   }
 }
 
 // PLY names are single words.
 std::string word_of(std::string name) {
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '_');
   return name.empty() ? "unnamed" : name;
 }
 
@@ -53,8 +62,10 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape) {
     longest = std::max(longest, polygon.size());
   }
   const PlyType count_type = longest < 256 ? PlyType::uint8 : PlyType::uint32;
-  std::string bytes = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
-                                  "property double y\nproperty double z\n", shape.vertices.size());
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\n",
+      shape.vertices.size());
   std::vector<PlyType> types;
   for (const VertexAttribute& a : shape.attributes) {
     SHELLMATCH_CHECK(a.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
@@ -67,16 +78,18 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape) {
     bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(),
                          ply_type_name(count_type));
   bytes += "end_header\n";
-  bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) + 4 * (n_corners + shape.polygons.size()));
+  bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) +
+                4 * (n_corners + shape.polygons.size()));
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k) append(bytes, shape.vertices[v][k]);
-    for (std::size_t a = 0; a < types.size(); ++a) append_value(bytes, types[a], shape.attributes[a].values[v]);
+    for (std::size_t a = 0; a < types.size(); ++a)
+      append_value(bytes, types[a], shape.attributes[a].values[v]);
   }
   for (const auto& polygon : shape.polygons) {
     append_value(bytes, count_type, static_cast<double>(polygon.size()));
     for (const Index v : polygon) append(bytes, static_cast<std::int32_t>(v));
   }
-  write_file(path, bytes);
+  replace_file(path, bytes);
 }
 
 }  // namespace shellmatch

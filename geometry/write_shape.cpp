@@ -22,13 +22,16 @@ namespace {
 template <int Dim>
 void check_attributes(const OriginalShape<Dim>& shape) {
   for (const VertexAttribute& attribute : shape.attributes)
-    SHELLMATCH_CHECK(attribute.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
+    SHELLMATCH_CHECK(attribute.values.size() == shape.vertices.size(),
+                     "an attribute has one value for each vertex");
 }
 
 template <int Dim>
 void append_point_line(fmt::memory_buffer& text, const OriginalShape<Dim>& shape, std::size_t v) {
-  for (int k = 0; k < Dim; ++k) fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
-  for (const VertexAttribute& a : shape.attributes) fmt::format_to(std::back_inserter(text), ",{}", a.values[v]);
+  for (int k = 0; k < Dim; ++k)
+    fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
+  for (const VertexAttribute& a : shape.attributes)
+    fmt::format_to(std::back_inserter(text), ",{}", a.values[v]);
   text.push_back('\n');
 }
 
@@ -48,7 +51,7 @@ void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
     append_point_line(text, shape, v);
     if (last[v] && v + 1 < shape.vertices.size()) text.push_back('\n');
   }
-  write_file(path, {text.data(), text.size()});
+  replace_file(path, {text.data(), text.size()});
 }
 
 const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::string_view name) {
@@ -67,7 +70,8 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape) {
     fmt::format_to(std::back_inserter(text), "v {} {} {}", x.x(), x.y(), x.z());
     if (coloured)
       for (const VertexAttribute* c : colours)
-        fmt::format_to(std::back_inserter(text), " {}", c->type == "uchar" ? c->values[v] / 255 : c->values[v]);
+        fmt::format_to(std::back_inserter(text), " {}",
+                       c->type == "uchar" ? c->values[v] / 255 : c->values[v]);
     text.push_back('\n');
   }
   for (const std::vector<Index>& polygon : shape.polygons) {
@@ -75,26 +79,30 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape) {
     for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v + 1);
     text.push_back('\n');
   }
-  write_file(path, {text.data(), text.size()});
+  replace_file(path, {text.data(), text.size()});
 }
 
 void write_off(const std::string& path, const OriginalShape<3>& shape) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
-  for (const Vec<3>& x : shape.vertices) fmt::format_to(std::back_inserter(text), "{} {} {}\n", x.x(), x.y(), x.z());
+  for (const Vec<3>& x : shape.vertices)
+    fmt::format_to(std::back_inserter(text), "{} {} {}\n", x.x(), x.y(), x.z());
   for (const std::vector<Index>& polygon : shape.polygons) {
     fmt::format_to(std::back_inserter(text), "{}", polygon.size());
     for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v);
     text.push_back('\n');
   }
-  write_file(path, {text.data(), text.size()});
+  replace_file(path, {text.data(), text.size()});
 }
 
 void write_stl(const std::string& path, const OriginalShape<3>& shape) {
-  if (shape.polygons.empty()) throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
+  if (shape.polygons.empty())
+    throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
   const Triangles triangles = triangulate(shape);
   std::string bytes(80, ' ');
-  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  const auto append = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
   append(static_cast<std::uint32_t>(triangles.size()));
   for (const auto& [a, b, c] : triangles) {
     const Vec<3>&xa = shape.vertices[a], &xb = shape.vertices[b], &xc = shape.vertices[c];
@@ -103,18 +111,19 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape) {
       for (int k = 0; k < 3; ++k) append(static_cast<float>(x[k]));
     append(std::uint16_t{0});
   }
-  write_file(path, bytes);
+  replace_file(path, bytes);
 }
 
 }  // namespace
 
-void write_file(const std::string& path, std::string_view bytes) {
+void replace_file(const std::string& path, std::string_view bytes) {
   namespace fs = std::filesystem;
   const std::string part = path + ".part";
   const auto fail = [&](const std::string& reason) {
     std::error_code ignored;
     fs::remove(part, ignored);
-    throw_environment_error("{}: cannot be written ({}); check the folder, its permissions and the free space", path, reason);
+    throw_environment_error(
+        "{}: cannot be written ({}); check the folder, its permissions and the free space", path, reason);
   };
   errno = 0;
   std::ofstream stream(part, std::ios::binary | std::ios::trunc);

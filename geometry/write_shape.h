@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Writing of shapes. Every file is written beside its final name (path + ".part") and renamed, so that what is there
-/// is whole. \throws EnvironmentError, in all functions, where the file cannot be written; nothing is left.
+/// Writing of shapes. Every file is written beside its final name (path + ".part") and renamed, so that what
+/// is there is whole. \throws EnvironmentError, in all functions, where the file cannot be written; nothing
+/// is left.
 
 #include "geometry/surface.h"
 
@@ -20,11 +21,12 @@ void write_outline_csv(const std::string& path, const OriginalShape<2>& shape);
 /// Text as above with "x,y,z": the points alone.
 void write_points_csv(const std::string& path, const OriginalShape<3>& shape);
 
-/// By the ending of the name: .ply and .csv as above; .obj, with colours where there are any; .off; .stl (binary, single
-/// precision, polygons split). Other attributes are lost in these. \throws InputError for other endings, and for STL without faces.
+/// By the ending of the name: .ply and .csv as above; .obj, with colours where there are any; .off; .stl
+/// (binary, single precision, polygons split). Other attributes are lost in these. \throws InputError for
+/// other endings, and for STL without faces.
 void write_shape(const std::string& path, const OriginalShape<3>& shape);
 
 /// Writes `bytes` beside and renames.
-void write_file(const std::string& path, std::string_view bytes);
+void replace_file(const std::string& path, std::string_view bytes);
 
 }  // namespace shellmatch

@@ -118,8 +118,6 @@ class Level {
     return result;
   }
 
-  std::vector<Element<Dim>> elements() const { return {unknowns_.elements().begin(), unknowns_.elements().end()}; }
-
  private:
   std::vector<double> lumped_mass_of(std::span<const Index> nodes) const {
     const std::vector<double> all = lumped_mass(grid_);
@@ -146,7 +144,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
                                PhaseSeconds& seconds) {
   const CascadeOptions& schedule = options.cascade;
-  CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, false};
+  CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
   result.phi = identity(grid);
   NodalDistance<Dim> d1(reference), d2(template_shape);
@@ -157,16 +155,19 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     const std::vector<double>& nodal1 = d1.on(grid);
     const std::vector<double>& nodal2 = d2.on(grid);
     clock.start("coefficients");
-    const auto coefficients = compute_coefficient_pair(grid, conforming(grid, nodal1), conforming(grid, nodal2),
+    auto coefficients = compute_coefficient_pair(grid, conforming(grid, nodal1), conforming(grid, nodal2),
                                                        options.coefficients);
     clock.start("set-up");
     Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
     clock.start("minimisation");
     result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
     clock.start("output");
-    const auto elements = problem.elements();
-    if (finished) finished(result.levels.back(), {grid, result.phi, coefficients.reference, coefficients.target, elements});
-    if (level == schedule.max_level || result.interrupted) break;
+    if (finished) finished(result.levels.back(), {grid, result.phi, coefficients.reference, coefficients.target});
+    if (level == schedule.max_level || result.interrupted) {
+      result.reference = std::move(coefficients.reference);
+      result.target = std::move(coefficients.target);
+      break;
+    }
 
     clock.start("refinement");
     const Index n_old = grid.n_nodes();

@@ -30,7 +30,6 @@ struct LevelResult {
   double band_measure = 0;           ///< integral of eta_sigma(d1): tends to the measure of M1
   TermValues minimised;              ///< with the quadrature that was minimised
   TermValues reported;               ///< with a finer one
-  double reported_gradient_norm = 0; ///< Euclidean norm of the minimised energy's gradient in the metric, at the end
   FoldReport folds;
   MinimizerSummary last;             ///< of the last minimisation
   int iterations = 0;                ///< of all minimisations of the level
@@ -45,13 +44,13 @@ struct LevelState {
   const std::vector<Vec<Dim>>& phi;
   const CoefficientFields<Dim>& reference;
   const CoefficientFields<Dim>& target;
-  const std::vector<Element<Dim>>& elements;
 };
 
 template <int Dim>
 struct CascadeResult {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;
+  CoefficientFields<Dim> reference, target;  ///< on the finest grid
   std::vector<LevelResult> levels;
   bool interrupted = false;
 };

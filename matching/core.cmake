@@ -1,1 +1,1 @@
-list(APPEND MATCHING_SOURCES deformation.cpp level_problem.cpp cascade.cpp run_matching.cpp)
+list(APPEND MATCHING_SOURCES deformation.cpp level_problem.cpp cascade.cpp run_matching.cpp run_report.cpp)

@@ -12,8 +12,8 @@ namespace shellmatch {
 
 inline constexpr const char* deformation_file_name = "deformation.vtu";
 
-/// Values at the grid's nodes, in the order of their numbers, hanging nodes included: "d1" with one component,
-/// "n2" with Dim, a matrix's entries row by row, or the packed entries of a symmetric one.
+/// Values at the grid's nodes, in the order of their numbers, hanging nodes included: "d1" with one
+/// component, "n2" with Dim, a matrix's entries row by row, or the packed entries of a symmetric one.
 struct NodalField {
   std::string name;
   int n_components = 1;
@@ -34,7 +34,8 @@ struct CellField {
 /// \throws EnvironmentError if the file cannot be written
 template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
-                       const std::vector<NodalField>& nodal_fields = {}, const std::vector<CellField>& cell_fields = {});
+                       const std::vector<NodalField>& nodal_fields = {},
+                       const std::vector<CellField>& cell_fields = {});
 
 /// Reads a map back: the same leaves, node positions and placement, and phi to the bit. The numbers of nodes
 /// and cells may differ from those of the grid that was written.

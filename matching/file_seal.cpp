@@ -19,13 +19,16 @@ std::optional<std::uint64_t> checksum(std::ifstream& in, std::uintmax_t length) 
   while (length > 0) {
     const std::uintmax_t n = std::min<std::uintmax_t>(length, block.size());
     if (!in.read(block.data(), static_cast<std::streamsize>(n))) return std::nullopt;
-    for (std::uintmax_t i = 0; i < n; ++i) sum = (sum ^ static_cast<unsigned char>(block[i])) * 0x100000001b3u;
+    for (std::uintmax_t i = 0; i < n; ++i)
+      sum = (sum ^ static_cast<unsigned char>(block[i])) * 0x100000001b3u;
     length -= n;
   }
   return sum;
 }
 
-std::string seal_text(std::uint64_t sum) { return fmt::format("\n<!-- shellmatch checksum {:016x} -->\n", sum); }
+std::string seal_text(std::uint64_t sum) {
+  return fmt::format("\n<!-- shellmatch checksum {:016x} -->\n", sum);
+}
 
 }  // namespace
 
@@ -37,7 +40,8 @@ void seal_file(const std::string& path) {
   std::ofstream out(path, std::ios::binary | std::ios::app);
   if (sum) out << seal_text(*sum);
   out.close();
-  if (!sum || !out) throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
+  if (!sum || !out)
+    throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
 }
 
 bool is_sealed(const std::string& path) {

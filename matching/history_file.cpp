@@ -14,7 +14,8 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view before_terms[] = {"level", "substep", "nu", "iteration", "value"};
-constexpr std::string_view after_terms[] = {"gradient_norm", "step", "value_evaluations", "gradient_evaluations", "seconds"};
+constexpr std::string_view after_terms[] = {"gradient_norm", "step", "value_evaluations",
+                                            "gradient_evaluations", "seconds"};
 
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -40,8 +41,11 @@ std::vector<std::string> term_names_of(std::string_view header, const std::strin
   const std::size_t n_before = std::size(before_terms), n_after = std::size(after_terms);
   bool good = names.size() >= n_before + n_after;
   for (std::size_t i = 0; good && i < n_before; ++i) good = names[i] == before_terms[i];
-  for (std::size_t i = 0; good && i < n_after; ++i) good = names[names.size() - n_after + i] == after_terms[i];
-  if (!good) throw_input_error("{}, line 1: not the head line of a history; give the history.csv of an output folder", path);
+  for (std::size_t i = 0; good && i < n_after; ++i)
+    good = names[names.size() - n_after + i] == after_terms[i];
+  if (!good)
+    throw_input_error("{}, line 1: not the head line of a history; give the history.csv of an output folder",
+                      path);
   return {names.begin() + n_before, names.end() - n_after};
 }
 
@@ -52,18 +56,23 @@ std::string history_csv(const History& history) {
   auto out = std::back_inserter(csv);
   for (const std::string_view name : before_terms) fmt::format_to(out, "{},", name);
   for (const std::string& name : history.term_names) fmt::format_to(out, "{},", name);
-  for (const std::string_view name : after_terms) fmt::format_to(out, "{}{}", name, name == "seconds" ? "\n" : ",");
+  for (const std::string_view name : after_terms)
+    fmt::format_to(out, "{}{}", name, name == "seconds" ? "\n" : ",");
   for (const HistoryRow& row : history.rows) {
     const IterationRecord& r = row.record;
-    SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(), "a history's line has a value for each term");
+    SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(),
+                     "a history's line has a value for each term");
     fmt::format_to(out, "{},{},{},{},{},", row.level, row.substep, row.nu, r.iteration, r.value);
     for (const double term : r.terms) fmt::format_to(out, "{},", term);
-    fmt::format_to(out, "{},{},{},{},{}\n", r.gradient_norm, r.step, r.value_evaluations, r.gradient_evaluations, r.seconds);
+    fmt::format_to(out, "{},{},{},{},{}\n", r.gradient_norm, r.step, r.value_evaluations,
+                   r.gradient_evaluations, r.seconds);
   }
   return csv;
 }
 
-void write_history(const History& history, const std::string& path) { write_file(path, history_csv(history)); }
+void write_history(const History& history, const std::string& path) {
+  write_file(path, history_csv(history));
+}
 
 History read_history(const std::string& path) {
   std::ifstream in(path);
@@ -76,7 +85,8 @@ History read_history(const std::string& path) {
   for (int line = 2; std::getline(in, text); ++line) {
     const std::vector<std::string_view> fields = split(text);
     if (fields.size() != n_fields)
-      throw_input_error("{}, line {}: {} values where {} belong; the file is damaged", path, line, fields.size(), n_fields);
+      throw_input_error("{}, line {}: {} values where {} belong; the file is damaged", path, line,
+                        fields.size(), n_fields);
     std::size_t next = 0;
     const auto real = [&] { return parse<double>(fields[next++], path, line); };
     const auto integer = [&] { return parse<long>(fields[next++], path, line); };
@@ -98,8 +108,10 @@ History read_history(const std::string& path) {
 }
 
 Plot energy_plot(const History& history, bool over_seconds) {
-  Plot plot{.title = "Energy", .x_label = over_seconds ? "seconds of minimisation" : "accepted steps",
-            .y_label = "energy", .log_y = true};
+  Plot plot{.title = "Energy",
+            .x_label = over_seconds ? "seconds of minimisation" : "accepted steps",
+            .y_label = "energy",
+            .log_y = true};
   plot.series.resize(1 + history.term_names.size());
   plot.series[0].name = "sum";
   for (std::size_t k = 0; k < history.term_names.size(); ++k) plot.series[k + 1].name = history.term_names[k];

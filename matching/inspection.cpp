@@ -140,7 +140,7 @@ std::string inspection_text(const Inspection& r) {
   std::string text = fmt::format("{}: {}\n", r.source, plane ? "a contour in the plane" : "a surface in space");
   const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<22}{}\n", name, value); };
   row("in the file", fmt::format("{} vertices, {} {}", r.n_original_vertices, r.n_original_polygons,
-                                 plane ? "rings" : "polygons"));
+                                 plane ? "ring(s)" : "polygons"));
   if (!r.attributes.empty()) row("vertex attributes", fmt::format("{}", fmt::join(r.attributes, ", ")));
   row("used for matching", fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
   row("components", fmt::format("{}", r.n_components));
@@ -151,7 +151,7 @@ std::string inspection_text(const Inspection& r) {
   row("mean edge", fmt::format("{:.4g}", r.mean_edge));
   if (std::isfinite(r.curvature_radius))
     row("radius of curvature", fmt::format("{:.4g}; 95 % are bent less", r.curvature_radius));
-  row("levels", fmt::format("from {} on the grid resolves the curvature, beyond {} its cells are smaller than the edges",
+  row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
                             r.level_of_curvature, r.level_of_edges));
   for (const std::string& note : r.notes) row("mended", note);
   return text;

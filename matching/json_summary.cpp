@@ -16,25 +16,22 @@ using Json = nlohmann::ordered_json;
 
 // One description of every struct serves writing and reading: `member` is called with each key and member.
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, OneSidedDistance>
+requires std::is_same_v<std::remove_const_t<S>, OneSidedDistance>
+void describe(S& s, Member&& member) { member("mean", s.mean), member("p95", s.p95), member("max", s.max); }
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, TwoSidedDistance>
 void describe(S& s, Member&& member) {
-  member("mean", s.mean), member("p95", s.p95), member("max", s.max);
+  member("deformed_to_template", s.deformed_to_template),
+      member("template_to_deformed", s.template_to_deformed);
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, TwoSidedDistance>
-void describe(S& s, Member&& member) {
-  member("deformed_to_template", s.deformed_to_template), member("template_to_deformed", s.template_to_deformed);
-}
+requires std::is_same_v<std::remove_const_t<S>, DistortionSummary>
+void describe(S& s, Member&& member) { member("mean", s.mean), member("min", s.min), member("max", s.max); }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, Distortion>
-void describe(S& s, Member&& member) {
-  member("mean", s.mean), member("min", s.min), member("max", s.max);
-}
-
-template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, FoldReport>
+requires std::is_same_v<std::remove_const_t<S>, FoldReport>
 void describe(S& s, Member&& member) {
   member("min_determinant", s.min_determinant), member("determinant_lower_bound", s.lower_bound);
   member("folded_cells", s.n_folded_cells), member("uncertified_cells", s.n_uncertified_cells);
@@ -42,9 +39,10 @@ void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
+requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
 void describe(S& s, Member&& member) {
-  member("level", s.level), member("sigma", s.sigma), member("nu", s.nu), member("volume_weight", s.volume_weight);
+  member("level", s.level), member("sigma", s.sigma), member("nu", s.nu),
+      member("volume_weight", s.volume_weight);
   member("substeps", s.n_substeps), member("nodes", s.n_nodes), member("free_nodes", s.n_free_nodes);
   member("cells", s.n_cells), member("band_cells", s.n_band_cells);
   member("energy_minimised", s.energy_minimised), member("energy", s.energy_reported);
@@ -55,19 +53,20 @@ void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
+requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
 void describe(S& s, Member&& member) {
-  member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets), member("notes", s.notes);
+  member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
+      member("notes", s.notes);
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, PlacementSummary>
+requires std::is_same_v<std::remove_const_t<S>, PlacementSummary>
 void describe(S& s, Member&& member) {
   member("kind", s.kind), member("scale", s.scale), member("offset", s.offset);
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, RunFigures>
+requires std::is_same_v<std::remove_const_t<S>, RunFigures>
 void describe(S& s, Member&& member) {
   member("compiler", s.compiler), member("threads", s.threads), member("seconds", s.seconds);
   member("phase_seconds", s.phase_seconds), member("level_seconds", s.level_seconds);
@@ -75,11 +74,13 @@ void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
-  requires std::is_same_v<std::remove_const_t<S>, MatchSummary>
+requires std::is_same_v<std::remove_const_t<S>, MatchSummary>
 void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
-  member("interrupted", s.interrupted), member("reference", s.reference), member("template", s.template_shape);
-  member("placement", s.placement), member("distance_before", s.distance_before), member("distance", s.distance);
+  member("interrupted", s.interrupted), member("reference", s.reference),
+      member("template", s.template_shape);
+  member("placement", s.placement), member("distance_before", s.distance_before),
+      member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);
   member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets);
@@ -152,7 +153,9 @@ std::string summary_json(const MatchSummary& summary) {
   return to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_summary(const MatchSummary& summary, const std::string& path) { write_file(path, summary_json(summary)); }
+void write_summary(const MatchSummary& summary, const std::string& path) {
+  write_file(path, summary_json(summary));
+}
 
 MatchSummary read_summary(const std::string& path) {
   std::ifstream in(path);

@@ -12,7 +12,8 @@ namespace shellmatch {
 
 namespace {
 
-const Color template_color = color_from_oklch(0.66, 0.10, 255), deformed_color = color_from_oklch(0.74, 0.13, 55);
+const Color template_color = color_from_oklch(0.66, 0.10, 255),
+            deformed_color = color_from_oklch(0.74, 0.13, 55);
 
 // An upper end for colours that a few outliers do not decide.
 double quantile(std::vector<double> values, double share) {
@@ -45,9 +46,10 @@ std::vector<ScalarPanel> scalar_panels(const LevelPicture<Dim>& picture) {
       sizes[i] = std::abs(logs[i]);
     }
     const double end = std::max(0.05, quantile(sizes, 0.98));
-    panels.push_back({"area distortion", std::move(logs),
-                      {ColorMap::diverging, -end, end,
-                       Dim == 2 ? "log2 of the length ratio" : "log2 of the area ratio"}});
+    panels.push_back(
+        {"area distortion",
+         std::move(logs),
+         {ColorMap::diverging, -end, end, Dim == 2 ? "log2 of the length ratio" : "log2 of the area ratio"}});
   }
   return panels;
 }
@@ -57,10 +59,13 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   const Surface<3>* all[] = {picture.reference, picture.template_shape, picture.deformed};
   const Camera camera = fit_camera(all, 1);
   RenderOptions options{.width = size, .height = size, .samples = 3};
-  const auto draw = [&](std::vector<RenderSurface> surfaces) { return render_surfaces(surfaces, camera, options); };
+  const auto draw = [&](std::vector<RenderSurface> surfaces) {
+    return render_surfaces(surfaces, camera, options);
+  };
 
   RenderSurface reference{.surface = picture.reference, .paint = Paint::checker};
-  RenderSurface deformed{.surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
+  RenderSurface deformed{
+      .surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
   RenderSurface template_shape{.surface = picture.template_shape};
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
@@ -90,7 +95,8 @@ RenderLines grid_lines(const Octree<2>& grid, const std::vector<Vec<2>>* phi, do
   for (const Index leaf : grid.leaves()) {
     const auto& cell = grid.cell(leaf);
     if (cell.side() < least_side) continue;
-    for (const auto& [a, b] : sides) lines.segments.push_back({position(cell.nodes[a]), position(cell.nodes[b])});
+    for (const auto& [a, b] : sides)
+      lines.segments.push_back({position(cell.nodes[a]), position(cell.nodes[b])});
   }
   return lines;
 }
@@ -105,8 +111,10 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
     return render_contours(contours, frame, size, size, lines);
   };
 
-  RenderContour reference{.contour = picture.reference, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
-  RenderContour deformed{.contour = picture.deformed, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
+  RenderContour reference{
+      .contour = picture.reference, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
+  RenderContour deformed{
+      .contour = picture.deformed, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
   RenderContour template_shape{.contour = picture.template_shape, .fill_alpha = 1, .line_width = 1.8};
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
@@ -115,12 +123,14 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
   template_shape.fill_alpha = 0.35;
   template_shape.fill = template_shape.line = template_color;
   template_shape.line_width = 3;
-  const RenderContour thin{.contour = picture.deformed, .line = color_from_oklch(0.55, 0.16, 45), .line_width = 1.2};
+  const RenderContour thin{
+      .contour = picture.deformed, .line = color_from_oklch(0.55, 0.16, 45), .line_width = 1.2};
   panels.push_back({draw({template_shape, thin}), "deformed reference (orange) and template (blue)", {}});
   for (const ScalarPanel& scalar : scalar_panels(picture)) {
     RenderContour c{.contour = picture.deformed, .line_width = 4};
     for (const double v : scalar.values)
-      c.vertex_colors.push_back(map_color(scalar.bar.map, (v - scalar.bar.min) / (scalar.bar.max - scalar.bar.min)));
+      c.vertex_colors.push_back(
+          map_color(scalar.bar.map, (v - scalar.bar.min) / (scalar.bar.max - scalar.bar.min)));
     panels.push_back({draw({c}), scalar.caption, scalar.bar});
   }
   if (picture.grid) {
@@ -132,7 +142,8 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
     const RenderContour before{.contour = picture.reference, .line_width = 1.4};
     const RenderContour after{.contour = picture.deformed, .line_width = 1.4};
     const auto draw_grid = [&](const RenderContour& c, const std::vector<Vec<2>>* phi) {
-      return render_contours(std::span(&c, 1), domain, size, size, std::vector{grid_lines(*picture.grid, phi, least_side)});
+      return render_contours(std::span(&c, 1), domain, size, size,
+                             std::vector{grid_lines(*picture.grid, phi, least_side)});
     };
     panels.push_back({draw_grid(before, nullptr), "grid", {}});
     if (picture.phi) panels.push_back({draw_grid(after, picture.phi), "deformed grid", {}});
@@ -144,7 +155,8 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
 
 template <int Dim>
 void write_level_picture(const LevelPicture<Dim>& picture, const std::string& path) {
-  SHELLMATCH_CHECK(picture.reference && picture.template_shape && picture.deformed, "a picture needs three shapes");
+  SHELLMATCH_CHECK(picture.reference && picture.template_shape && picture.deformed,
+                   "a picture needs three shapes");
   SHELLMATCH_CHECK(picture.reference->vertices.size() == picture.deformed->vertices.size(),
                    "the deformed shape has the reference's vertices");
   const std::vector<Panel> panels = draw_panels(picture);

@@ -16,15 +16,15 @@ template <int Dim>
 struct LevelPicture {
   const Surface<Dim>* reference = nullptr;
   const Surface<Dim>* template_shape = nullptr;
-  const Surface<Dim>* deformed = nullptr;    ///< vertex by vertex the image of `reference`
-  std::string title = {};                    ///< "level 5", or empty
-  std::vector<double> distance = {};         ///< of each deformed vertex to the template, or empty: no such panel
+  const Surface<Dim>* deformed = nullptr;  ///< vertex by vertex the image of `reference`
+  std::string title = {};                  ///< "level 5", or empty
+  std::vector<double> distance = {};  ///< of each deformed vertex to the template, or empty: no such panel
   std::string distance_label = "distance to template";
-  double distance_max = 0;                   ///< end of the colour bar; 0 takes the 98 % quantile
-  std::vector<double> area_ratio = {};       ///< at each vertex, deformed over reference, or empty: no such panel
-  const Octree<Dim>* grid = nullptr;         ///< in the plane only, in the unit domain: drawn with the shapes ...
+  double distance_max = 0;              ///< end of the colour bar; 0 takes the 98 % quantile
+  std::vector<double> area_ratio = {};  ///< at each vertex, deformed over reference, or empty: no such panel
+  const Octree<Dim>* grid = nullptr;    ///< in the plane only, in the unit domain: drawn with the shapes ...
   const std::vector<Vec<Dim>>* phi = nullptr;  ///< ... undeformed, and deformed by its nodes' positions
-  int panel_size = 0;                        ///< pixels of a panel's side; 0 chooses
+  int panel_size = 0;                          ///< pixels of a panel's side; 0 chooses
 };
 
 /// A row of panels with a pattern that the deformation carries along. \pre reference, template_shape and

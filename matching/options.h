@@ -25,13 +25,14 @@ struct EnumNames<PlacementKind> {
 
 /// Where the shapes are and how they get into the unit domain.
 struct InputOptions {
-  std::string reference, template_file;
+  std::string reference, template_file, correspondence;
   PlacementKind placement = PlacementKind::fit;
   double margin = 0.15;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
+    visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
   }

@@ -36,8 +36,9 @@ class Descriptor {
 
 [[noreturn]] void cannot_write(const std::string& path, int error) {
   throw_environment_error("{}: cannot be written ({}); {}", path, std::strerror(error),
-                          error == ENOSPC || error == EDQUOT ? "make room on the disk or choose another folder with -o"
-                                                             : "choose a folder you may write to with -o");
+                          error == ENOSPC || error == EDQUOT
+                              ? "make room on the disk or choose another folder with -o"
+                              : "choose a folder you may write to with -o");
 }
 
 // Has an earlier run written this folder?
@@ -55,19 +56,24 @@ bool is_filled(const fs::path& path) {
 void check_place(const fs::path& path, bool force) {
   if (!is_filled(path)) return;
   if (!fs::is_directory(path))
-    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o", path.string());
-  if (!force)
-    throw_input_error("{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
+    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
                       path.string());
+  if (!force)
+    throw_input_error(
+        "{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
+        path.string());
   if (!looks_like_output(path))
-    throw_input_error("{}: not replaced, since it holds no summary.json, history.csv or deformation.vtu and so is no "
-                      "output folder of an earlier run; choose another with -o", path.string());
+    throw_input_error(
+        "{}: not replaced, since it holds no summary.json, history.csv or deformation.vtu and so is no "
+        "output folder of an earlier run; choose another with -o",
+        path.string());
 }
 
 // Delayed writing may find out here only that the disk is full.
 void synchronise(const std::string& path, int flags) {
   Descriptor file(path, flags);
-  if (file.get() < 0 || (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS)) cannot_write(path, errno);
+  if (file.get() < 0 || (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS))
+    cannot_write(path, errno);
 }
 
 }  // namespace
@@ -75,7 +81,8 @@ void synchronise(const std::string& path, int flags) {
 OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) {
   if (path.empty()) throw_input_error("the output folder has no name; give one with -o");
   std::error_code error;
-  fs::path place = fs::weakly_canonical(fs::absolute(path), error);  // follows links: what they lead to is replaced
+  fs::path place =
+      fs::weakly_canonical(fs::absolute(path), error);  // follows links: what they lead to is replaced
   if (error) cannot_write(path, error.value());
   if (!place.has_filename()) place = place.parent_path();
   if (!place.has_filename()) throw_input_error("{}: cannot be the output folder; give another with -o", path);
@@ -93,7 +100,8 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
   // Two runs of one process may write to the same parent: count up until the name is free.
   for (int attempt = 0; partial_.empty(); ++attempt) {
     const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
-    const fs::path hidden = parent / fmt::format(".{}.partial-{}{}", place.filename().string(), ::getpid(), suffix);
+    const fs::path hidden =
+        parent / fmt::format(".{}.partial-{}{}", place.filename().string(), ::getpid(), suffix);
     if (fs::create_directory(hidden, error)) partial_ = hidden.string();
     if (error || attempt > 1000) {
       remove_created_parents();
@@ -113,7 +121,8 @@ void OutputFolder::remove_created_parents() noexcept {
   if (first_created_parent_.empty()) return;
   std::error_code error;
   // Only folders that are still empty: somebody else may use them by now.
-  for (fs::path p = fs::path(final_).parent_path(); fs::remove(p, error) && p.string() != first_created_parent_;)
+  for (fs::path p = fs::path(final_).parent_path();
+       fs::remove(p, error) && p.string() != first_created_parent_;)
     p = p.parent_path();
 }
 
@@ -130,15 +139,18 @@ void OutputFolder::commit() {
   std::error_code error;
   std::vector<std::string> folders{partial_};
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
-    if (entry.is_directory()) folders.push_back(entry.path().string());
-    else synchronise(entry.path().string(), O_RDONLY);
+    if (entry.is_directory())
+      folders.push_back(entry.path().string());
+    else
+      synchronise(entry.path().string(), O_RDONLY);
   }
   if (error) cannot_write(partial_, error.value());
   for (const std::string& folder : folders) synchronise(folder, O_RDONLY | O_DIRECTORY);
 
   check_place(final_, force_);  // it may have been filled since
   if (is_filled(final_)) {
-    // Exchanges both in one step; file systems that cannot do so get two, with the old folder kept in between.
+    // Exchanges both in one step; file systems that cannot do so get two, with the old folder kept in
+    // between.
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
       committed_ = true;
       fs::remove_all(partial_, error);
@@ -168,8 +180,10 @@ bool OutputFolder::keep_partial() {
   std::vector<fs::path> empty;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
     if (!entry.is_regular_file()) continue;
-    if (entry.file_size() == 0) empty.push_back(entry.path());
-    else any = true;
+    if (entry.file_size() == 0)
+      empty.push_back(entry.path());
+    else
+      any = true;
   }
   if (error) cannot_write(partial_, error.value());
   for (const fs::path& path : empty) fs::remove(path, error);

@@ -14,7 +14,8 @@ std::uint64_t peak_memory_bytes();
 /// the system does not tell.
 std::uint64_t available_memory_bytes();
 
-/// Room on the disk that holds `path` or its nearest existing parent, in bytes; 0 where the system does not tell.
+/// Room on the disk that holds `path` or its nearest existing parent, in bytes; 0 where the system does not
+/// tell.
 std::uint64_t free_disk_bytes(const std::string& path);
 
 /// Name and version of the compiler that made the program: "gcc 12.2.0".

@@ -16,9 +16,9 @@ struct LeafPlace {
   typename Octree<Dim>::Coord corner{};
 };
 
-/// The tree whose leaves are exactly these cells, in any order; nothing if they overlap, leave gaps or are not
-/// 2:1 balanced. Takes memory in proportion to the number of cells, whatever the cells are.
-/// \pre levels in [0, max_level], corners in [0, 2^level)
+/// The tree whose leaves are exactly these cells, in any order; nothing if they overlap, leave gaps or are
+/// not 2:1 balanced. Takes memory in proportion to the number of cells, whatever the cells are. \pre levels
+/// in [0, max_level], corners in [0, 2^level)
 template <int Dim>
 std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leaves);
 

@@ -10,7 +10,8 @@ namespace shellmatch {
 
 namespace {
 
-// Measured on runs with conjugate gradients: fields, elements of the band, tables of the tree and the solver's vectors.
+// Measured on runs with conjugate gradients: fields, elements of the band, tables of the tree and the
+// solver's vectors.
 template <int Dim>
 constexpr double bytes_per_node = Dim == 2 ? 1200 : 1600;
 constexpr double bytes_at_start = 1.5e8;
@@ -24,7 +25,8 @@ template <int Dim>
 SizeEstimate estimate_size(double measure, int min_level, int max_level) {
   // A hyperplane in a random direction meets 4/pi (plane) or 3/2 (space) cells of side h per h^(Dim - 1). All
   // children of a cell that is met are there, 2^Dim in number; a level below has half as many along each
-  // direction of the surface; balance adds about one layer of cells to each side of every level but the finest.
+  // direction of the surface; balance adds about one layer of cells to each side of every level but the
+  // finest.
   const double met = Dim == 2 ? 1.28 : 1.5, children = n_corners<Dim>;
   const double uniform = std::pow(children, min_level);
   double cells = uniform;
@@ -58,10 +60,11 @@ void check_size(double measure, int min_level, int max_level, const std::string&
   const char* what = memory_fits && countable ? "room on the disk" : "memory";
   const double needed = memory_fits && countable ? size.disk_bytes : size.memory_bytes;
   const double given = static_cast<double>(memory_fits && countable ? disk : memory);
-  throw_environment_error("level {} needs about {:.3g} GB of {}, of which {:.3g} GB are free (estimated: {:.3g} million "
-                          "nodes); stop at level {} instead, with --levels {}:{}",
-                          max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest,
-                          std::min(min_level, largest), largest);
+  throw_environment_error(
+      "level {} needs about {:.3g} GB of {}, of which {:.3g} GB are free (estimated: {:.3g} million "
+      "nodes); stop at level {} instead, with --levels {}:{}",
+      max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest, std::min(min_level, largest),
+      largest);
 }
 
 template SizeEstimate estimate_size<2>(double, int, int);

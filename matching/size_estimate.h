@@ -21,7 +21,8 @@ struct SizeEstimate {
 template <int Dim>
 SizeEstimate estimate_size(double measure, int min_level, int max_level);
 
-/// \throws EnvironmentError if the machine has too little memory, or the disk of `folder` too little room, that
+/// \throws EnvironmentError if the machine has too little memory, or the disk of `folder` too little room,
+/// that
 ///   says how much is there, how much is needed and which largest level would do
 template <int Dim>
 void check_size(double measure, int min_level, int max_level, const std::string& folder);

@@ -25,21 +25,21 @@ struct TwoSidedDistance {
 };
 
 /// Statistics of a ratio or an angle over the deformed surface, weighted by the reference's area.
-struct Distortion {
+struct DistortionSummary {
   double mean = 0, min = 0, max = 0;
 };
 
 struct LevelSummary {
   int level = 0;
-  double sigma = 0, nu = 0, volume_weight = 0;    ///< of the level's last minimisation
+  double sigma = 0, nu = 0, volume_weight = 0;  ///< of the level's last minimisation
   int n_substeps = 1;
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0, n_band_cells = 0;
-  NamedValues energy_minimised;                   ///< by term, with the quadrature that was minimised
-  NamedValues energy_reported;                    ///< by term, with a finer one
-  int iterations = 0;                             ///< of all substeps, as the evaluations
+  NamedValues energy_minimised;  ///< by term, with the quadrature that was minimised
+  NamedValues energy_reported;   ///< by term, with a finer one
+  int iterations = 0;            ///< of all substeps, as the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
-  double gradient_norm = 0;                       ///< at the end, in the metric of the minimisation
-  std::string stop_reason, stop_message;          ///< of the last substep
+  double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
+  std::string stop_reason, stop_message;  ///< of the last substep
   FoldReport folds;
   std::optional<TwoSidedDistance> distance;
 };
@@ -47,13 +47,13 @@ struct LevelSummary {
 /// A shape as it was read.
 struct ShapeSummary {
   std::string file;
-  std::size_t n_vertices = 0, n_facets = 0;       ///< of the closed surface that was matched
-  std::vector<std::string> notes;                 ///< what was mended
+  std::size_t n_vertices = 0, n_facets = 0;  ///< of the closed surface that was matched
+  std::vector<std::string> notes;            ///< what was mended
 };
 
 struct PlacementSummary {
-  std::string kind;                               ///< "fit" or "as-is"
-  double scale = 1;                               ///< x -> scale x + offset, user's coordinates to unit domain
+  std::string kind;  ///< "fit" or "as-is"
+  double scale = 1;  ///< x -> scale x + offset, user's coordinates to unit domain
   std::vector<double> offset;
 };
 
@@ -61,24 +61,29 @@ struct PlacementSummary {
 struct RunFigures {
   std::string compiler;
   int threads = 0;
-  double seconds = 0;                             ///< wall time of the whole run
+  double seconds = 0;  ///< wall time of the whole run
   NamedValues phase_seconds;
-  std::vector<double> level_seconds;              ///< one for each level
+  std::vector<double> level_seconds;  ///< one for each level
   std::uint64_t peak_memory_bytes = 0;
 };
 
 struct MatchSummary {
   std::string version, profile;
   int dimension = 0;
-  bool interrupted = false;                       ///< stopped before the last level was finished
+  bool interrupted = false;  ///< stopped before the last level was finished
   ShapeSummary reference, template_shape;
   PlacementSummary placement;
-  std::optional<TwoSidedDistance> distance_before, distance;  ///< of the undeformed and the deformed reference
-  std::optional<double> correspondence_error_before, correspondence_error;  ///< mean, relative to the diagonal
-  std::optional<Distortion> area_distortion;      ///< deformed over reference area (length in the plane); 1 is none
-  std::optional<Distortion> angle_distortion;     ///< degrees; 0 is none; not in the plane
-  std::optional<std::size_t> n_flipped_facets;    ///< of the deformed surface, against its neighbours
-  std::vector<LevelSummary> levels;               ///< from coarse to fine
+  /// Of the undeformed and of the deformed reference.
+  std::optional<TwoSidedDistance> distance_before, distance;
+  /// Mean distance from the true positions where they are known, relative to the template's diagonal.
+  std::optional<double> correspondence_error_before, correspondence_error;
+  /// Deformed over reference area (length in the plane); 1 is none.
+  std::optional<DistortionSummary> area_distortion;
+  /// Degrees; 0 is none; not in the plane.
+  std::optional<DistortionSummary> angle_distortion;
+  /// Facets of the deformed surface that face away from the template's.
+  std::optional<std::size_t> n_flipped_facets;
+  std::vector<LevelSummary> levels;  ///< from coarse to fine
   RunFigures run;
 };
 

@@ -49,8 +49,7 @@ class Messages {
 
  private:
   struct Window : vtkOutputWindow {
-    vtkTypeMacro(Window, vtkOutputWindow)
-    static Window* New() {
+    vtkTypeMacro(Window, vtkOutputWindow) static Window* New() {
       auto* window = new Window;
       window->InitializeObjectBase();
       return window;
@@ -121,11 +120,13 @@ void add_facts(const Similarity<Dim>& placement, vtkFieldData& facts) {
 }
 
 std::string file_in(const std::string& path) {
-  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / deformation_file_name).string() : path;
+  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / deformation_file_name).string()
+                                             : path;
 }
 
 [[noreturn]] void damaged(const std::string& path, const char* why) {
-  throw_input_error("{}: damaged, cut off, or no deformation that this program wrote ({}); {}", path, why, what_to_give);
+  throw_input_error("{}: damaged, cut off, or no deformation that this program wrote ({}); {}", path, why,
+                    what_to_give);
 }
 
 // VTK trusts what it reads: whatever is cut off, changed or not ours is kept from it.
@@ -135,7 +136,8 @@ vtkNew<vtkUnstructuredGrid> read_grid(const std::string& path) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (messages.any() || reader->GetErrorCode() != vtkErrorCode::NoError) damaged(path, "it cannot be decoded");
+  if (messages.any() || reader->GetErrorCode() != vtkErrorCode::NoError)
+    damaged(path, "it cannot be decoded");
   vtkNew<vtkUnstructuredGrid> data;
   data->ShallowCopy(reader->GetOutput());
   return data;
@@ -149,7 +151,8 @@ int dimension_of(vtkUnstructuredGrid& data, const std::string& path) {
   return value;
 }
 
-vtkDoubleArray& doubles(vtkFieldData& data, const char* name, int n_components, vtkIdType n, const std::string& path) {
+vtkDoubleArray& doubles(vtkFieldData& data, const char* name, int n_components, vtkIdType n,
+                        const std::string& path) {
   auto* array = vtkDoubleArray::SafeDownCast(data.GetAbstractArray(name));
   if (!array || array->GetNumberOfComponents() != n_components || array->GetNumberOfTuples() != n)
     damaged(path, name);
@@ -174,7 +177,8 @@ std::vector<LeafPlace<Dim>> places_of(vtkUnstructuredGrid& data, const std::stri
     if (points[0] < 0 || points[0] >= data.GetNumberOfPoints()) damaged(path, "a cell without points");
     LeafPlace<Dim>& place = places[static_cast<std::size_t>(i)];
     place.level = levels->GetValue(i);
-    if (place.level < 0 || place.level > Octree<Dim>::max_level) damaged(path, "a cell's level is out of range");
+    if (place.level < 0 || place.level > Octree<Dim>::max_level)
+      damaged(path, "a cell's level is out of range");
     double position[3];
     data.GetPoint(points[0], position);
     for (int k = 0; k < Dim; ++k) {
@@ -191,7 +195,8 @@ std::vector<LeafPlace<Dim>> places_of(vtkUnstructuredGrid& data, const std::stri
 
 template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
-                       const std::vector<NodalField>& nodal_fields, const std::vector<CellField>& cell_fields) {
+                       const std::vector<NodalField>& nodal_fields,
+                       const std::vector<CellField>& cell_fields) {
   const Octree<Dim>& grid = deformation.grid;
   const Index n = grid.n_nodes();
   SHELLMATCH_CHECK(deformation.phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
@@ -205,16 +210,17 @@ void write_deformation(const std::string& path, const Deformation<Dim>& deformat
   }
   data->SetPoints(points);
   add_cells(grid, *data);
-  data->GetPointData()->AddArray(vector_array("phi", Dim, n, [&](Index i, int k) { return deformation.phi[i][k]; }));
+  data->GetPointData()->AddArray(
+      vector_array("phi", Dim, n, [&](Index i, int k) { return deformation.phi[i][k]; }));
   data->GetPointData()->AddArray(vector_array("displacement", Dim, n, [&](Index i, int k) {
     return deformation.phi[i][k] - grid.node_position(i)[k];
   }));
   for (const NodalField& field : nodal_fields) {
     const int m = field.n_components;
-    SHELLMATCH_CHECK(m > 0 && field.values.size() == static_cast<std::size_t>(n) * m, "a nodal field has values for each node");
-    data->GetPointData()->AddArray(vector_array(field.name, m, n, [&](Index i, int k) {
-      return field.values[static_cast<std::size_t>(i) * m + k];
-    }));
+    SHELLMATCH_CHECK(m > 0 && field.values.size() == static_cast<std::size_t>(n) * m,
+                     "a nodal field has values for each node");
+    data->GetPointData()->AddArray(vector_array(
+        field.name, m, n, [&](Index i, int k) { return field.values[static_cast<std::size_t>(i) * m + k]; }));
   }
   for (const CellField& field : cell_fields) {
     SHELLMATCH_CHECK(field.values.size() == grid.leaves().size(), "a cell field has a value for each leaf");
@@ -241,7 +247,8 @@ Deformation<Dim> read_deformation(const std::string& path_or_folder) {
   const std::string path = file_in(path_or_folder);
   const vtkNew<vtkUnstructuredGrid> data = read_grid(path);
   if (const int found = dimension_of(*data, path); found != Dim)
-    throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found, Dim);
+    throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found,
+                      Dim);
   const vtkIdType n = data->GetNumberOfPoints();
   vtkDoubleArray& phi = doubles(*data->GetPointData(), "phi", 3, n, path);
   vtkDoubleArray& scale = doubles(*data->GetFieldData(), "placement_scale", 1, 1, path);

@@ -5,8 +5,8 @@
 #include "matching/option_text.h"
 #include "matching/yaml_document.h"
 
+#include <array>
 #include <filesystem>
-#include <functional>
 #include <optional>
 
 namespace shellmatch {
@@ -26,6 +26,11 @@ void apply(const OptionNode& root, const Override& change) {
     throw_input_error("{}: {} is a section; set its options one by one, as {}.{}=...", change.origin, option->path,
                       option->path, option->children.front().name);
   option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, option->path)));
+}
+
+// The options that name files.
+std::array<std::string*, 3> paths_of(InputOptions& input) {
+  return {&input.reference, &input.template_file, &input.correspondence};
 }
 
 std::string beside(const std::string& file, const std::string& shape) {
@@ -70,6 +75,7 @@ ExperimentOptions resolve(YamlDocument* document, const std::string& path, const
   if (document != nullptr) {
     document->fill(root);
     options.input.reference = beside(path, options.input.reference);
+    options.input.correspondence = beside(path, options.input.correspondence);
     options.input.template_file = beside(path, options.input.template_file);
   }
   for (const Override& change : overrides) apply(root, change);
@@ -113,7 +119,7 @@ void check_experiment(const ExperimentOptions& options) {
 }
 
 ExperimentOptions with_absolute_paths(ExperimentOptions options) {
-  for (std::string* source : {&options.input.reference, &options.input.template_file})
+  for (std::string* source : paths_of(options.input))
     if (!source->empty() && !is_generated_source(*source))
       *source = std::filesystem::absolute(*source).lexically_normal().string();
   return options;

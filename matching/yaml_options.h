@@ -23,7 +23,7 @@ Override parse_override(const std::string& assignment);
 
 /// Reads an experiment. What is set later wins: defaults of the profile, then the file, then `overrides` in
 /// their order; the profile itself is the last override of `profile`, else the file's, else default.
-/// Relative paths of shapes in the file are relative to the file, those in overrides to the working folder;
+/// Relative paths of shapes and other inputs in the file are relative to the file, those in overrides to the working folder;
 /// built-in shapes (`generate:...`) are no paths.
 /// \throws InputError
 ExperimentOptions read_experiment(const std::string& path, const std::vector<Override>& overrides = {});
@@ -38,7 +38,7 @@ void apply_override(ExperimentOptions& options, const std::string& assignment);
 /// Demands that hold between options, such as max_level >= min_level. \throws InputError
 void check_experiment(const ExperimentOptions& options);
 
-/// Shapes' paths made absolute, so that the YAML that is written may lie anywhere.
+/// Paths of shapes and other inputs made absolute, so that the YAML that is written may lie anywhere.
 ExperimentOptions with_absolute_paths(ExperimentOptions options);
 
 /// All options, fully resolved. read_experiment gives back the same values to the last bit.

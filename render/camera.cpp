@@ -32,7 +32,9 @@ double projected_area(std::span<const Surface<3>* const> surfaces, const Vec<3>&
   double area = 0;
   for (const Surface<3>* s : surfaces)
     for (const auto& [a, b, c] : s->facets)
-      area += 0.25 * std::abs((s->vertices[b] - s->vertices[a]).cross(s->vertices[c] - s->vertices[a]).dot(direction));
+      area +=
+          0.25 *
+          std::abs((s->vertices[b] - s->vertices[a]).cross(s->vertices[c] - s->vertices[a]).dot(direction));
   return area;
 }
 
@@ -70,7 +72,8 @@ Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, co
   Box<3> box;
   for (const Surface<3>* s : surfaces)
     for (const Vec<3>& v : s->vertices) box.add(v);
-  SHELLMATCH_CHECK(box.diagonal() >= 0 && std::isfinite(box.diagonal()), "a camera needs finite points to look at");
+  SHELLMATCH_CHECK(box.diagonal() >= 0 && std::isfinite(box.diagonal()),
+                   "a camera needs finite points to look at");
   const double size = std::max(box.diagonal(), 1e-12);
 
   Camera camera = choose_view(surfaces, options);
@@ -91,7 +94,8 @@ Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, co
         const double shrink = distance > 0 ? distance / (distance - depth) : 1;
         const Vec<2> p = shrink * Vec<2>(d.dot(camera.right), d.dot(camera.up));
         seen.add(p);
-        const double half = std::max(std::abs(d.dot(camera.right)) / aspect, std::abs(d.dot(camera.up))) / free;
+        const double half =
+            std::max(std::abs(d.dot(camera.right)) / aspect, std::abs(d.dot(camera.up))) / free;
         reach = std::max(reach, slope > 0 ? half / slope + depth : half);
       }
     camera.distance = slope > 0 ? std::max(reach, nearest + 0.05 * size) : 0;

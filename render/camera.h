@@ -27,16 +27,17 @@ struct Ray {
 Ray camera_ray(const Camera& camera, double x, double y, double clearance);
 
 struct ViewOptions {
-  std::optional<double> azimuth = {};    ///< degrees around the up axis from +z towards +x; chosen if not given
+  std::optional<double> azimuth = {};  ///< degrees around the up axis from +z towards +x; chosen if not given
   std::optional<double> elevation = {};  ///< degrees above the horizon; chosen if not given
   Vec<3> up = Vec<3>::UnitY();
-  double field_of_view = 18;        ///< degrees of the picture's height; 0 means parallel projection
-  double margin = 0.05;             ///< free border, as a share of the picture
+  double field_of_view = 18;  ///< degrees of the picture's height; 0 means parallel projection
+  double margin = 0.05;       ///< free border, as a share of the picture
 };
 
 /// A camera that sees all surfaces whole: with one camera for all panels they can be compared. The view is
 /// three-quarter from the front; among a few such views the one that shows most of the surfaces is taken.
 /// \pre at least one vertex; aspect = width/height > 0.
-Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, const ViewOptions& options = {});
+Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect,
+                  const ViewOptions& options = {});
 
 }  // namespace shellmatch

@@ -24,19 +24,20 @@ Frame fit_frame(std::span<const Surface<2>* const> contours, double margin = 0.0
 struct RenderContour {
   const Surface<2>* contour = nullptr;
   Color fill{0.86, 0.88, 0.92};
-  double fill_alpha = 0;         ///< 0 draws no area
+  double fill_alpha = 0;  ///< 0 draws no area
   Color line = black;
-  double line_width = 1.6;       ///< pixels; 0 draws no line
+  double line_width = 1.6;  ///< pixels; 0 draws no line
   double line_alpha = 1;
-  double point_radius = 0;       ///< pixels; 0 draws no vertices
-  std::vector<Color> vertex_colors = {};  ///< one per vertex or empty; colours line and points in place of `line`
+  double point_radius = 0;  ///< pixels; 0 draws no vertices
+  std::vector<Color> vertex_colors =
+      {};  ///< one per vertex or empty; colours line and points in place of `line`
 };
 
 /// Thin straight lines under the contours: the cells of a grid, deformed or not.
 struct RenderLines {
   std::vector<std::array<Vec<2>, 2>> segments;
   Color color{0.80, 0.82, 0.85};
-  double width = 0.7;            ///< pixels
+  double width = 0.7;  ///< pixels
 };
 
 /// The curves' closed rings, each vertex once. Open ends are joined.

@@ -49,18 +49,21 @@ RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::ma
     s.scale = 2 / box.diagonal();
   }
   s.device = rtcNewDevice(nullptr);
-  if (!s.device) throw_environment_error("the ray caster cannot start on this machine (Embree error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
+  if (!s.device)
+    throw_environment_error("the ray caster cannot start on this machine (Embree error {})",
+                            static_cast<int>(rtcGetDeviceError(nullptr)));
   s.scene = rtcNewScene(s.device);
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface<3>& surface = *surfaces[i];
     if (surface.facets.empty()) continue;
     RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), surface.vertices.size()));
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), surface.vertices.size()));
     auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), surface.facets.size()));
-    if (!points || !corners) throw_environment_error("not enough memory to draw a picture of {} triangles", surface.facets.size());
+    if (!points || !corners)
+      throw_environment_error("not enough memory to draw a picture of {} triangles", surface.facets.size());
     for (const Vec<3>& v : surface.vertices)
       for (int k = 0; k < 3; ++k) *points++ = static_cast<float>(s.scale * (v[k] - s.centre[k]));
     for (const auto& facet : surface.facets)
@@ -84,8 +87,8 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(state_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return RayHit{static_cast<int>(query.hit.geomID), static_cast<Index>(query.hit.primID), query.hit.u, query.hit.v,
-                query.ray.tfar / state_->scale};
+  return RayHit{static_cast<int>(query.hit.geomID), static_cast<Index>(query.hit.primID), query.hit.u,
+                query.hit.v, query.ray.tfar / state_->scale};
 }
 
 bool RayScene::is_blocked(const Ray& ray, double near, double far) const {

@@ -14,7 +14,7 @@ namespace shellmatch {
 struct ColorBar {
   ColorMap map = ColorMap::sequential;
   double min = 0, max = 1;
-  std::string label;   ///< what is shown, with its unit
+  std::string label;  ///< what is shown, with its unit
 };
 
 struct Panel {

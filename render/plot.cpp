@@ -38,24 +38,33 @@ struct Axis {
     min -= air * extent;
     max += air * extent;
   }
-  double pixel(double v) const { return from + (to - from) * (unit(v) - unit(min)) / (unit(max) - unit(min)); }
-  std::vector<Tick> ticks(int wanted) const { return log ? log_ticks(min, max, wanted) : linear_ticks(min, max, wanted); }
+  double pixel(double v) const {
+    return from + (to - from) * (unit(v) - unit(min)) / (unit(max) - unit(min));
+  }
+  std::vector<Tick> ticks(int wanted) const {
+    return log ? log_ticks(min, max, wanted) : linear_ticks(min, max, wanted);
+  }
 };
 
-bool point_shows(const Axis& x, const Axis& y, const Series& s, std::size_t i) { return x.shows(s.x[i]) && y.shows(s.y[i]); }
+bool point_shows(const Axis& x, const Axis& y, const Series& s, std::size_t i) {
+  return x.shows(s.x[i]) && y.shows(s.y[i]);
+}
 
 void draw_series(const Series& s, const Color& color, const Axis& x, const Axis& y, Canvas& canvas) {
   std::vector<Vec<2>> run;
   const auto flush = [&] {
     if (run.size() > 1)
-      canvas.polyline(run, false, {color, 1.8, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
+      canvas.polyline(run, false,
+                      {color, 1.8, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
     if (s.points || run.size() == 1)
       for (const Vec<2>& p : run) canvas.disc(p, 3, color);
     run.clear();
   };
   for (std::size_t i = 0; i < s.x.size(); ++i) {
-    if (point_shows(x, y, s, i)) run.push_back({x.pixel(s.x[i]), y.pixel(s.y[i])});
-    else flush();
+    if (point_shows(x, y, s, i))
+      run.push_back({x.pixel(s.x[i]), y.pixel(s.y[i])});
+    else
+      flush();
   }
   flush();
 }
@@ -91,9 +100,11 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
   }
   const double left = 84, right = canvas.width() - 24 - legend, top = plot.title.empty() ? 22 : 50,
                bottom = canvas.height() - 62;
-  canvas.text(plot.title, {0.5 * (left + right), 26}, {.size = 1.25 * font, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
+  canvas.text(plot.title, {0.5 * (left + right), 26},
+              {.size = 1.25 * font, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
   if (x.min > x.max) {
-    canvas.text("no values to show", {0.5 * (left + right), 0.5 * (top + bottom)}, {.size = font, .color = grey, .anchor_x = 0.5});
+    canvas.text("no values to show", {0.5 * (left + right), 0.5 * (top + bottom)},
+                {.size = font, .color = grey, .anchor_x = 0.5});
     return;
   }
   x.finish(0.02);
@@ -102,23 +113,27 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
 
   for (const Tick& t : x.ticks(8)) {
     const double p = x.pixel(t.value);
-    canvas.polyline(std::array{Vec<2>(p, top), Vec<2>(p, bottom)}, false, {t.label.empty() ? faint : light_grey, 1, 1, {}});
+    canvas.polyline(std::array{Vec<2>(p, top), Vec<2>(p, bottom)}, false,
+                    {t.label.empty() ? faint : light_grey, 1, 1, {}});
     canvas.text(t.label, {p, bottom + 10}, {.size = font, .color = grey, .anchor_x = 0.5, .anchor_y = 1});
   }
   for (const Tick& t : y.ticks(6)) {
     const double p = y.pixel(t.value);
-    canvas.polyline(std::array{Vec<2>(left, p), Vec<2>(right, p)}, false, {t.label.empty() ? faint : light_grey, 1, 1, {}});
+    canvas.polyline(std::array{Vec<2>(left, p), Vec<2>(right, p)}, false,
+                    {t.label.empty() ? faint : light_grey, 1, 1, {}});
     canvas.text(t.label, {left - 8, p}, {.size = font, .color = grey, .anchor_x = 1, .anchor_y = 0.5});
   }
   canvas.clip({left, top}, {right - left, bottom - top});
   for (const double m : plot.marks)
     if (x.shows(m))
-      canvas.polyline(std::array{Vec<2>(x.pixel(m), top), Vec<2>(x.pixel(m), bottom)}, false, {grey, 1, 0.6, {2, 4}});
+      canvas.polyline(std::array{Vec<2>(x.pixel(m), top), Vec<2>(x.pixel(m), bottom)}, false,
+                      {grey, 1, 0.6, {2, 4}});
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     draw_series(plot.series[k], series_color(static_cast<int>(k)), x, y, canvas);
   canvas.unclip();
-  canvas.polyline(std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,
-                  {grey, 1, 1, {}});
+  canvas.polyline(
+      std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,
+      {grey, 1, 1, {}});
   canvas.text(plot.x_label, {0.5 * (left + right), canvas.height() - 18}, {.size = font, .anchor_x = 0.5});
   canvas.text(plot.y_label, {22, 0.5 * (top + bottom)}, {.size = font, .anchor_x = 0.5, .turn = 90});
   draw_legend(plot, right + 16, top, canvas);

@@ -10,9 +10,9 @@
 namespace shellmatch {
 
 struct Series {
-  std::string name;                 ///< in the legend; empty leaves it out
-  std::vector<double> x, y;         ///< of equal length; points that are not finite, or not positive on a
-                                    ///< logarithmic axis, interrupt the line
+  std::string name;          ///< in the legend; empty leaves it out
+  std::vector<double> x, y;  ///< of equal length; points that are not finite, or not positive on a
+                             ///< logarithmic axis, interrupt the line
   bool dashed = false, points = false;
 };
 
@@ -20,8 +20,8 @@ struct Plot {
   std::string title, x_label, y_label;
   bool log_x = false, log_y = false;
   std::vector<Series> series = {};
-  std::vector<double> marks = {};      ///< upright thin lines at these x, where a level begins for instance
-  int width = 900, height = 560;    ///< pixels
+  std::vector<double> marks = {};  ///< upright thin lines at these x, where a level begins for instance
+  int width = 900, height = 560;   ///< pixels
 };
 
 /// A plot without any point that can be shown says so in its middle.

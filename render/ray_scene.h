@@ -12,10 +12,10 @@ namespace shellmatch {
 
 /// Where a ray meets a surface. The point is (1 - u - v) a + u b + v c with a, b, c the facet's vertices.
 struct RayHit {
-  int surface;     ///< position among the scene's surfaces
+  int surface;  ///< position among the scene's surfaces
   Index facet;
   double u, v;
-  double distance; ///< along the ray
+  double distance;  ///< along the ray
 };
 
 /// Triangle surfaces prepared for ray casting. Immutable; questions may be asked in parallel, and the answers

@@ -27,7 +27,9 @@ std::vector<Vec<3>> sphere_directions(int n) {
   return directions;
 }
 
-Vec<3> linear(const Color& c) { return {linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b)}; }
+Vec<3> linear(const Color& c) {
+  return {linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b)};
+}
 
 template <class T>
 T interpolate(const std::vector<T>& values, const std::array<Index, 3>& corners, double u, double v) {
@@ -40,7 +42,8 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
   const std::size_t n = look_.surface->vertices.size();
   SHELLMATCH_CHECK(look_.scalars.empty() || look_.scalars.size() == n, "one scalar for each vertex");
   SHELLMATCH_CHECK(look_.origins.empty() || look_.origins.size() == n, "one origin for each vertex");
-  SHELLMATCH_CHECK(look_.paint != Paint::scalar || look_.scalars.size() == n, "painting scalars needs scalars");
+  SHELLMATCH_CHECK(look_.paint != Paint::scalar || look_.scalars.size() == n,
+                   "painting scalars needs scalars");
   normals_ = corner_normals(*look_.surface, look_.crease_angle);
   if (look_.paint == Paint::position || look_.paint == Paint::checker) {
     if (look_.origins.empty()) look_.origins = look_.surface->vertices;
@@ -59,17 +62,20 @@ void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
   const std::vector<Vec<3>> normals = vertex_normals(s);
   const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 100000 ? 64 : 160);
   std::vector<float> raw(s.vertices.size(), 1);
-  parallel_for(raw.size(), [&](std::size_t i) {
-    const Vec<3> start = s.vertices[i] + 2e-3 * reach * normals[i];
-    double open = 0, all = 0;
-    for (const Vec<3>& d : sky) {
-      const double weight = d.dot(normals[i]);
-      if (weight <= 0.05) continue;
-      all += weight;
-      if (!scene.is_blocked({start, d}, 0, reach)) open += weight;
-    }
-    raw[i] = all > 0 ? static_cast<float>(open / all) : 1;
-  }, 256);
+  parallel_for(
+      raw.size(),
+      [&](std::size_t i) {
+        const Vec<3> start = s.vertices[i] + 2e-3 * reach * normals[i];
+        double open = 0, all = 0;
+        for (const Vec<3>& d : sky) {
+          const double weight = d.dot(normals[i]);
+          if (weight <= 0.05) continue;
+          all += weight;
+          if (!scene.is_blocked({start, d}, 0, reach)) open += weight;
+        }
+        raw[i] = all > 0 ? static_cast<float>(open / all) : 1;
+      },
+      256);
   openness_.assign(raw.size(), 0);
   std::vector<int> count(raw.size(), 0);
   for (const auto& [a, b, c] : s.facets) {
@@ -92,7 +98,8 @@ Vec<3> PaintedSurface::normal(const Ray& ray, Index facet, double u, double v) c
 Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
   const auto& corners = look_.surface->facets[facet];
   switch (look_.paint) {
-    case Paint::uniform: break;
+    case Paint::uniform:
+      break;
     case Paint::scalar: {
       const double value = interpolate(look_.scalars, corners, u, v);
       const double range = look_.scalar_max - look_.scalar_min;
@@ -104,7 +111,8 @@ Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
       const Vec<3> base = linear(position_color(origin_scale_ * origin));
       if (look_.paint == Paint::position) return base;
       // Turned by an odd angle, so that the board's planes do not coincide with flat sides of a shape.
-      static const Mat<3> turn = Eigen::AngleAxisd(0.41, Vec<3>(0.3, 0.8, 0.52).normalized()).toRotationMatrix();
+      static const Mat<3> turn =
+          Eigen::AngleAxisd(0.41, Vec<3>(0.3, 0.8, 0.52).normalized()).toRotationMatrix();
       const Vec<3> cell = checker_scale_ * (turn * origin);
       const long parity = static_cast<long>(std::floor(cell.x())) + static_cast<long>(std::floor(cell.y())) +
                           static_cast<long>(std::floor(cell.z()));
@@ -118,7 +126,8 @@ Vec<3> PaintedSurface::light(const Camera& camera, const Ray& ray, Index facet, 
   const Vec<3> world = normal(ray, facet, u, v);
   // Lights stand still in the camera's frame.
   const Vec<3> n(world.dot(camera.right), world.dot(camera.up), world.dot(camera.backward));
-  static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(), fill = Vec<3>(0.85, -0.05, 0.55).normalized();
+  static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(),
+                      fill = Vec<3>(0.85, -0.05, 0.55).normalized();
   const double open = openness_.empty() ? 1 : interpolate(openness_, look_.surface->facets[facet], u, v);
   const double sky = 0.30 + 0.12 * n.y();
   // A hollow gets less of the wide lights, too; the key light is narrow.

@@ -33,7 +33,8 @@ double scene_size(std::span<const RenderSurface> surfaces) {
 
 }  // namespace
 
-Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options) {
+Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera,
+                      const RenderOptions& options) {
   SHELLMATCH_CHECK(options.width > 0 && options.height > 0 && options.samples > 0, "a picture needs an area");
   const double size = scene_size(surfaces);
   std::vector<PaintedSurface> painted;
@@ -69,33 +70,40 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
         samples.push_back({hit->distance, p.opacity(ray, hit->facet, hit->u, hit->v),
                            p.light(camera, ray, hit->facet, hit->u, hit->v)});
       }
-    std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.distance > b.distance; });
+    std::stable_sort(samples.begin(), samples.end(),
+                     [](const Sample& a, const Sample& b) { return a.distance > b.distance; });
     for (const Sample& s : samples) light = (1 - s.opacity) * light + s.opacity * s.light;
     return light;
   };
 
   double clearance = 0;  // parallel rays start in front of everything
   for (const RenderSurface& s : surfaces)
-    for (const Vec<3>& v : s.surface->vertices) clearance = std::max(clearance, (v - camera.target).dot(camera.backward));
+    for (const Vec<3>& v : s.surface->vertices)
+      clearance = std::max(clearance, (v - camera.target).dot(camera.backward));
   clearance += size;
 
   Image image(options.width, options.height, options.background);
   const double pixel = 2.0 / options.height, n_samples = options.samples;
-  parallel_for(static_cast<std::size_t>(options.height), [&](std::size_t row) {
-    for (int column = 0; column < options.width; ++column) {
-      Vec<3> sum = Vec<3>::Zero();
-      for (int j = 0; j < options.samples; ++j)
-        for (int i = 0; i < options.samples; ++i) {
-          // Each row of samples is shifted a little: edges that are nearly upright get more shades.
-          const double sx = (i + (j + 0.5) / n_samples) / n_samples, sy = (j + (i + 0.5) / n_samples) / n_samples;
-          const double x = (column + sx - 0.5 * options.width) * pixel;
-          const double y = (0.5 * options.height - static_cast<double>(row) - sy) * pixel;
-          sum += trace(camera_ray(camera, x, y, clearance)).cwiseMin(1.0);
+  parallel_for(
+      static_cast<std::size_t>(options.height),
+      [&](std::size_t row) {
+        for (int column = 0; column < options.width; ++column) {
+          Vec<3> sum = Vec<3>::Zero();
+          for (int j = 0; j < options.samples; ++j)
+            for (int i = 0; i < options.samples; ++i) {
+              // Each row of samples is shifted a little: edges that are nearly upright get more shades.
+              const double sx = (i + (j + 0.5) / n_samples) / n_samples,
+                           sy = (j + (i + 0.5) / n_samples) / n_samples;
+              const double x = (column + sx - 0.5 * options.width) * pixel;
+              const double y = (0.5 * options.height - static_cast<double>(row) - sy) * pixel;
+              sum += trace(camera_ray(camera, x, y, clearance)).cwiseMin(1.0);
+            }
+          sum /= n_samples * n_samples;
+          image.set(column, static_cast<int>(row),
+                    {srgb_from_linear(sum[0]), srgb_from_linear(sum[1]), srgb_from_linear(sum[2])});
         }
-      sum /= n_samples * n_samples;
-      image.set(column, static_cast<int>(row), {srgb_from_linear(sum[0]), srgb_from_linear(sum[1]), srgb_from_linear(sum[2])});
-    }
-  }, 4);
+      },
+      4);
   return image;
 }
 

@@ -17,7 +17,8 @@ class CeresFunction final : public ceres::FirstOrderFunction {
  public:
   CeresFunction(LibraryRun& run, std::size_t n) : run_(run), n_(n) {}
   bool Evaluate(const double* x, double* value, double* gradient) const override {
-    const Evaluation at = run_.evaluate({x, n_}, gradient ? std::span<double>(gradient, n_) : std::span<double>());
+    const Evaluation at =
+        run_.evaluate({x, n_}, gradient ? std::span<double>(gradient, n_) : std::span<double>());
     *value = at.value;
     return at.feasible;
   }
@@ -51,28 +52,38 @@ class QuietGlog {
 
 ceres::LineSearchDirectionType direction_type(CeresMethod method) {
   switch (method) {
-    case CeresMethod::steepest_descent: return ceres::STEEPEST_DESCENT;
-    case CeresMethod::ncg: return ceres::NONLINEAR_CONJUGATE_GRADIENT;
-    case CeresMethod::bfgs: return ceres::BFGS;
-    case CeresMethod::lbfgs: break;
+    case CeresMethod::steepest_descent:
+      return ceres::STEEPEST_DESCENT;
+    case CeresMethod::ncg:
+      return ceres::NONLINEAR_CONJUGATE_GRADIENT;
+    case CeresMethod::bfgs:
+      return ceres::BFGS;
+    case CeresMethod::lbfgs:
+      break;
   }
   return ceres::LBFGS;
 }
 
 ceres::NonlinearConjugateGradientType conjugate_gradient_type(CeresConjugateGradient type) {
   switch (type) {
-    case CeresConjugateGradient::fletcher_reeves: return ceres::FLETCHER_REEVES;
-    case CeresConjugateGradient::polak_ribiere: return ceres::POLAK_RIBIERE;
-    case CeresConjugateGradient::hestenes_stiefel: break;
+    case CeresConjugateGradient::fletcher_reeves:
+      return ceres::FLETCHER_REEVES;
+    case CeresConjugateGradient::polak_ribiere:
+      return ceres::POLAK_RIBIERE;
+    case CeresConjugateGradient::hestenes_stiefel:
+      break;
   }
   return ceres::HESTENES_STIEFEL;
 }
 
 ceres::LineSearchInterpolationType interpolation_type(CeresInterpolation type) {
   switch (type) {
-    case CeresInterpolation::bisection: return ceres::BISECTION;
-    case CeresInterpolation::quadratic: return ceres::QUADRATIC;
-    case CeresInterpolation::cubic: break;
+    case CeresInterpolation::bisection:
+      return ceres::BISECTION;
+    case CeresInterpolation::quadratic:
+      return ceres::QUADRATIC;
+    case CeresInterpolation::cubic:
+      break;
   }
   return ceres::CUBIC;
 }
@@ -109,19 +120,21 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-CeresMinimizer::CeresMinimizer(CeresMethod method, const CeresOptions& options) : method_(method), options_(options) {
+CeresMinimizer::CeresMinimizer(CeresMethod method, const CeresOptions& options)
+    : method_(method), options_(options) {
   std::string error;
   if (!library_options(method, options).IsValid(&error))
     throw_input_error("solver.ceres: the options do not fit {}: {}", name(), one_line(error));
 }
 
-MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
-                                          const IterationCallback& callback) const {
+MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<double>& x,
+                                          const StopOptions& stop, const IterationCallback& callback) const {
   const std::size_t n = objective.size();
   if (method_ == CeresMethod::bfgs && n > static_cast<std::size_t>(options_.max_bfgs_size))
-    throw_input_error("solver.name: ceres_bfgs keeps a dense matrix and is limited to solver.ceres.max_bfgs_size = {} "
-                      "unknowns, but there are {}; use ceres_lbfgs or lbfgs",
-                      options_.max_bfgs_size, n);
+    throw_input_error(
+        "solver.name: ceres_bfgs keeps a dense matrix and is limited to solver.ceres.max_bfgs_size = {} "
+        "unknowns, but there are {}; use ceres_lbfgs or lbfgs",
+        options_.max_bfgs_size, n);
   LibraryRun run(objective, x, stop, callback);
   if (!run.start()) return run.finish(x, StopReason::library, {});
 

@@ -17,9 +17,9 @@ struct EnumNames<CeresMethod> {
       {CeresMethod::lbfgs, "ceres_lbfgs"}};
 };
 
-/// A line search method of Ceres. Ceres' own tolerances are switched off and its logging silenced; an iteration
-/// is one of Ceres'. Where Ceres gives up, StopReason::library and its message say so, and the best point that
-/// was evaluated is kept. Exceptions of the objective and of the callback pass through.
+/// A line search method of Ceres. Ceres' own tolerances are switched off and its logging silenced; an
+/// iteration is one of Ceres'. Where Ceres gives up, StopReason::library and its message say so, and the best
+/// point that was evaluated is kept. Exceptions of the objective and of the callback pass through.
 ///
 /// Ceres never tries a step longer than its direction, so steepest descent and conjugate gradients creep on
 /// functions whose second derivatives are much smaller than 1 in the chosen metric.

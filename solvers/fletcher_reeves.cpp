@@ -14,9 +14,10 @@ namespace {
 
 constexpr double greatest_change = 10;  // of alpha from one accepted step to the next first trial
 
-// Successive directions bend differently, by a factor of two and more. To let a small bend forget a larger one
-// at once would have every other first trial overshoot: with this memory 1.04 trials are made per step instead
-// of 1.4 (measured on a registration problem in the plane with 18,000 unknowns), at the same decrease.
+// Successive directions bend differently, by a factor of two and more. To let a small bend forget a larger
+// one at once would have every other first trial overshoot: with this memory 1.04 trials are made per step
+// instead of 1.4 (measured on a registration problem in the plane with 18,000 unknowns), at the same
+// decrease.
 constexpr double bend_memory = 0.3;
 
 // What the last accepted step has taught.
@@ -31,9 +32,14 @@ struct LastStep {
 double first_alpha(const FletcherReevesOptions& options, const LastStep& last, const DirectionSize& d) {
   double alpha = last.alpha * options.step_growth;
   switch (options.initial_step) {
-    case InitialStep::memory: return alpha;
-    case InitialStep::slope: alpha *= last.slope / d.slope; break;
-    case InitialStep::decrease: alpha = -2 * last.decrease / d.slope; break;
+    case InitialStep::memory:
+      return alpha;
+    case InitialStep::slope:
+      alpha *= last.slope / d.slope;
+      break;
+    case InitialStep::decrease:
+      alpha = -2 * last.decrease / d.slope;
+      break;
     case InitialStep::curvature:
       if (last.bend > 0) alpha = -d.slope / (last.bend * d.length * d.length);
       break;
@@ -52,8 +58,8 @@ LineSearchOptions line_search_options(const FletcherReevesOptions& o) {
 
 }  // namespace
 
-MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
-                                          const IterationCallback& callback) const {
+MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<double>& x,
+                                          const StopOptions& stop, const IterationCallback& callback) const {
   MinimizationRun run(objective, stop, callback);
   std::vector<double> g(run.size());
   if (!run.start(x, g)) return run.summary();
@@ -73,7 +79,8 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     }
     if (beta == 0) since_restart = 0;
 
-    const double alpha = last.alpha > 0 ? first_alpha(options_, last, size) : options_.first_step / size.length;
+    const double alpha =
+        last.alpha > 0 ? first_alpha(options_, last, size) : options_.first_step / size.length;
     line.lay(x, d, value, size.slope);
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {
@@ -87,10 +94,14 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     }
 
     const LinePoint& p = found.point;
-    last = {.alpha = p.alpha, .slope = size.slope, .decrease = value - p.value,
-            .bend = std::max((p.slope - size.slope) / (p.alpha * size.length * size.length), bend_memory * last.bend)};
+    last = {.alpha = p.alpha,
+            .slope = size.slope,
+            .decrease = value - p.value,
+            .bend = std::max((p.slope - size.slope) / (p.alpha * size.length * size.length),
+                             bend_memory * last.bend)};
     const double squared = p.gradient_norm * p.gradient_norm, squared_before = gradient_norm * gradient_norm;
-    const bool needs_overlap = options_.orthogonality > 0 || options_.update != ConjugateUpdate::fletcher_reeves;
+    const bool needs_overlap =
+        options_.orthogonality > 0 || options_.update != ConjugateUpdate::fletcher_reeves;
     const double overlap = needs_overlap ? dot(line.gradient, g) : 0;
     beta = squared / squared_before;
     if (options_.update == ConjugateUpdate::bounded_polak_ribiere)

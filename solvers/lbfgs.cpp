@@ -21,7 +21,8 @@ MinimizerSummary Lbfgs::minimize(Objective& objective, std::vector<double>& x, c
                                  .interpolation = options_.interpolation,
                                  .contraction = options_.contraction,
                                  .max_trials = options_.max_trials};
-  LimitedMemoryInverseHessian inverse_hessian(run.size(), static_cast<std::size_t>(options_.memory), options_.least_cosine);
+  LimitedMemoryInverseHessian inverse_hessian(run.size(), static_cast<std::size_t>(options_.memory),
+                                              options_.least_cosine);
   std::vector<double> d(run.size());
   Line line(run);
   double value = run.start_value(), last_step = 0;
@@ -33,7 +34,8 @@ MinimizerSummary Lbfgs::minimize(Objective& objective, std::vector<double>& x, c
       size = conjugate_direction(g, 0, d);
     }
     // Without an estimate of the second derivatives the steepest descent has no natural length.
-    const double alpha = !inverse_hessian.empty() ? 1 : (last_step > 0 ? last_step : options_.first_step) / size.length;
+    const double alpha =
+        !inverse_hessian.empty() ? 1 : (last_step > 0 ? last_step : options_.first_step) / size.length;
     line.lay(x, d, value, size.slope);
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {

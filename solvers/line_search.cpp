@@ -18,7 +18,8 @@ constexpr double greatest_expansion = 10;
 // A step between `low`, the lowest point with the Armijo condition, and `high`, which is too far.
 double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchOptions& options) {
   const double width = high.alpha - low.alpha;
-  if (options.interpolation == Interpolation::halving || !high.feasible) return low.alpha + options.contraction * width;
+  if (options.interpolation == Interpolation::halving || !high.feasible)
+    return low.alpha + options.contraction * width;
   LinePoint end = high;
   if (options.interpolation == Interpolation::quadratic) end.has_gradient = false;
   double alpha = interpolated_minimum(low, end);
@@ -39,14 +40,19 @@ double longer_step(const LinePoint& before, const LinePoint& low) {
 void Line::lay(std::span<const double> base, std::span<const double> direction, double value, double slope) {
   base_ = base;
   direction_ = direction;
-  start_ = {.alpha = 0, .value = value, .slope = slope, .gradient_norm = 0, .feasible = true, .has_gradient = true};
+  start_ = {
+      .alpha = 0, .value = value, .slope = slope, .gradient_norm = 0, .feasible = true, .has_gradient = true};
 }
 
 LinePoint Line::at(double alpha, bool with_gradient) {
   add_scaled(base_, alpha, direction_, x);
   const Evaluation e = run_.evaluate(x, with_gradient ? std::span<double>(gradient) : std::span<double>());
-  LinePoint p{.alpha = alpha, .value = e.value, .slope = 0, .gradient_norm = e.gradient_norm,
-              .feasible = e.feasible, .has_gradient = e.feasible && with_gradient};
+  LinePoint p{.alpha = alpha,
+              .value = e.value,
+              .slope = 0,
+              .gradient_norm = e.gradient_norm,
+              .feasible = e.feasible,
+              .has_gradient = e.feasible && with_gradient};
   if (p.has_gradient) p.slope = dot(gradient, direction_);
   return p;
 }
@@ -55,7 +61,8 @@ double interpolated_minimum(const LinePoint& a, const LinePoint& b) {
   const double width = b.alpha - a.alpha;
   if (!b.has_gradient) {
     const double bend = b.value - a.value - a.slope * width;
-    return bend > 0 ? a.alpha - a.slope * width * width / (2 * bend) : std::numeric_limits<double>::quiet_NaN();
+    return bend > 0 ? a.alpha - a.slope * width * width / (2 * bend)
+                    : std::numeric_limits<double>::quiet_NaN();
   }
   const double d1 = a.slope + b.slope - 3 * (a.value - b.value) / (a.alpha - b.alpha);
   const double d2 = std::copysign(std::sqrt(d1 * d1 - a.slope * b.slope), width);
@@ -83,7 +90,8 @@ LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOpt
     } else if (options.curvature > 0 && last.slope < options.curvature * start.slope) {
       const LinePoint before = low;
       low = last;
-      // Beyond may be where nothing can be evaluated; then a step that goes down is worth more than its length.
+      // Beyond may be where nothing can be evaluated; then a step that goes down is worth more than its
+      // length.
       if (bracketed && !high.feasible) break;
       alpha = bracketed ? inner_step(low, high, options) : longer_step(before, low);
     } else {

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The line search of our own methods: backtracking to the Armijo condition and, where asked for, a bracket to
-/// the weak Wolfe conditions. Numbers of equations and pages are those of Nocedal & Wright, Numerical
+/// The line search of our own methods: backtracking to the Armijo condition and, where asked for, a bracket
+/// to the weak Wolfe conditions. Numbers of equations and pages are those of Nocedal & Wright, Numerical
 /// Optimization, 2nd edition (2006).
 
 #include "solvers/minimization_run.h"
@@ -15,10 +15,12 @@ namespace shellmatch {
 
 /// How a line is searched. The methods fill it from their own options.
 struct LineSearchOptions {
-  double armijo = 1e-4;    ///< c1 of (3.4): share of the linear decrease that a step must reach, in (0, 0.5)
-  double curvature = 0;    ///< c2 of (3.6b): the slope must rise to this share of its start; 0: no such condition
+  double armijo = 1e-4;  ///< c1 of (3.4): share of the linear decrease that a step must reach, in (0, 0.5)
+  double curvature =
+      0;  ///< c2 of (3.6b): the slope must rise to this share of its start; 0: no such condition
   Interpolation interpolation = Interpolation::cubic;
-  double contraction = 0.5;  ///< factor on a step that is halved or leads where nothing can be evaluated, in (0, 1)
+  double contraction =
+      0.5;  ///< factor on a step that is halved or leads where nothing can be evaluated, in (0, 1)
   int max_trials = 40;
   /// So many trials are evaluated with their gradient, the rest by value alone until one is accepted. A value
   /// costs 0.55 of a gradient that comes with its value, so the gradient at once is cheaper if fewer than 2.2
@@ -36,8 +38,8 @@ struct LinePoint {
   bool has_gradient = false;
 };
 
-/// The function alpha -> f(x + alpha d). It owns the trial point and the gradient there, for the method to swap
-/// with its own once a step is accepted.
+/// The function alpha -> f(x + alpha d). It owns the trial point and the gradient there, for the method to
+/// swap with its own once a step is accepted.
 class Line {
  public:
   explicit Line(MinimizationRun& run) : x(run.size()), gradient(run.size()), run_(run) {}
@@ -66,15 +68,15 @@ struct LineSearchResult {
   int n_trials = 0;
 };
 
-/// Finds a step that lowers the value, satisfies the Armijo condition (3.4) and, where options.curvature > 0, the weak Wolfe
-/// condition (3.6b), beginning with `first_alpha` > 0. A trial that cannot be evaluated contracts the step. The
-/// bracket is that of Lewis & Overton, Nonsmooth optimization via quasi-Newton methods (2013), algorithm 2.6,
-/// with interpolation (page 57) in place of bisection. If the trials run out, the lowest point with the Armijo
-/// condition is taken; it is a failure only if there is none.
+/// Finds a step that lowers the value, satisfies the Armijo condition (3.4) and, where options.curvature > 0,
+/// the weak Wolfe condition (3.6b), beginning with `first_alpha` > 0. A trial that cannot be evaluated
+/// contracts the step. The bracket is that of Lewis & Overton, Nonsmooth optimization via quasi-Newton
+/// methods (2013), algorithm 2.6, with interpolation (page 57) in place of bisection. If the trials run out,
+/// the lowest point with the Armijo condition is taken; it is a failure only if there is none.
 LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOptions& options);
 
-/// Minimiser of the cubic through values and slopes at a and b (3.59), or of the parabola through a's value and
-/// slope and b's value where b has no slope (3.58). NaN where there is none.
+/// Minimiser of the cubic through values and slopes at a and b (3.59), or of the parabola through a's value
+/// and slope and b's value where b has no slope (3.58). NaN where there is none.
 double interpolated_minimum(const LinePoint& a, const LinePoint& b);
 
 }  // namespace shellmatch

@@ -10,24 +10,29 @@ namespace shellmatch {
 namespace {
 
 void multiply(std::span<const double> a, std::span<const double> b, std::span<double> out) {
-  parallel_for(a.size(), [&](std::size_t i) { out[i] = a[i] * b[i]; }, 8192);
+  parallel_for(
+      a.size(), [&](std::size_t i) { out[i] = a[i] * b[i]; }, 8192);
 }
 
 }  // namespace
 
-DiagonalFactor::DiagonalFactor(std::span<const double> diagonal) : root_(diagonal.size()), inverse_root_(diagonal.size()) {
+DiagonalFactor::DiagonalFactor(std::span<const double> diagonal)
+    : root_(diagonal.size()), inverse_root_(diagonal.size()) {
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
     if (!(diagonal[i] > 0 && std::isfinite(diagonal[i])))
-      throw_input_error("the lumped mass of unknown {} of {} is {:g}; the l2 metric needs positive numbers: leave "
-                        "out unknowns that no cell sees, or use metric euclidean",
-                        i, diagonal.size(), diagonal[i]);
+      throw_input_error(
+          "the lumped mass of unknown {} of {} is {:g}; the l2 metric needs positive numbers: leave "
+          "out unknowns that no cell sees, or use metric euclidean",
+          i, diagonal.size(), diagonal[i]);
     root_[i] = std::sqrt(diagonal[i]);
     inverse_root_[i] = 1 / root_[i];
   }
 }
 
 void DiagonalFactor::apply(std::span<const double> x, std::span<double> y) const { multiply(root_, x, y); }
-void DiagonalFactor::solve(std::span<const double> y, std::span<double> x) const { multiply(inverse_root_, y, x); }
+void DiagonalFactor::solve(std::span<const double> y, std::span<double> x) const {
+  multiply(inverse_root_, y, x);
+}
 void DiagonalFactor::solve_transposed(std::span<const double> g, std::span<double> z) const {
   multiply(inverse_root_, g, z);
 }
@@ -36,14 +41,15 @@ std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective&
   const std::span<const double> mass = objective.lumped_mass();
   if (metric == Metric::euclidean || mass.empty()) return nullptr;
   if (mass.size() != objective.size())
-    throw_input_error("the lumped mass has {} entries for {} unknowns; it must have one for each", mass.size(),
-                      objective.size());
+    throw_input_error("the lumped mass has {} entries for {} unknowns; it must have one for each",
+                      mass.size(), objective.size());
   return std::make_unique<DiagonalFactor>(mass);
 }
 
 MetricObjective::MetricObjective(Objective& objective, const MetricFactor& factor)
     : objective_(objective), factor_(factor), x_(objective.size()) {
-  SHELLMATCH_CHECK(factor.size() == objective.size(), "metric and objective must have the same number of unknowns");
+  SHELLMATCH_CHECK(factor.size() == objective.size(),
+                   "metric and objective must have the same number of unknowns");
 }
 
 bool MetricObjective::evaluate(std::span<const double> y, double& value, std::span<double> gradient) {
@@ -53,8 +59,8 @@ bool MetricObjective::evaluate(std::span<const double> y, double& value, std::sp
   return true;
 }
 
-MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor, Objective& objective,
-                                    std::vector<double>& x, const StopOptions& stop,
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
+                                    Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback) {
   SHELLMATCH_CHECK(x.size() == objective.size(), "the start must have as many entries as there are unknowns");
   MetricObjective in_metric(objective, factor);

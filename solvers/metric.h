@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The metric as a linear change of variables around the objective, so that every method runs in every metric.
+/// The metric as a linear change of variables around the objective, so that every method runs in every
+/// metric.
 
 #include "solvers/minimizer.h"
 #include "solvers/options.h"
@@ -11,8 +12,8 @@
 
 namespace shellmatch {
 
-/// A metric M = F^T F on n unknowns, given by its factor F. In the variables y = F x the Euclidean inner product
-/// is that of M, and the Euclidean gradient F^-T g is F times the gradient M^-1 g in that metric.
+/// A metric M = F^T F on n unknowns, given by its factor F. In the variables y = F x the Euclidean inner
+/// product is that of M, and the Euclidean gradient F^-T g is F times the gradient M^-1 g in that metric.
 class MetricFactor {
  public:
   virtual ~MetricFactor() = default;
@@ -40,8 +41,8 @@ class DiagonalFactor final : public MetricFactor {
 };
 
 /// The factor of a metric for an objective; null where the change of variables would be the identity: metric
-/// euclidean, or an objective without a mass. \throws InputError where the mass is not one positive number for
-/// each unknown.
+/// euclidean, or an objective without a mass. \throws InputError where the mass is not one positive number
+/// for each unknown.
 std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective& objective);
 
 /// The objective as a function of y = F x. Its lumped mass is empty: its metric is Euclidean.
@@ -62,8 +63,8 @@ class MetricObjective final : public Objective {
 
 /// Minimises in the metric: goes over to y, minimises, comes back. Gradient norms and steps of the record are
 /// those of the metric. Where the first point is the best it comes back bit by bit.
-MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor, Objective& objective,
-                                    std::vector<double>& x, const StopOptions& stop,
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
+                                    Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback = {});
 MinimizerSummary minimize_in_metric(const Minimizer& minimizer, Metric metric, Objective& objective,
                                     std::vector<double>& x, const StopOptions& stop,

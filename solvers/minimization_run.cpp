@@ -7,7 +7,8 @@
 
 namespace shellmatch {
 
-MinimizationRun::MinimizationRun(Objective& objective, const StopOptions& stop, const IterationCallback& callback)
+MinimizationRun::MinimizationRun(Objective& objective, const StopOptions& stop,
+                                 const IterationCallback& callback)
     : objective_(objective), callback_(callback), monitor_(stop) {}
 
 Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double> gradient) {
@@ -56,7 +57,8 @@ bool MinimizationRun::report(IterationRecord record) {
   record.gradient_evaluations = summary_.gradient_evaluations;
   record.seconds = monitor_.seconds();
   const auto reason = monitor_.check(record);
-  if (callback_ && !callback_(record)) finish(StopReason::interrupted, monitor_.message(StopReason::interrupted));
+  if (callback_ && !callback_(record))
+    finish(StopReason::interrupted, monitor_.message(StopReason::interrupted));
   if (reason) finish(*reason);
   return !over_;
 }

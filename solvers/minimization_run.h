@@ -13,7 +13,7 @@ namespace shellmatch {
 
 /// Outcome of one evaluation.
 struct Evaluation {
-  bool feasible = false;     ///< false: cannot be evaluated here, or value or gradient not finite
+  bool feasible = false;  ///< false: cannot be evaluated here, or value or gradient not finite
   double value = 0;
   double gradient_norm = 0;  ///< Euclidean; only where the gradient was asked for
 };
@@ -39,7 +39,9 @@ class MinimizationRun {
 
   /// Records a step that was accepted; `step` is its norm. False where the run is over by it.
   bool accept(double value, double gradient_norm, double step, std::vector<double> terms);
-  bool accept(const Evaluation& at, double step) { return accept(at.value, at.gradient_norm, step, term_values()); }
+  bool accept(const Evaluation& at, double step) {
+    return accept(at.value, at.gradient_norm, step, term_values());
+  }
 
   /// True once a reason to stop is known. Long inner loops ask also `out_of_time()`.
   bool over() const { return over_; }

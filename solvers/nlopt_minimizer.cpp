@@ -15,13 +15,20 @@ namespace {
 
 nlopt_algorithm algorithm(NloptMethod method) {
   switch (method) {
-    case NloptMethod::lbfgs: return NLOPT_LD_LBFGS;
-    case NloptMethod::tnewton: return NLOPT_LD_TNEWTON_PRECOND_RESTART;
-    case NloptMethod::var1: return NLOPT_LD_VAR1;
-    case NloptMethod::var2: return NLOPT_LD_VAR2;
-    case NloptMethod::mma: return NLOPT_LD_MMA;
-    case NloptMethod::ccsaq: return NLOPT_LD_CCSAQ;
-    case NloptMethod::slsqp: break;
+    case NloptMethod::lbfgs:
+      return NLOPT_LD_LBFGS;
+    case NloptMethod::tnewton:
+      return NLOPT_LD_TNEWTON_PRECOND_RESTART;
+    case NloptMethod::var1:
+      return NLOPT_LD_VAR1;
+    case NloptMethod::var2:
+      return NLOPT_LD_VAR2;
+    case NloptMethod::mma:
+      return NLOPT_LD_MMA;
+    case NloptMethod::ccsaq:
+      return NLOPT_LD_CCSAQ;
+    case NloptMethod::slsqp:
+      break;
   }
   return NLOPT_LD_SLSQP;
 }
@@ -81,13 +88,14 @@ std::string words(nlopt_result result, const Context& context) {
 
 }  // namespace
 
-MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
-                                          const IterationCallback& callback) const {
+MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<double>& x,
+                                          const StopOptions& stop, const IterationCallback& callback) const {
   const std::size_t n = objective.size();
   if (method_ == NloptMethod::slsqp && n > static_cast<std::size_t>(options_.max_slsqp_size))
-    throw_input_error("solver.name: nlopt_slsqp keeps dense matrices and is limited to solver.nlopt.max_slsqp_size = "
-                      "{} unknowns, but there are {}; use nlopt_lbfgs or lbfgs",
-                      options_.max_slsqp_size, n);
+    throw_input_error(
+        "solver.name: nlopt_slsqp keeps dense matrices and is limited to solver.nlopt.max_slsqp_size = "
+        "{} unknowns, but there are {}; use nlopt_lbfgs or lbfgs",
+        options_.max_slsqp_size, n);
   LibraryRun run(objective, x, stop, callback);
   if (!run.start()) return run.finish(x, StopReason::library, {});
 
@@ -109,7 +117,8 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
     ending = words(result, context);
     if (!(run.best_value() < before)) break;
   }
-  return run.finish(x, StopReason::library, fmt::format("NLopt: {} ({} restarts)", ending, std::max(n_starts - 1, 0)));
+  return run.finish(x, StopReason::library,
+                    fmt::format("NLopt: {} ({} restarts)", ending, std::max(n_starts - 1, 0)));
 }
 
 }  // namespace shellmatch

@@ -19,22 +19,24 @@ struct EnumNames<NloptMethod> {
 
 /// LD_LBFGS, LD_TNEWTON_PRECOND_RESTART, LD_VAR1, LD_VAR2, LD_MMA, LD_CCSAQ and LD_SLSQP.
 ///
-/// NLopt does not tell where one of its iterations ends: here a step is accepted whenever a point with a lower
-/// value than all before has been evaluated. Counts of iterations, and `decrease_window`, are therefore a little
-/// finer than with other methods; evaluations and seconds compare exactly.
+/// NLopt does not tell where one of its iterations ends: here a step is accepted whenever a point with a
+/// lower value than all before has been evaluated. Counts of iterations, and `decrease_window`, are therefore
+/// a little finer than with other methods; evaluations and seconds compare exactly.
 ///
 /// NLopt has no word for "cannot be evaluated here". It is shown, in place of the function, the cone
-/// f_b + |g_b| |x - x_b| over the best point x_b so far: it passes through that point, is never below it, leads
-/// back to it, and has the size of what the library has seen there, so that its interpolation shortens the step
-/// to between a quarter and a half. (A huge constant would make it collapse; infinities it multiplies.) The cone
-/// is only ever shown where the function cannot be evaluated, and no point of it is ever accepted.
+/// f_b + |g_b| |x - x_b| over the best point x_b so far: it passes through that point, is never below it,
+/// leads back to it, and has the size of what the library has seen there, so that its interpolation shortens
+/// the step to between a quarter and a half. (A huge constant would make it collapse; infinities it
+/// multiplies.) The cone is only ever shown where the function cannot be evaluated, and no point of it is
+/// ever accepted.
 ///
-/// When NLopt ends by its own rules (its methods often do, on account of rounding or of the cone's edge), it is
-/// started again from the best point as long as that gains something, at most `max_restarts` times; the message
-/// says how often and why it ended. NLopt's own tolerances are off. Exceptions pass through.
+/// When NLopt ends by its own rules (its methods often do, on account of rounding or of the cone's edge), it
+/// is started again from the best point as long as that gains something, at most `max_restarts` times; the
+/// message says how often and why it ended. NLopt's own tolerances are off. Exceptions pass through.
 class NloptMinimizer final : public Minimizer {
  public:
-  explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {}) : method_(method), options_(options) {}
+  explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {})
+      : method_(method), options_(options) {}
   std::string name() const override { return std::string(enum_name(method_)); }
 
   /// \throws InputError for nlopt_slsqp with more than max_slsqp_size unknowns.

@@ -23,7 +23,8 @@ std::optional<StopReason> StopMonitor::check(const IterationRecord& record) {
   if (record.gradient_norm <= options_.gradient_norm * first_gradient_norm_) return StopReason::gradient_norm;
   if (k + 1 >= window_.size()) {
     const double earlier = window_[(k + 1) % window_.size()];
-    if (earlier - record.value < options_.relative_decrease * std::abs(earlier)) return StopReason::relative_decrease;
+    if (earlier - record.value < options_.relative_decrease * std::abs(earlier))
+      return StopReason::relative_decrease;
   }
   if (record.iteration >= options_.max_iterations) return StopReason::max_iterations;
   if (out_of_time()) return StopReason::max_seconds;
@@ -33,18 +34,24 @@ std::optional<StopReason> StopMonitor::check(const IterationRecord& record) {
 std::string StopMonitor::message(StopReason reason) const {
   switch (reason) {
     case StopReason::gradient_norm:
-      return first_gradient_norm_ == 0
-                 ? std::string("the gradient is zero at the start")
-                 : fmt::format("the gradient's norm is at most {:g} of its first value", options_.gradient_norm);
+      return first_gradient_norm_ == 0 ? std::string("the gradient is zero at the start")
+                                       : fmt::format("the gradient's norm is at most {:g} of its first value",
+                                                     options_.gradient_norm);
     case StopReason::relative_decrease:
-      return fmt::format("the value fell by less than {:g} of itself over {} iterations", options_.relative_decrease,
-                         options_.decrease_window);
-    case StopReason::max_iterations: return fmt::format("{} iterations are done", options_.max_iterations);
-    case StopReason::max_seconds: return fmt::format("the time limit of {:g} s is reached", options_.max_seconds);
-    case StopReason::no_descent: return "no lower value can be found along the steepest descent";
-    case StopReason::cannot_evaluate_start: return "the function cannot be evaluated at the start";
-    case StopReason::interrupted: return "stopped by the caller";
-    case StopReason::library: break;
+      return fmt::format("the value fell by less than {:g} of itself over {} iterations",
+                         options_.relative_decrease, options_.decrease_window);
+    case StopReason::max_iterations:
+      return fmt::format("{} iterations are done", options_.max_iterations);
+    case StopReason::max_seconds:
+      return fmt::format("the time limit of {:g} s is reached", options_.max_seconds);
+    case StopReason::no_descent:
+      return "no lower value can be found along the steepest descent";
+    case StopReason::cannot_evaluate_start:
+      return "the function cannot be evaluated at the start";
+    case StopReason::interrupted:
+      return "stopped by the caller";
+    case StopReason::library:
+      break;
   }
   return "the library stopped by its own rules";
 }

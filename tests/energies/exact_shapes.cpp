@@ -2,8 +2,10 @@
 
 #include "grid/constraints.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellmatch::test {
@@ -27,7 +29,12 @@ std::pair<Vec<Dim>, double> closest_on_ellipsoid(const Vec<Dim>& half_axes, cons
     (outside ? low : high) = t;
   }
   const double t = 0.5 * (low + high);
-  const Vec<Dim> y = a2 * x.array() / (a2 + t);
+  Vec<Dim> y = a2 * x.array() / (a2 + t);
+  // On the medial axis, between the foci, t alone does not say where y is along the shortest axis.
+  const double missing = 1 - y.cwiseQuotient(half_axes).squaredNorm();
+  int shortest;
+  half_axes.minCoeff(&shortest);
+  if (missing > 1e-9) y[shortest] = half_axes[shortest] * std::sqrt(missing);
   return {y, std::copysign((x - y).norm(), t)};
 }
 
@@ -52,7 +59,7 @@ ExactShape<Dim> ellipsoid(const Vec<Dim>& half_axes) {
             const auto [y, distance] = closest(x);
             const Vec<Dim> gradient = inverse_squares.cwiseProduct(y);
             const Mat<Dim> p = projection<Dim>(gradient.normalized());
-            const Mat<Dim> s = p * inverse_squares.asDiagonal() * p / gradient.norm();
+            const Mat<Dim> s = p * inverse_squares.asDiagonal() * p / std::max(gradient.norm(), 1e-6);
             // The parallel surface at this distance has the shape operator S (I + d S)^{-1}.
             return Mat<Dim>(s * (Mat<Dim>::Identity() + distance * s).inverse());
           }};
@@ -65,10 +72,10 @@ ExactShape<3> torus(double big_radius, double small_radius) {
   };
   const auto frame = [=](const Vec<3>& x) {
     const Vec<3> c = x - centre<3>();
-    const double rho = std::max(std::hypot(c[0], c[1]), 1e-6);
-    const Vec<3> radial(c[0] / rho, c[1] / rho, 0);
+    const double rho = std::max(std::hypot(c[0], c[1]), 1e-9);
+    const Vec<3> radial = rho > 1e-9 ? Vec<3>(c[0] / rho, c[1] / rho, 0) : Vec<3>::UnitX();
     const Vec<3> from_core = (rho - big_radius) * radial + c[2] * Vec<3>::UnitZ();
-    return Frame{rho, from_core.norm(), from_core.normalized(), Vec<3>(-radial[1], radial[0], 0)};
+    return Frame{rho, std::max(from_core.norm(), 1e-6), from_core.normalized(), Vec<3>(-radial[1], radial[0], 0)};
   };
   return {[=](const Vec<3>& x) { return frame(x).from_core - small_radius; },
           [=](const Vec<3>& x) { return frame(x).normal; },

@@ -75,7 +75,8 @@ TEST(CanvasTest, TextLeavesInkOnItsSideOfTheAnchor) {
 
 TEST(PanelTest, HoldsEveryPictureUnchanged) {
   const Image picture = some_picture();
-  const std::vector<Panel> panels = {{picture, "a", {}}, {picture, "b", ColorBar{.label = "distance"}}, {picture, "", {}}};
+  const std::vector<Panel> panels = {
+      {picture, "a", {}}, {picture, "b", ColorBar{.label = "distance"}}, {picture, "", {}}};
   for (const int columns : {0, 2}) {
     const Image all = compose_panels(panels, "title", columns);
     int found = 0;

@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "render/plot.h"
+#include "base/error.h"
 #include "render/ticks.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace shellmatch {
 namespace {
 
 TEST(TicksTest, LinearTicksLieInsideAtEqualSteps) {
-  for (const auto& [min, max] : {std::pair{0.0, 1.0}, {-3.7, 12.1}, {1e-9, 2.3e-9}, {1e6, 1.0001e6}, {-0.5, 0.5}}) {
+  for (const auto& [min, max] :
+       {std::pair{0.0, 1.0}, {-3.7, 12.1}, {1e-9, 2.3e-9}, {1e6, 1.0001e6}, {-0.5, 0.5}}) {
     const auto ticks = linear_ticks(min, max);
     ASSERT_GE(ticks.size(), 3u);
     ASSERT_LE(ticks.size(), 13u);
@@ -59,7 +60,8 @@ Image drawn(const Plot& plot) {
 }
 
 TEST(PlotTest, AFallingLineLeavesInkInTheUpperLeftAndLowerRight) {
-  Plot plot{.title = "", .x_label = "x", .y_label = "y", .log_y = true, .series = {{.name = "", .x = {}, .y = {}}}};
+  Plot plot{
+      .title = "", .x_label = "x", .y_label = "y", .log_y = true, .series = {{.name = "", .x = {}, .y = {}}}};
   const Image empty_axes = [&] {
     Plot p = plot;
     p.series[0] = {.name = "", .x = {0, 100}, .y = {1, 1e-4}, .dashed = false};
@@ -80,12 +82,16 @@ TEST(PlotTest, AFallingLineLeavesInkInTheUpperLeftAndLowerRight) {
   EXPECT_LT(differing, 100);
   const int w = image.width, h = image.height;
   EXPECT_GT(ink(image, w / 10, w / 2, 0, h / 2), ink(image, w / 2, w, 0, h / 2) + 10000);
-  EXPECT_GT(ink(image, w / 2, 9 * w / 10, h / 2, 8 * h / 10), ink(image, w / 10 + 10, w / 2, h / 2, 8 * h / 10) + 10000);
+  EXPECT_GT(ink(image, w / 2, 9 * w / 10, h / 2, 8 * h / 10),
+            ink(image, w / 10 + 10, w / 2, h / 2, 8 * h / 10) + 10000);
 }
 
 TEST(PlotTest, BadValuesInterruptTheLineAndNothingIsAPicture) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  Plot plot{.title = "t", .x_label = "", .y_label = "", .log_y = true,
+  Plot plot{.title = "t",
+            .x_label = "",
+            .y_label = "",
+            .log_y = true,
             .series = {{.name = "a", .x = {1, 2, 3, 4}, .y = {nan, -1, 0, inf}}}};
   EXPECT_GT(ink(drawn(plot), 0, plot.width, 0, plot.height), 0);  // says that there is nothing
   plot.series[0].y = {2, nan, 2, 2};
@@ -93,7 +99,10 @@ TEST(PlotTest, BadValuesInterruptTheLineAndNothingIsAPicture) {
 }
 
 TEST(PlotTest, WritesPngAndSvg) {
-  const Plot plot{.title = "Energy", .x_label = "x", .y_label = "y", .series = {{.name = "one", .x = {0, 1}, .y = {1, 2}}}};
+  const Plot plot{.title = "Energy",
+                  .x_label = "x",
+                  .y_label = "y",
+                  .series = {{.name = "one", .x = {0, 1}, .y = {1, 2}}}};
   const std::string base = ::testing::TempDir() + "shellmatch_plot";
   write_plot(plot, base + ".png");
   EXPECT_EQ(read_png(base + ".png"), drawn(plot));

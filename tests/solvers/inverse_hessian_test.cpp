@@ -111,12 +111,16 @@ TEST_F(InverseHessian, RefusesAPairWithoutPositiveCurvature) {
   for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(hy[i], s[i], 1e-12);
 }
 
-// Conjugate directions need about root(condition) steps where the steepest descent needs the condition itself.
+// Conjugate directions need about root(condition) steps where the steepest descent needs the condition
+// itself.
 TEST(IllConditionedQuadratic, IsSolvedInAboutTheRootOfItsConditionSteps) {
   for (const std::string name : {"fletcher_reeves", "lbfgs"}) {
     SolverOptions options;
     options.name = name;
-    options.stop = {.max_iterations = 50000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-6,
+    options.stop = {.max_iterations = 50000,
+                    .relative_decrease = 0,
+                    .decrease_window = 10,
+                    .gradient_norm = 1e-6,
                     .max_seconds = 0};
     options.fletcher_reeves.least_cosine = 0;
     options.fletcher_reeves.curvature = 0.1;
@@ -129,7 +133,8 @@ TEST(IllConditionedQuadratic, IsSolvedInAboutTheRootOfItsConditionSteps) {
     std::vector<double> z(300, 1.0);
     options.fletcher_reeves.restart_every = 1;  // the steepest descent
     options.name = "fletcher_reeves";
-    EXPECT_GT(make_minimizer(options)->minimize(quadratic, z, options.stop).iterations, 2 * summary.iterations);
+    EXPECT_GT(make_minimizer(options)->minimize(quadratic, z, options.stop).iterations,
+              2 * summary.iterations);
   }
 }
 

@@ -51,12 +51,18 @@ OneDimensional parabola() {
 }
 
 TEST(InterpolatedMinimum, IsExactForParabolasAndCubics) {
-  const LinePoint a{.alpha = 0.5, .value = 0.25, .slope = -1, .gradient_norm = 1, .feasible = true, .has_gradient = true};
-  const LinePoint b{.alpha = 3, .value = 4, .slope = 4, .gradient_norm = 1, .feasible = true, .has_gradient = false};
+  const LinePoint a{
+      .alpha = 0.5, .value = 0.25, .slope = -1, .gradient_norm = 1, .feasible = true, .has_gradient = true};
+  const LinePoint b{
+      .alpha = 3, .value = 4, .slope = 4, .gradient_norm = 1, .feasible = true, .has_gradient = false};
   EXPECT_NEAR(interpolated_minimum(a, b), 1, 1e-14);  // (x - 1)^2
   const auto cubic = [](double x) {
-    return LinePoint{.alpha = x, .value = x * x * x - 3 * x, .slope = 3 * x * x - 3, .gradient_norm = 1,
-                     .feasible = true, .has_gradient = true};
+    return LinePoint{.alpha = x,
+                     .value = x * x * x - 3 * x,
+                     .slope = 3 * x * x - 3,
+                     .gradient_norm = 1,
+                     .feasible = true,
+                     .has_gradient = true};
   };
   EXPECT_NEAR(interpolated_minimum(cubic(0), cubic(2)), 1, 1e-14);
   EXPECT_NEAR(interpolated_minimum(cubic(0.9), cubic(5)), 1, 1e-13);
@@ -94,7 +100,8 @@ TEST(SearchLine, GradientBelongsToTheAcceptedPoint) {
   for (const int gradient_trials : {0, 1, 2, 40})
     for (const double first : {0.3, 3.0, 50.0, 1e5}) {
       auto f = parabola();
-      const auto s = search(f, first, {.interpolation = Interpolation::halving, .gradient_trials = gradient_trials});
+      const auto s =
+          search(f, first, {.interpolation = Interpolation::halving, .gradient_trials = gradient_trials});
       ASSERT_TRUE(s.result.success);
       EXPECT_EQ(s.x, s.result.point.alpha);
       EXPECT_EQ(s.gradient, f.derivative(s.x));
@@ -129,6 +136,17 @@ TEST(SearchLine, ContractsWhereNothingCanBeEvaluated) {
     EXPECT_LT(s.x, f.edge);
     EXPECT_EQ(s.gradient, f.derivative(s.x));
   }
+}
+
+TEST(SearchLine, FallsBackOnTheLowestPointWhenTheTrialsRunOut) {
+  auto f = parabola();
+  f.edge = 0.4;
+  // 0.15 is too short for the curvature condition, the second trial lies beyond the edge.
+  const auto s = search(f, 0.15, {.curvature = 0.1, .max_trials = 2});
+  EXPECT_TRUE(s.result.success);
+  EXPECT_EQ(s.result.n_trials, 2);
+  EXPECT_EQ(s.x, 0.15);
+  EXPECT_EQ(s.gradient, f.derivative(0.15));
 }
 
 TEST(SearchLine, FailsWhereNothingIsLower) {

@@ -16,8 +16,8 @@ namespace {
 
 using testing::more_garbow_hillstrom;
 
-// What a method cannot be asked for, and why. A pair that works after all makes the test fail, so that the table
-// stays true.
+// What a method cannot be asked for, and why. A pair that works after all makes the test fail, so that the
+// table stays true.
 const std::map<std::pair<std::string, std::string>, std::string> expected_failures = {
     {{"nlopt_mma", "wood"}, "ends at the stationary point of value 7.877 (a saddle)"},
     {{"nlopt_ccsaq", "wood"}, "ends at the stationary point of value 7.877 (a saddle)"},
@@ -38,7 +38,10 @@ TEST_P(EveryMinimizer, SolvesThePublishedProblems) {
   SolverOptions options;
   options.name = GetParam();
   options.ceres.max_bfgs_size = 500;
-  options.stop = {.max_iterations = 20000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-10,
+  options.stop = {.max_iterations = 20000,
+                  .relative_decrease = 0,
+                  .decrease_window = 10,
+                  .gradient_norm = 1e-10,
                   .max_seconds = 20};
   for (const auto& problem : more_garbow_hillstrom()) {
     SCOPED_TRACE(options.name + " on " + problem->name());
@@ -64,7 +67,10 @@ TEST_P(EveryMinimizer, SolvesThePublishedProblems) {
 TEST_P(EveryMinimizer, FindsItsWayAlongAnEdgeBeyondWhichNothingCanBeEvaluated) {
   SolverOptions options;
   options.name = GetParam();
-  options.stop = {.max_iterations = 20000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-9,
+  options.stop = {.max_iterations = 20000,
+                  .relative_decrease = 0,
+                  .decrease_window = 10,
+                  .gradient_norm = 1e-9,
                   .max_seconds = 20};
   for (const double mu : {0.1, 0.01}) {
     const auto problem = testing::log_barrier(10, mu);
@@ -77,7 +83,10 @@ TEST_P(EveryMinimizer, FindsItsWayAlongAnEdgeBeyondWhichNothingCanBeEvaluated) {
 TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
   SolverOptions options;
   options.name = GetParam();
-  options.stop = {.max_iterations = 15, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 0,
+  options.stop = {.max_iterations = 15,
+                  .relative_decrease = 0,
+                  .decrease_window = 10,
+                  .gradient_norm = 0,
                   .max_seconds = 0};
   // An objective that counts for itself what it is asked.
   struct Counting final : Objective {
@@ -124,14 +133,18 @@ TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(minimizer_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(testing::first_order_minimizers()),
+                         test_name);
 
 // The variants of the paper's method that options reach, its letter among them.
 TEST(FletcherReevesVariants, AllSolveRosenbrock) {
   const auto solve = [](const FletcherReevesOptions& o, double tolerance = 1e-7) {
     SolverOptions options;
     options.fletcher_reeves = o;
-    options.stop = {.max_iterations = 30000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-9,
+    options.stop = {.max_iterations = 30000,
+                    .relative_decrease = 0,
+                    .decrease_window = 10,
+                    .gradient_norm = 1e-9,
                     .max_seconds = 20};
     const auto problem = testing::extended_rosenbrock(50);
     std::vector<double> x = problem->start();
@@ -146,7 +159,8 @@ TEST(FletcherReevesVariants, AllSolveRosenbrock) {
   paper.least_cosine = 0;
   EXPECT_TRUE(solve(paper, 1e-4));  // a step that only ever shrinks creeps in the end
   for (const auto interpolation : {Interpolation::halving, Interpolation::quadratic, Interpolation::cubic})
-    for (const auto initial : {InitialStep::memory, InitialStep::slope, InitialStep::decrease, InitialStep::curvature})
+    for (const auto initial :
+         {InitialStep::memory, InitialStep::slope, InitialStep::decrease, InitialStep::curvature})
       for (const double curvature : {0.0, 0.3}) {
         FletcherReevesOptions o;
         o.interpolation = interpolation;

@@ -1,6 +1,6 @@
 // Names, ranges and messages.
-#include "base/error.h"
 #include "solvers/options.h"
+#include "base/error.h"
 #include "tests/support/test_problems.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,9 @@ std::string message_of(const SolverOptions& options) {
   return "";
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 TEST(MakeMinimizer, EveryNameMakesAMinimizerOfThatName) {
   for (const std::string& name : minimizer_names()) {
@@ -80,7 +82,10 @@ TEST(CeresVariants, AllSolveRosenbrock) {
         options.ceres.nonlinear_conjugate_gradient_type = cg;
         options.ceres.line_search_type = line_search;
         options.ceres.line_search_interpolation_type = interpolation;
-        options.stop = {.max_iterations = 30000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-8,
+        options.stop = {.max_iterations = 30000,
+                        .relative_decrease = 0,
+                        .decrease_window = 10,
+                        .gradient_norm = 1e-8,
                         .max_seconds = 20};
         const auto problem = testing::extended_rosenbrock(2);
         std::vector<double> x = problem->start();

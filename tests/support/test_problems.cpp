@@ -1,5 +1,7 @@
 #include "tests/support/test_problems.h"
 
+#include "solvers/options.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -28,8 +30,12 @@ struct Accumulator {
 
 class SumOfSquares : public TestProblem {
  public:
-  SumOfSquares(std::string name, std::vector<double> start, std::vector<double> minimizer, double tolerance = 1e-3)
-      : name_(std::move(name)), start_(std::move(start)), minimizer_(std::move(minimizer)), tolerance_(tolerance) {}
+  SumOfSquares(std::string name, std::vector<double> start, std::vector<double> minimizer,
+               double tolerance = 1e-3)
+      : name_(std::move(name)),
+        start_(std::move(start)),
+        minimizer_(std::move(minimizer)),
+        tolerance_(tolerance) {}
   std::string name() const override { return name_; }
   std::size_t size() const override { return start_.size(); }
   std::vector<double> start() const override { return start_; }
@@ -74,8 +80,8 @@ class Rosenbrock final : public SumOfSquares {
 class PowellSingular final : public SumOfSquares {
  public:
   explicit PowellSingular(std::size_t n)
-      : SumOfSquares(n == 4 ? "powell_singular" : fmt::format("extended_powell_{}", n), repeated({3, -1, 0, 1}, n),
-                     repeated({0}, n), 0.1) {}
+      : SumOfSquares(n == 4 ? "powell_singular" : fmt::format("extended_powell_{}", n),
+                     repeated({3, -1, 0, 1}, n), repeated({0}, n), 0.1) {}
   void add_residuals(std::span<const double> x, Accumulator& sum) const override {
     const double root5 = std::sqrt(5.0), root10 = std::sqrt(10.0);
     for (std::size_t i = 0; i < x.size(); i += 4) {
@@ -133,7 +139,9 @@ class Trigonometric final : public TestProblem {
   explicit Trigonometric(std::size_t n) : n_(n) {}
   std::string name() const override { return "trigonometric"; }
   std::size_t size() const override { return n_; }
-  std::vector<double> start() const override { return std::vector<double>(n_, 1.0 / static_cast<double>(n_)); }
+  std::vector<double> start() const override {
+    return std::vector<double>(n_, 1.0 / static_cast<double>(n_));
+  }
   std::vector<double> minima() const override { return {0.0, 2.79506e-5}; }  // the local one is for n = 10
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
     double cosines = 0;
@@ -268,8 +276,16 @@ std::vector<std::unique_ptr<TestProblem>> more_garbow_hillstrom() {
   return problems;
 }
 
+std::vector<std::string> first_order_minimizers() {
+  std::vector<std::string> names = minimizer_names();
+  std::erase(names, "newton");
+  return names;
+}
+
 std::unique_ptr<TestProblem> extended_rosenbrock(std::size_t n) { return std::make_unique<Rosenbrock>(n); }
-std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu) { return std::make_unique<LogBarrier>(n, mu); }
+std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu) {
+  return std::make_unique<LogBarrier>(n, mu);
+}
 std::unique_ptr<TestProblem> weighted_bowl(std::size_t n) { return std::make_unique<WeightedBowl>(n); }
 
 }  // namespace shellmatch::testing

@@ -22,8 +22,8 @@ class TestProblem : public Objective {
   /// The minimiser, or empty where there are several.
   virtual std::vector<double> minimizer() const { return {}; }
 
-  /// Largest distance of a coordinate from the minimiser that a first-order method can be asked for; wide where
-  /// the second derivative is singular there.
+  /// Largest distance of a coordinate from the minimiser that a first-order method can be asked for; wide
+  /// where the second derivative is singular there.
   virtual double coordinate_tolerance() const { return 1e-3; }
 
   /// Empty where value and point solve the problem; else what is wrong.
@@ -35,15 +35,20 @@ class TestProblem : public Objective {
 /// trigonometric (26, n = 10), extended Rosenbrock (21) and extended Powell (22), each of n = 100 and 1000.
 std::vector<std::unique_ptr<TestProblem>> more_garbow_hillstrom();
 
+/// Names of the minimisers that need no more than an Objective: all but newton, whose objective offers a
+/// model of its second derivative.
+std::vector<std::string> first_order_minimizers();
+
 /// Extended Rosenbrock with n unknowns, n even: a large problem with second derivatives of condition 2500.
 std::unique_ptr<TestProblem> extended_rosenbrock(std::size_t n);
 
-/// 1/2 |x - b|^2 - mu log(a.x), which cannot be evaluated where a.x <= 0; b lies there, so every method has to
-/// find its way along the edge. The minimiser is known in closed form. `n` unknowns.
+/// 1/2 |x - b|^2 - mu log(a.x), which cannot be evaluated where a.x <= 0; b lies there, so every method has
+/// to find its way along the edge. The minimiser is known in closed form. `n` unknowns.
 std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu);
 
 /// A sum of two named terms on n unknowns with a lumped mass of widely different sizes:
-/// sum m_i/2 (x_i - c_i)^2 + sum m_i/4 (x_i - c_i)^4. In the metric l2 its second derivative at the minimum is 1.
+/// sum m_i/2 (x_i - c_i)^2 + sum m_i/4 (x_i - c_i)^4. In the metric l2 its second derivative at the minimum
+/// is 1.
 std::unique_ptr<TestProblem> weighted_bowl(std::size_t n);
 
 }  // namespace shellmatch::testing

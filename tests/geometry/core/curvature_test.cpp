@@ -25,12 +25,12 @@ TEST(Curvature, OfASphereIsOneOverItsRadius) {
   const auto curvatures = vertex_curvatures(s);
   for (std::size_t v = 0; v < s.vertices.size(); ++v) {
     expect_orthonormal(curvatures[v]);
-    EXPECT_NEAR(curvatures[v].k1, 1 / radius, 0.02 / radius);
-    EXPECT_NEAR(curvatures[v].k2, 1 / radius, 0.02 / radius);
+    EXPECT_NEAR(curvatures[v].k1, 1 / radius, 0.03 / radius);
+    EXPECT_NEAR(curvatures[v].k2, 1 / radius, 0.03 / radius);
     EXPECT_GT(curvatures[v].normal.dot(s.vertices[v]), 0.999 * radius);
   }
   // With the orientation the sign changes.
-  EXPECT_LT(vertex_curvatures(reversed(s))[17].k1, -0.98 / radius);
+  EXPECT_LT(vertex_curvatures(reversed(s))[17].k1, -0.97 / radius);
 }
 
 /// Largest error of both curvatures, and of the first direction where they differ enough, on the torus.
@@ -62,7 +62,8 @@ TEST(Curvature, OfATorusConvergesWithTheOrderOfTheDegree) {
 
 TEST(Curvature, OfAnEllipsoidHasItsGaussianAndMeanCurvature) {
   const Vec<3> axes(1, 0.8, 0.6);
-  const Surface<3> s = mapped<3>(unit_sphere(5), [&](const Vec<3>& x) { return Vec<3>(axes.cwiseProduct(x)); });
+  const Surface<3> s =
+      mapped<3>(unit_sphere(5), [&](const Vec<3>& x) { return Vec<3>(axes.cwiseProduct(x)); });
   const auto curvatures = vertex_curvatures(s, {4, 3});
   for (std::size_t v = 0; v < s.vertices.size(); ++v) {
     // For F = sum x_i^2 / a_i^2: K = (a b c)^-2 |grad F / 2|^-4, H from the divergence of the unit normal.

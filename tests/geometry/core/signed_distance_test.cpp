@@ -13,8 +13,8 @@ namespace {
 
 using namespace test;
 
-/// Distance from x to a facet, worked out in another way and with more digits: the nearest point of the plane or
-/// line through every subset of the corners, where it lies between them.
+/// Distance from x to a facet, worked out in another way and with more digits: the nearest point of the plane
+/// or line through every subset of the corners, where it lies between them.
 template <int Dim>
 double oracle(const Surface<Dim>& surface, Index f, const Vec<Dim>& x) {
   using Real = long double;
@@ -26,10 +26,14 @@ double oracle(const Surface<Dim>& surface, Index f, const Vec<Dim>& x) {
       if (subset >> i & 1) corners.push_back(surface.vertices[surface.facets[f][i]].template cast<Real>());
     const Vector w = x.template cast<Real>() - corners[0];
     const auto n = static_cast<Eigen::Index>(corners.size()) - 1;
+    if (n == 0) {
+      best = std::min(best, w.norm());
+      continue;
+    }
     Eigen::Matrix<Real, Dim, Eigen::Dynamic> edges(Dim, n);
     for (Eigen::Index k = 0; k < n; ++k) edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> weights = edges.colPivHouseholderQr().solve(w);
-    if (n > 0 && (weights.minCoeff() < 0 || weights.sum() > 1)) continue;
+    if (weights.minCoeff() < 0 || weights.sum() > 1) continue;
     best = std::min(best, (w - edges * weights).norm());
   }
   return static_cast<double>(best);
@@ -155,7 +159,8 @@ TEST(SignedDistance, NormalOnTheSurfaceIsThePseudonormalOfTheFeature) {
   EXPECT_LT((distance.closest({1, 1, 0.4}).normal - Vec<3>(1, 1, 0).normalized()).norm(), 1e-15);
   // Weighted with angles the corner does not see how the square faces are cut into triangles.
   for (const Vec<3>& corner : distance.surface().vertices)
-    EXPECT_LT((distance.closest(corner).normal - (corner - Vec<3>::Constant(0.5)).normalized()).norm(), 1e-15);
+    EXPECT_LT((distance.closest(corner).normal - (corner - Vec<3>::Constant(0.5)).normalized()).norm(),
+              1e-15);
   const SignedDistance<2> square(polygon(4, [](double) { return 1.0; }));
   EXPECT_LT((square.closest({1, 0}).normal - Vec<2>(1, 0)).norm(), 1e-15);
 }

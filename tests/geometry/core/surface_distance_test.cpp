@@ -35,12 +35,14 @@ TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii) {
   // The facets lie inside of their spheres by less than h^2 / (2 R).
   const double h = 0.07;
   for (const DistanceStatistics& s : {quality.deformed_to_template, quality.template_to_deformed}) {
-    for (const double value : {s.mean, s.p95, s.max}) EXPECT_NEAR(value, expected, h * h * large / 2 / diagonal);
+    for (const double value : {s.mean, s.p95, s.max})
+      EXPECT_NEAR(value, expected, h * h * large / 2 / diagonal);
   }
 }
 
 TEST(SurfaceDistance, SeesWhatIsMissingOnOneSideOnly) {
-  // The deformed surface is only one of the template's two squares: all of it is covered, the template is not.
+  // The deformed surface is only one of the template's two squares: all of it is covered, the template is
+  // not.
   const Surface<2> square = polygon(4, [](double) { return 1.0; });
   const Surface<2> far = mapped<2>(square, [](const Vec<2>& x) { return Vec<2>(x + Vec<2>(5, 0)); });
   const MatchQuality<2> quality = match_quality(square, SignedDistance<2>(joined(square, far)));

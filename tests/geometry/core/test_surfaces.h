@@ -19,8 +19,8 @@ Surface<3> unit_sphere(int level);
 Surface<3> torus(double core, double tube, int n_core, int n_tube);
 /// 12 triangles.
 Surface<3> box(const Vec<3>& min, const Vec<3>& max);
-/// Tetrahedron (a wedge) with a long sharp edge from (0, 0, 0) to (1, 0, 0), on whose one side only the point in
-/// its middle is a corner; a triangle without area closes the gap.
+/// Tetrahedron (a wedge) with a long sharp edge from (0, 0, 0) to (1, 0, 0), on whose one side only the point
+/// in its middle is a corner; a triangle without area closes the gap.
 Surface<3> wedge_with_flat_triangle(double thickness);
 /// Counter-clockwise polygon through the points r(t) (cos t, sin t).
 Surface<2> polygon(int n, const std::function<double(double)>& radius);
@@ -49,7 +49,8 @@ Surface<Dim> joined(Surface<Dim> a, const Surface<Dim>& b) {
   return a;
 }
 
-/// A file of the data folder as a surface of triangles, scaled to a longest side of 1; nothing where there is none.
+/// A file of the data folder as a surface of triangles, scaled to a longest side of 1; nothing where there is
+/// none.
 std::optional<Surface<3>> data_surface(const std::string& file);
 
 /// Points with uniformly distributed coordinates; the same ones on every run.

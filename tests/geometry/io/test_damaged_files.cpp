@@ -1,5 +1,5 @@
-// Files cut off or altered at random places: either the very same shape, or an InputError; never a crash, and a cut
-// file is never a smaller shape.
+// Files cut off or altered at random places: either the very same shape, or an InputError; never a crash, and
+// a cut file is never a smaller shape.
 #include "geometry/read_shape.h"
 #include "geometry/write_shape.h"
 #include "tests/geometry/io/files.h"
@@ -33,11 +33,12 @@ TEST_P(DamagedMeshes, CutAnywhere) {
   const double true_volume = volume(read_mesh(folder.path(name)).surface);
   std::mt19937 random(11);
   for (int trial = 0; trial < 40; ++trial) {
-    const std::size_t length = trial < 10 ? whole.size() - 1 - static_cast<std::size_t>(trial) : random() % whole.size();
+    const std::size_t length =
+        trial < 10 ? whole.size() - 1 - static_cast<std::size_t>(trial) : random() % whole.size();
     const std::string path = folder.write(name, whole.substr(0, length));
     try {
-      // Without its last line end, or without a comment, a text is still whole. A file of many closed parts may lose
-      // some in OBJ, which has no counts: only there.
+      // Without its last line end, or without a comment, a text is still whole. A file of many closed parts
+      // may lose some in OBJ, which has no counts: only there.
       const double v = volume(read_mesh(path).surface);
       if (name != "a.obj") {
         EXPECT_NEAR(v, true_volume, 1e-9) << length;
@@ -73,11 +74,13 @@ INSTANTIATE_TEST_SUITE_P(AllFormats, DamagedMeshes, ::testing::Values("a.ply", "
 TEST(DamagedOutlines, BytesAlteredAnywhere) {
   const TempFolder folder;
   std::string whole = "x,y,label\n";
-  for (int i = 0; i < 40; ++i) whole += fmt::format("{:.3f},{:.3f},{}\n", std::cos(0.15 * i), std::sin(0.15 * i), i);
+  for (int i = 0; i < 40; ++i)
+    whole += fmt::format("{:.3f},{:.3f},{}\n", std::cos(0.15 * i), std::sin(0.15 * i), i);
   std::mt19937 random(17);
   for (int trial = 0; trial < 100; ++trial) {
     std::string bytes = whole.substr(0, trial % 2 ? random() % whole.size() : whole.size());
-    for (int k = 0; k < trial % 5 && !bytes.empty(); ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+    for (int k = 0; k < trial % 5 && !bytes.empty(); ++k)
+      bytes[random() % bytes.size()] = static_cast<char>(random());
     const std::string path = folder.write("a.csv", bytes);
     try {
       EXPECT_GE(area(read_outline(path).surface), 0);

@@ -72,14 +72,16 @@ TEST(Data, DirtyMeshesLoadOrAreRefusedAsTheTableSays) {
       if (fact.closed) {
         EXPECT_EQ(shape.surface.vertices.size(), fact.n_vertices);
       }
-      if (fact.defects.find("INVERTED") != std::string::npos && fact.defects.find("halfedge_dup") == std::string::npos) {
+      if (fact.defects.find("INVERTED") != std::string::npos &&
+          fact.defects.find("halfedge_dup") == std::string::npos) {
         EXPECT_TRUE(has_note(shape, "turned inside out"));
       }
     } catch (const InputError& error) {
       EXPECT_FALSE(loads) << error.what();
       EXPECT_TRUE(contains(error.what(), path));
       const std::size_t boundary = fact.defects.find("boundary_E=");
-      if (boundary != std::string::npos && fact.defects.find("dup_v") == std::string::npos && fact.file != "cgal_degtri_sliding.off") {
+      if (boundary != std::string::npos && fact.defects.find("dup_v") == std::string::npos &&
+          fact.file != "cgal_degtri_sliding.off") {
         const std::string number = fact.defects.substr(boundary + 11);
         EXPECT_TRUE(contains(error.what(), number.substr(0, number.find(' ')) + " boundary edges"));
       }
@@ -93,7 +95,9 @@ TEST(Data, AllOtherMeshesLoadAndPointOutward) {
   std::size_t n_files = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(data_folder())) {
     const std::string path = entry.path().string();
-    if (!entry.is_regular_file() || dimension_of_file(path) != 3 || entry.path().parent_path().filename() == "dirty") continue;
+    if (!entry.is_regular_file() || dimension_of_file(path) != 3 ||
+        entry.path().parent_path().filename() == "dirty")
+      continue;
     SCOPED_TRACE(path);
     ++n_files;
     const Shape<3> shape = read_mesh(path);
@@ -114,9 +118,11 @@ TEST(Data, OutlinesAndMasksLoad) {
       SCOPED_TRACE(path);
       ++n_files;
       // The two leaves whose tracing crosses itself, with the number of crossings as published.
-      const bool cabernet = path.find("CABERNET") != std::string::npos, chasselas = path.find("CHASSELAS") != std::string::npos;
+      const bool cabernet = path.find("CABERNET") != std::string::npos,
+                 chasselas = path.find("CHASSELAS") != std::string::npos;
       if (cabernet || chasselas) {
-        EXPECT_TRUE(contains(input_error_of([&] { read_outline(path); }), cabernet ? "in 4 places" : "in 6 places"));
+        EXPECT_TRUE(
+            contains(input_error_of([&] { read_outline(path); }), cabernet ? "in 4 places" : "in 6 places"));
         continue;
       }
       EXPECT_GT(area(read_outline(path).surface), 0);

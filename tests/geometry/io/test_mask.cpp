@@ -24,7 +24,9 @@ Shape<2> mask(const std::string& bytes, const std::string& name = "a.pgm") {
   return read_outline(folder.write(name, bytes));
 }
 
-double in_disc(double x, double y, double cx, double cy, double r) { return std::hypot(x - cx, y - cy) < r ? 1 : 0; }
+double in_disc(double x, double y, double cx, double cy, double r) {
+  return std::hypot(x - cx, y - cy) < r ? 1 : 0;
+}
 
 TEST(Mask, DiscHasItsAreaItsPlaceAndNoStairs) {
   for (const bool grey : {false, true}) {
@@ -54,6 +56,14 @@ TEST(Mask, RingsAreHolesAndSpecksGo) {
   EXPECT_NEAR(area(shape.surface) / (std::numbers::pi * (1600 - 400)), 1, 0.01);
   EXPECT_TRUE(has_note(shape, "1 ring is a hole"));
   EXPECT_TRUE(has_note(shape, "1 ring shorter than 8 pixels"));
+}
+
+TEST(Mask, LossOfThinPartsIsSaid) {
+  const auto with_line = [](double x, double y) {
+    return in_disc(x, y, 30, 30, 15) > 0 || (y > 10 && y < 11 && x > 5 && x < 55) ? 1 : 0;
+  };
+  EXPECT_TRUE(has_note(mask(pgm(60, 60, with_line)), "changed the area by -"));
+  EXPECT_TRUE(mask(pgm(60, 60, [](double x, double y) { return in_disc(x, y, 30, 30, 15); })).notes.empty());
 }
 
 TEST(Mask, TextAndSixteenBitFormsAgree) {
@@ -92,16 +102,20 @@ TEST(Mask, Refusals) {
   const auto message = [](const std::string& bytes, const char* name = "a.pgm") {
     return input_error_of([&] { mask(bytes, name); });
   };
-  EXPECT_TRUE(contains(message(pgm(20, 20, [](double, double) { return 0.4; })), "no pixel is brighter than half"));
-  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double) { return x < 5 ? 1 : 0; })), "touches the rim of the image (28 pixels)"));
-  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 1); })), "too small"));
+  EXPECT_TRUE(
+      contains(message(pgm(20, 20, [](double, double) { return 0.4; })), "no pixel is brighter than half"));
+  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double) { return x < 5 ? 1 : 0; })),
+                       "touches the rim of the image (28 pixels)"));
+  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 1); })),
+                       "too small"));
   const std::string good = pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 6); });
   EXPECT_EQ(message(good), "");
-  EXPECT_TRUE(contains(message(good.substr(0, good.size() - 1)), "cut off: 20 x 20 pixels take 400 bytes, 399 are there"));
+  EXPECT_TRUE(contains(message(good.substr(0, good.size() - 1)),
+                       "cut off: 20 x 20 pixels take 400 bytes, 399 are there"));
   EXPECT_TRUE(contains(message("P5 99999999 99999999 255\n"), "scale the image"));
   EXPECT_TRUE(contains(message("P5 20 20 0\n"), "largest value"));
   EXPECT_TRUE(contains(message("P6 1 1 255\n"), "not a PGM image"));
-  EXPECT_TRUE(contains(message("GIF89a", "a.png"), "not a PNG image"));
+  EXPECT_TRUE(contains(message("GIF89a, not a PNG image", "a.png"), "damaged"));
 }
 
 }  // namespace

@@ -24,8 +24,11 @@ std::string square(double corner, double side, bool clockwise) {
 
 TEST(Outline, AllLayoutsReadTheSame) {
   for (const std::string text :
-       {"0,0\n2,0\n2,1\n0,1\n", "x,y\n0, 0\n2, 0\n2, 1\n0, 1\n", "0\t0\r\n2\t0\r\n2\t1\r\n0\t1", "# c\n0;0\n2;0 # d\n#\n2;1\n0;1\n\n\n",
-        "\n\n  0   0\n  2.0 0\n 2e0 1\n +0 1\n 0 0\n", "\"Y\";\"X\"\n0;0\n0;2\n1;2\n1;0\n", "\xEF\xBB\xBF" "0 0\n2 0\n2 1\n0 1\n"}) {
+       {"0,0\n2,0\n2,1\n0,1\n", "x,y\n0, 0\n2, 0\n2, 1\n0, 1\n", "0\t0\r\n2\t0\r\n2\t1\r\n0\t1",
+        "# c\n0;0\n2;0 # d\n#\n2;1\n0;1\n\n\n", "\n\n  0   0\n  2.0 0\n 2e0 1\n +0 1\n 0 0\n",
+        "\"Y\";\"X\"\n0;0\n0;2\n1;2\n1;0\n",
+        "\xEF\xBB\xBF"
+        "0 0\n2 0\n2 1\n0 1\n"}) {
     const Shape<2> shape = outline(text);
     ASSERT_EQ(shape.original.vertices.size(), 4u) << text;
     EXPECT_EQ(shape.original.vertices[1], Vec<2>(2, 0));
@@ -36,8 +39,8 @@ TEST(Outline, AllLayoutsReadTheSame) {
 
 TEST(Outline, OrientationFollowsTheDepthOfNesting) {
   for (int turned = 0; turned < 16; ++turned) {
-    const std::string text = square(4, 2, turned & 1) + "\n" + square(0, 10, turned & 2) + "\n" + square(1, 8, turned & 4) + "\n" +
-                             square(20, 1, turned & 8);
+    const std::string text = square(4, 2, turned & 1) + "\n" + square(0, 10, turned & 2) + "\n" +
+                             square(1, 8, turned & 4) + "\n" + square(20, 1, turned & 8);
     const Shape<2> shape = outline(text, "a.txt");
     EXPECT_DOUBLE_EQ(area(shape.surface), 100 - 64 + 4 + 1);
     EXPECT_EQ(shape.original.polygons.size(), 4u);
@@ -48,7 +51,8 @@ TEST(Outline, OrientationFollowsTheDepthOfNesting) {
 TEST(Outline, CrossingsAreNamed) {
   const std::string text = message("0 0\n2 2\n2 0\n0 2\n");
   EXPECT_TRUE(contains(text, "in 1 place: segments 1-2 and 3-4 at (1, 1)"));
-  EXPECT_TRUE(contains(message(square(0, 2, false) + "\n" + square(1, 2, false)), "in 2 places: segments 2-3 and 5-6 at (2, 1)"));
+  EXPECT_TRUE(contains(message(square(0, 2, false) + "\n" + square(1, 2, false)),
+                       "in 2 places: segments 2-3 and 5-6 at (2, 1)"));
   EXPECT_TRUE(contains(message(square(0, 2, false) + "\n" + square(0, 2, false)), "crosses or touches"));
 }
 
@@ -56,7 +60,8 @@ TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
   const Shape<2> eight = outline("0 0\n1 1\n2 0\n2 2\n1 1\n0 2\n");
   EXPECT_DOUBLE_EQ(area(eight.surface), 2);
   EXPECT_TRUE(has_note(eight, "1 loop cut off"));
-  const Shape<2> tongue = outline("0 0\n4 0\n4 4\n2 4\n2 0\n1 4\n0 4\n");  // point 5 lies on the first segment
+  const Shape<2> tongue =
+      outline("0 0\n4 0\n4 4\n2 4\n2 0\n1 4\n0 4\n");  // point 5 lies on the first segment
   EXPECT_DOUBLE_EQ(area(tongue.surface), 16 - 2);
   const Shape<2> spike = outline("0 0\n2 0\n4 0\n3 0\n2 0\n2 1\n0 1\n");
   EXPECT_DOUBLE_EQ(area(spike.surface), 2);
@@ -70,10 +75,12 @@ TEST(Outline, BadTextIsRefusedWithItsLine) {
   EXPECT_TRUE(contains(message("x,y,z\n0,0,1\n"), "line 1: there is a column z"));
   EXPECT_TRUE(contains(message("0,0\n1,\n"), "line 2: 1 column,"));
   EXPECT_TRUE(contains(message("0,,1\n"), "line 1: a column is empty"));
-  EXPECT_TRUE(contains(message("0 0\n1 0\nnan 1\n"), "line 3: the point has a coordinate that is not finite"));
+  EXPECT_TRUE(
+      contains(message("0 0\n1 0\nnan 1\n"), "line 3: the point has a coordinate that is not finite"));
   EXPECT_TRUE(contains(message("0 0\n1 0\n"), "ring 1 has only 2 different points"));
   EXPECT_TRUE(contains(message("0 0\n1 0\n2 0\n"), "no area"));
-  EXPECT_TRUE(contains(message(square(0, 1, false) + "\n9 9\n"), "ring 2 has only 1 different point (point 5 on)"));
+  EXPECT_TRUE(
+      contains(message(square(0, 1, false) + "\n9 9\n"), "ring 2 has only 1 different point (point 5 on)"));
   EXPECT_TRUE(contains(message("# nothing\n"), "no points"));
 }
 

@@ -71,7 +71,8 @@ TEST(Write, PlyTakesPolygonsOfAnyLengthAndClampsIntegers) {
 TEST(Write, OtherMeshFormats) {
   const TempFolder folder;
   OriginalShape<3> shape = cube({0.1, 0.2, 0.3}, 0.7);
-  for (const char* name : {"red", "green", "blue"}) shape.attributes.push_back({name, "uchar", std::vector<double>(8, 51)});
+  for (const char* name : {"red", "green", "blue"})
+    shape.attributes.push_back({name, "uchar", std::vector<double>(8, 51)});
   for (const char* name : {"a.obj", "a.off"}) {
     write_shape(folder.path(name), shape);
     const Shape<3> read = read_mesh(folder.path(name));
@@ -100,7 +101,8 @@ TEST(Write, OutlinesReadBackToTheBit) {
   }
   shape.attributes.push_back({"label", "double", {1, 2, 3, 4, 0.1, 6, 7, 8}});
   write_outline_csv(folder.path("a.csv"), shape);
-  for (const OriginalShape<2>& read : {read_outline(folder.path("a.csv")).original, read_points_or_outline_2d(folder.path("a.csv"))}) {
+  for (const OriginalShape<2>& read :
+       {read_outline(folder.path("a.csv")).original, read_points_or_outline_2d(folder.path("a.csv"))}) {
     EXPECT_EQ(read.vertices, shape.vertices);
     EXPECT_EQ(read.polygons, shape.polygons);
     EXPECT_EQ(read.attributes.at(0).name, "label");

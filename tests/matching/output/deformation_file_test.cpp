@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "matching/deformation_file.h"
+#include "base/error.h"
 #include "matching/rebuild_grid.h"
 #include "tests/matching/output/temporary_folder.h"
 
@@ -150,8 +150,11 @@ TEST(DeformationFileTest, ForeignFilesAreInputErrorsThatNameThem) {
   const TemporaryFolder tmp;
   put(tmp / "a.vtu", "");
   put(tmp / "b.vtu", "ply\nformat ascii 1.0\n");
-  put(tmp / "c.vtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-                     "<UnstructuredGrid><Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"></Piece></UnstructuredGrid>\n</VTKFile>\n");
+  put(tmp / "c.vtu",
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n"
+      "<UnstructuredGrid><Piece NumberOfPoints=\"0\" "
+      "NumberOfCells=\"0\"></Piece></UnstructuredGrid>\n</VTKFile>\n");
   for (const std::string name : {"a.vtu", "b.vtu", "c.vtu", "not_there.vtu", ""}) {
     const std::string message = message_of<InputError>([&] { read_deformation<3>(tmp / name); });
     EXPECT_NE(message.find(tmp / name), std::string::npos) << message;
@@ -166,7 +169,8 @@ TEST(DeformationFileTest, AFullDiskIsAnEnvironmentError) {
   small.rlim_cur = 2048;  // writing beyond fails as on a full disk
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = message_of<EnvironmentError>([&] { write_deformation(tmp / "d.vtu", some_deformation<3>()); });
+  const std::string message =
+      message_of<EnvironmentError>([&] { write_deformation(tmp / "d.vtu", some_deformation<3>()); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(message.find("d.vtu"), std::string::npos) << message;
@@ -187,7 +191,8 @@ TEST(RebuildGridTest, RefusesGapsOverlapsAndLostBalance) {
   EXPECT_FALSE(rebuild_grid<2>(more));
 
   // A cell of level 3 beside one of level 1.
-  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}}, {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
+  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}},
+                                  {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
   for (int c = 0; c < 4; ++c) steep.push_back({3, {4 + (c & 1), c >> 1}});
   EXPECT_FALSE(rebuild_grid<2>(steep));
 

@@ -18,7 +18,11 @@ History some_history() {
   History h{{"match", "membrane"}, {}};
   for (int level = 3; level < 5; ++level)
     for (int i = 0; i < 4; ++i)
-      h.rows.push_back({level, 1, 0.1 / level, {i, 1.0 / (3 + i), {0.1 * i, 1e-300 / 7}, 1e-5 / 3, 0.7, 2 * i + 1, i + 1, 0.25 * i}});
+      h.rows.push_back(
+          {level,
+           1,
+           0.1 / level,
+           {i, 1.0 / (3 + i), {0.1 * i, 1e-300 / 7}, 1e-5 / 3, 0.7, 2 * i + 1, i + 1, 0.25 * i}});
   return h;
 }
 
@@ -42,14 +46,16 @@ TEST(HistoryTest, RoundTripIsExact) {
 TEST(HistoryTest, HeadLineNamesEveryColumn) {
   const std::string csv = history_csv(some_history());
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "level,substep,nu,iteration,value,match,membrane,gradient_norm,step,value_evaluations,gradient_evaluations,seconds");
+            "level,substep,nu,iteration,value,match,membrane,gradient_norm,step,value_evaluations,gradient_"
+            "evaluations,seconds");
 }
 
 TEST(HistoryTest, DamageIsAnInputErrorThatNamesTheLine) {
   const TemporaryFolder tmp;
   const std::string good = history_csv(some_history());
   const std::size_t third = good.find('\n', good.find('\n') + 1) + 1;
-  for (const std::string& bad : {good.substr(0, third) + "3,1,0.1\n", good.substr(0, third) + "x" + good.substr(third)}) {
+  for (const std::string& bad :
+       {good.substr(0, third) + "3,1,0.1\n", good.substr(0, third) + "x" + good.substr(third)}) {
     put(tmp / "h.csv", bad);
     EXPECT_NE(message_of<InputError>([&] { read_history(tmp / "h.csv"); }).find("line 3"), std::string::npos);
   }

@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "matching/output_folder.h"
+#include "base/error.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,10 @@ TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
   EXPECT_NE(message.find("not empty"), std::string::npos) << message;
   EXPECT_NE(message.find("--force"), std::string::npos) << message;
 
-  { OutputFolder out(tmp / "run", true); write_file(out.path_of("summary.json"), "broken off"); }
+  {
+    OutputFolder out(tmp / "run", true);
+    write_file(out.path_of("summary.json"), "broken off");
+  }
   EXPECT_EQ(tmp.entries(), (Names{"run", "run/old.txt", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
 
@@ -72,7 +75,11 @@ TEST(OutputFolderTest, ForceReplacesNoFolderThatNoRunHasWritten) {
 TEST(OutputFolderTest, EmptyFoldersAreFilledAndFilesAreNot) {
   const TemporaryFolder tmp;
   std::filesystem::create_directories(tmp / "run");
-  { OutputFolder out(tmp / "run", false); write_file(out.path_of("a"), "a"); out.commit(); }
+  {
+    OutputFolder out(tmp / "run", false);
+    write_file(out.path_of("a"), "a");
+    out.commit();
+  }
   EXPECT_EQ(tmp.entries(), (Names{"run", "run/a"}));
   put(tmp / "file", "x");
   EXPECT_THROW(OutputFolder(tmp / "file", true), InputError);
@@ -117,7 +124,8 @@ TEST(OutputFolderTest, PlacesThatCannotBeWrittenAreEnvironmentErrors) {
 
 TEST(OutputFolderTest, AFullDiskIsAnEnvironmentErrorThatSaysSo) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  const std::string message = message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
+  const std::string message =
+      message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
   EXPECT_NE(message.find("make room"), std::string::npos) << message;
 }
 

@@ -1,6 +1,6 @@
+#include "matching/size_estimate.h"
 #include "base/error.h"
 #include "grid/octree.h"
-#include "matching/size_estimate.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,12 @@ void expect_bound_from_above(const std::vector<std::pair<int, int>>& levels) {
       EXPECT_LT(estimated, 2.5 * actual) << Dim << " " << low << " " << high;
     }
 }
-TEST(SizeEstimateTest, BoundsTheGridFromAboveInThePlane) { expect_bound_from_above<2>({{4, 9}, {3, 11}, {5, 5}}); }
-TEST(SizeEstimateTest, BoundsTheGridFromAboveInSpace) { expect_bound_from_above<3>({{3, 6}, {2, 7}, {4, 4}}); }
+TEST(SizeEstimateTest, BoundsTheGridFromAboveInThePlane) {
+  expect_bound_from_above<2>({{4, 9}, {3, 11}, {5, 5}});
+}
+TEST(SizeEstimateTest, BoundsTheGridFromAboveInSpace) {
+  expect_bound_from_above<3>({{3, 6}, {2, 7}, {4, 4}});
+}
 
 TEST(SizeEstimateTest, GrowsWithTheSurface) {
   // Four times as many nodes per level in space, twice in the plane.

@@ -1,6 +1,6 @@
+#include "matching/summary.h"
 #include "base/error.h"
 #include "matching/process_info.h"
-#include "matching/summary.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ MatchSummary some_summary() {
   s.template_shape = {"b.obj", 200, 396, {}};
   s.placement = {"fit", 1 / 3.0, {0.1, 0.2, 1e-17}};
   s.distance = TwoSidedDistance{{1e-4 / 3, 2e-4, 3e-4}, {4e-4, 5e-4, 6e-4}};
-  s.area_distortion = Distortion{1.01, 0.7, 1.6};
+  s.area_distortion = DistortionSummary{1.01, 0.7, 1.6};
   s.n_flipped_facets = 0;
   LevelSummary level;
   level.level = 5;
@@ -90,7 +90,8 @@ TEST(SummaryTest, NamesThatAreNoUtf8AreWritten) {
 TEST(SummaryTest, DamageIsAnInputError) {
   const TemporaryFolder tmp;
   const std::string good = summary_json(some_summary());
-  for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string("{}"), std::string("[1]")}) {
+  for (const std::string& bad :
+       {std::string(), good.substr(0, good.size() / 2), std::string("{}"), std::string("[1]")}) {
     put(tmp / "s.json", bad);
     EXPECT_THROW(read_summary(tmp / "s.json"), InputError);
   }

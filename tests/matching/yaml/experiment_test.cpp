@@ -89,6 +89,8 @@ TEST_F(Experiment, ShapesAreBesideTheFile) {
   EXPECT_EQ(options.input.template_file, "/somewhere/b.ply");
   EXPECT_EQ(read("input: {reference: 'generate:hand'}").input.reference, "generate:hand");
   EXPECT_EQ(read("threads: 1", {"input.reference=a.ply"}).input.reference, "a.ply");
+  EXPECT_EQ(read("input: {correspondence: pairs.txt}").input.correspondence, (folder_ / "pairs.txt").string());
+  EXPECT_EQ(read("threads: 1").input.correspondence, "");
 }
 
 TEST_F(Experiment, AbsolutePathsLeaveBuiltInShapesAlone) {

@@ -1,5 +1,6 @@
 // Every option is documented, and the documentation is itself an experiment.
 
+#include "geometry/generate_shape.h"
 #include "matching/option_text.h"
 #include "matching/yaml_options.h"
 
@@ -93,6 +94,29 @@ TEST_P(EveryProfile, TableRowsHaveAllTheirCells) {
     for (std::size_t i = 0; i < line.size(); ++i) bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
     EXPECT_EQ(bars, 7) << line;
   }
+}
+
+TEST(ShippedExperiments, AreValidAndTheirShapesExist) {
+  std::vector<std::pair<std::string, int>> kinds;
+  for (const GeneratorInfo& info : generator_catalogue())
+    for (const GeneratorVariant& variant : info.variants)
+      kinds.emplace_back(fmt::format("generate:{}/{}", info.name, variant.name), info.dimension);
+  const auto dimension = [&](const std::string& source) {
+    if (!source.starts_with("generate:")) return 0;
+    for (const auto& [name, n] : kinds)
+      if (name == source) return n;
+    ADD_FAILURE() << source << " is no built-in shape";
+    return 0;
+  };
+  int n = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SHELLMATCH_SOURCE_DIR "/configs")) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path());
+    const ExperimentOptions options = read_experiment(entry.path().string());
+    EXPECT_EQ(dimension(options.input.reference), dimension(options.input.template_file));
+    ++n;
+  }
+  EXPECT_GE(n, 6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, EveryProfile, testing::Values(Profile::standard, Profile::paper),

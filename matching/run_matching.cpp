@@ -1,0 +1,208 @@
+#include "matching/run_matching.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/placement.h"
+#include "geometry/surface_distance.h"
+#include "geometry/write_shape.h"
+#include "matching/cascade.h"
+#include "matching/history_file.h"
+#include "matching/level_picture.h"
+#include "matching/output_folder.h"
+#include "matching/phase_clock.h"
+#include "matching/process_info.h"
+#include "matching/run_report.h"
+#include "matching/shape_source.h"
+#include "matching/size_estimate.h"
+#include "matching/yaml_options.h"
+#include "render/plot.h"
+
+#include <chrono>
+#include <variant>
+
+namespace shellmatch {
+
+namespace {
+
+/// Passes everything on and keeps the history.
+class Recorder final : public Observer {
+ public:
+  explicit Recorder(Observer& next) : next_(next) {
+    for (const auto& name : term_names) history.term_names.emplace_back(name);
+  }
+  void note(const std::string& text) override { next_.note(text); }
+  void phase(const std::string& name) override { next_.phase(name); }
+  void level_started(const LevelStart& start) override { next_.level_started(start); }
+  bool iterated(const LevelStart& start, const IterationRecord& record) override {
+    history.rows.push_back({start.level, start.substep, start.nu, record});
+    return next_.iterated(start, record);
+  }
+  void level_finished(const LevelStart& start, const MinimizerSummary& summary) override {
+    next_.level_finished(start, summary);
+  }
+  History history;
+
+ private:
+  Observer& next_;
+};
+
+template <int Dim>
+double measure(const Surface<Dim>& s) {
+  double sum = 0;
+  for (std::size_t f = 0; f < s.facets.size(); ++f) sum += facet_measure(s, static_cast<Index>(f));
+  return sum;
+}
+
+ShapeSummary shape_summary(const auto& shape) {
+  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes};
+}
+
+/// One run, from the shapes as read to the output folder.
+template <int Dim>
+class Run {
+ public:
+  Run(const ExperimentOptions& options, Shape<Dim> reference, Shape<Dim> template_shape, OutputFolder& folder,
+      Observer& observer, PhaseSeconds seconds)
+      : options_(options),
+        reference_(std::move(reference)),
+        template_(std::move(template_shape)),
+        folder_(folder),
+        recorder_(observer),
+        seconds_(std::move(seconds)) {}
+
+  void go() {
+    const auto begin = std::chrono::steady_clock::now();
+    place();
+    check_size<Dim>(measure(reference_.surface) + measure(template_.surface), options_.cascade.min_level,
+                    options_.cascade.max_level, folder_.final_path());
+    const SignedDistance<Dim> d1(reference_.surface), d2(template_.surface);
+    Correspondence<Dim> truth;
+    if (!options_.input.correspondence.empty())
+      truth = read_correspondence<Dim>(options_.input.correspondence, reference_.original.vertices.size());
+    summary_.distance_before = two_sided_distance(reference_.surface, d2);
+
+    recorder_.phase("matching");
+    auto result = run_cascade<Dim>(d1, d2, options_, recorder_,
+                                   [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state, d2); },
+                                   seconds_);
+    summary_.interrupted = result.interrupted;
+    recorder_.phase("writing");
+    PhaseClock clock(seconds_);
+    clock.start("output");
+    write(result, d2, truth);
+    clock.stop();
+    finish_summary(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    folder_.commit();
+  }
+
+ private:
+  void place() {
+    const double clearance = 1.0 / static_cast<double>(1 << options_.cascade.max_level);
+    placement_ = options_.input.placement == PlacementKind::fit
+                     ? fit_placement(reference_, template_, options_.input.margin)
+                     : as_is_placement(reference_, template_, clearance);
+    apply_placement(placement_, reference_.surface);
+    apply_placement(placement_, template_.surface);
+  }
+
+  void finish_level(const LevelResult& level, const LevelState<Dim>& state, const SignedDistance<Dim>& d2) {
+    LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? 0.0 : recorder_.history.rows.back().record.gradient_norm);
+    const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
+    s.distance = two_sided_distance(deformed, d2);
+    summary_.levels.push_back(s);
+    summary_.run.level_seconds.push_back(level.seconds);
+    picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level));
+  }
+
+  void picture(const Surface<Dim>& deformed, const LevelState<Dim>& state, const SignedDistance<Dim>& d2,
+               const std::string& title, const std::string& name) {
+    LevelPicture<Dim> p;
+    p.reference = &reference_.surface;
+    p.template_shape = &template_.surface;
+    p.deformed = &deformed;
+    p.title = title;
+    p.distance = distances_to(deformed.vertices, d2);
+    if constexpr (Dim == 2) {
+      p.grid = &state.grid;
+      p.phi = &state.phi;
+    }
+    write_level_picture(p, folder_.path_of(name));
+    if constexpr (Dim == 3) (void)state;
+  }
+
+  void write(CascadeResult<Dim>& result, const SignedDistance<Dim>& d2, const Correspondence<Dim>& truth) {
+    const Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
+    summary_.distance = summary_.levels.back().distance;
+    add_distortion(summary_, reference_.surface, deformed, d2);
+    picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png");
+
+    const auto cells = cell_fields(result.grid, result.phi, result.reference.distance, result.levels.back().start.sigma);
+    const Deformation<Dim> deformation{std::move(result.grid), std::move(result.phi), placement_};
+    const OriginalShape<Dim> moved = deformed_original(reference_.original, deformation, d2);
+    if constexpr (Dim == 3) write_ply(folder_.path_of("deformed.ply"), moved);
+    else write_outline_csv(folder_.path_of("deformed.csv"), moved);
+    write_deformation(folder_.path_of(deformation_file_name), deformation,
+                      nodal_fields(result.reference, result.target, !options_.coefficients.invert_at_point), cells);
+    if (!truth.empty()) {
+      const double diagonal = bounding_box(template_.original.vertices).diagonal();
+      summary_.correspondence_error_before = correspondence_error(truth, reference_.original.vertices) / diagonal;
+      summary_.correspondence_error = correspondence_error(truth, moved.vertices) / diagonal;
+    }
+    write_history(recorder_.history, folder_.path_of("history.csv"));
+    write_plot(energy_plot(recorder_.history), folder_.path_of("pictures/energy.png"));
+    write_file(folder_.path_of("config.yaml"), to_yaml(options_));
+  }
+
+  void finish_summary(double seconds) {
+    MatchSummary& s = summary_;
+    s.version = program_version();
+    s.profile = enum_name(options_.profile);
+    s.dimension = Dim;
+    s.reference = shape_summary(reference_);
+    s.template_shape = shape_summary(template_);
+    s.placement = {std::string(enum_name(options_.input.placement)), placement_.scale,
+                   {placement_.offset.begin(), placement_.offset.end()}};
+    s.run.compiler = compiler_name();
+    s.run.threads = n_threads();
+    s.run.seconds = seconds + seconds_["reading"];
+    for (const auto& [phase, t] : seconds_) s.run.phase_seconds.emplace_back(phase, t);
+    s.run.peak_memory_bytes = peak_memory_bytes();
+    write_summary(s, folder_.path_of("summary.json"));
+  }
+
+  const ExperimentOptions& options_;
+  Shape<Dim> reference_, template_;
+  OutputFolder& folder_;
+  Recorder recorder_;
+  PhaseSeconds seconds_;
+  Similarity<Dim> placement_;
+  MatchSummary summary_;
+};
+
+}  // namespace
+
+void run_matching(const ExperimentOptions& options, const std::string& output_folder, bool force, Observer& observer) {
+  set_n_threads(options.threads);
+  PhaseSeconds seconds;
+  PhaseClock clock(seconds);
+  observer.phase("reading");
+  clock.start("reading");
+  AnyShape reference = open_shape(options.input.reference);
+  AnyShape template_shape = open_shape(options.input.template_file);
+  for (const AnyShape* shape : {&reference, &template_shape})
+    std::visit([&](const auto& s) {
+      for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));
+    }, *shape);
+  if (reference.index() != template_shape.index())
+    throw_input_error("{} is {}-dimensional and {} is {}-dimensional; both shapes must have the same dimension",
+                      options.input.reference, reference.index() + 2, options.input.template_file,
+                      template_shape.index() + 2);
+  clock.stop();
+  OutputFolder folder(output_folder, force);
+  if (reference.index() == 0)
+    Run<2>(options, std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape)), folder, observer, seconds).go();
+  else
+    Run<3>(options, std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape)), folder, observer, seconds).go();
+}
+
+}  // namespace shellmatch
