@@ -27,9 +27,9 @@ struct EnergyOptions {
   double lambda = 1, mu = 1;
   double delta = 1;
   double match_weight = 1, membrane_weight = 1, bending_weight = 1, volume_weight = 1;
-  VolumeDensity volume = VolumeDensity::simplified;
+  VolumeDensity volume = VolumeDensity::symmetric_dirichlet;
   BoundaryCondition boundary = BoundaryCondition::neumann;
-  double fold_barrier = 0, fold_threshold = 0.1;
+  double fold_barrier = 1, fold_threshold = 0.1;
   int quadrature_order = 2;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {

@@ -98,8 +98,11 @@ class Level {
       weights = term_weights(options_.energy, start.nu, start.volume_weight);
       LevelProblem<Dim> problem(unknowns_, energy_, hessian_, weights, mass, phi);
       std::vector<double> x = problem.unknowns_of(phi);
+      StopOptions stop = options_.solver.stop;
+      if (level < options_.cascade.max_level || s + 1 < steps.size())
+        stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       observer.level_started(start);
-      result.last = minimize_in_metric(*minimizer, metric, problem, x, options_.solver.stop,
+      result.last = minimize_in_metric(*minimizer, metric, problem, x, stop,
                                        [&](const IterationRecord& r) { return observer.iterated(start, r); });
       observer.level_finished(start, result.last);
       interrupted = result.last.reason == StopReason::interrupted;

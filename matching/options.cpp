@@ -5,9 +5,14 @@ namespace shellmatch {
 ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
+  // Newton's steps are few and each of them counts.
+  options.solver.stop.relative_decrease = 1e-4;
+  options.solver.stop.decrease_window = 2;
+  options.solver.stop.max_iterations = 100;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten once per refinement, with nothing in between.
     options.cascade.nu_substeps = 1;
+    options.cascade.intermediate_decrease = 0;
     // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian as it comes, and the
     // root C(S1)^(-1/2) interpolated as such.
     options.coefficients.fit_weight = 0;
@@ -23,6 +28,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     // taken over to the next iteration.
     options.solver.name = "fletcher_reeves";
     options.solver.metric = Metric::l2;
+    options.solver.stop = {};
     FletcherReevesOptions& method = options.solver.fletcher_reeves;
     method.update = ConjugateUpdate::fletcher_reeves;
     method.interpolation = Interpolation::halving;

@@ -119,7 +119,7 @@ struct NewtonOptions {
 };
 
 struct SolverOptions {
-  std::string name = "fletcher_reeves";
+  std::string name = "newton";
   Metric metric = Metric::l2;
   StopOptions stop;
   FletcherReevesOptions fletcher_reeves;
