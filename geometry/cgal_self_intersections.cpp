@@ -1,4 +1,4 @@
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>

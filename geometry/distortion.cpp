@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "geometry/surface_distance.h"
 
 #include <Eigen/Geometry>

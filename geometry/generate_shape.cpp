@@ -74,11 +74,11 @@ std::vector<GeneratorInfo> generator_catalogue() {
   return catalogue;
 }
 
-AnyShape generate_shape(std::string_view name, std::string_view variant, double edge_length,
+AnyOriginal generate_shape(std::string_view name, std::string_view variant, double edge_length,
                         const GeneratorParameters& parameters) {
   const Family& family = find_family(name);
   const GeneratorParameters complete = complete_parameters(family.info, variant, parameters);
-  return std::visit([&](const auto& body) -> AnyShape { return posed(body, name); },
+  return std::visit([&](const auto& body) -> AnyOriginal { return posed(body, name); },
                     family.build(complete, checked_edge_length(family.info, edge_length)));
 }
 

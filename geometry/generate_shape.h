@@ -44,13 +44,13 @@ struct GeneratorInfo {
 std::vector<GeneratorInfo> generator_catalogue();
 
 /// An outline or a surface.
-using AnyShape = std::variant<OriginalShape<2>, OriginalShape<3>>;
+using AnyOriginal = std::variant<OriginalShape<2>, OriginalShape<3>>;
 
 /// Shape `name` in its `variant` ("" is the first), single parameters changed, with edges of about
 /// `edge_length` sides of the domain (0: the shape's own default; else 0.003 to 0.05). \throws InputError for
 /// an unknown name, variant or parameter, naming those that exist and the nearest spelling; for values out of
 /// range; and for a shape that leaves [0.05, 0.95]^Dim.
-AnyShape generate_shape(std::string_view name, std::string_view variant = "", double edge_length = 0,
+AnyOriginal generate_shape(std::string_view name, std::string_view variant = "", double edge_length = 0,
                         const GeneratorParameters& parameters = {});
 
 /// Where a vertex of the reference truly goes.

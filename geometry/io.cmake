@@ -6,5 +6,4 @@ list(APPEND GEOMETRY_SOURCES
   cgal_repair.cpp cgal_repair_flat.cpp cgal_repair_nesting.cpp
   cgal_repair_crossings.cpp
   write_shape.cpp write_ply.cpp)
-find_package(PNG REQUIRED)
 list(APPEND GEOMETRY_LIBRARIES PNG::PNG)

@@ -1,7 +1,7 @@
 #include "geometry/repair.h"
 
 #include "base/error.h"
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "geometry/read_text.h"
 #include "geometry/repair_steps.h"
 

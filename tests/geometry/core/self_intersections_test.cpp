@@ -1,4 +1,4 @@
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 
 #include "tests/geometry/core/test_surfaces.h"
 

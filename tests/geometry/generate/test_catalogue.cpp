@@ -2,7 +2,7 @@
 // self-intersections, with good triangles, and the same bits twice.
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/cgal_self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "geometry/generate_mesh_quality.h"
 #include "geometry/generate_shape.h"
 #include "tests/geometry/generate/generated_surface.h"
@@ -40,7 +40,7 @@ double smallest_angle(const Surface<3>& s, Index f) {
 
 TEST_P(EveryShape, IsClosedOutwardAndSound) {
   const auto& [info, variant] = GetParam();
-  const AnyShape shape = generate_shape(info.name, variant.name);
+  const AnyOriginal shape = generate_shape(info.name, variant.name);
   if (info.dimension == 3) {
     const Surface<3> s = as_surface(std::get<OriginalShape<3>>(shape));
     EXPECT_TRUE(is_closed_manifold(s));
@@ -77,9 +77,9 @@ TEST_P(EveryShape, IsTheSameTwiceWhateverTheNumberOfThreads) {
   const auto& [info, variant] = GetParam();
   const double edge = 1.8 * info.edge_length;
   set_n_threads(1);
-  const AnyShape one = generate_shape(info.name, variant.name, edge);
+  const AnyOriginal one = generate_shape(info.name, variant.name, edge);
   set_n_threads(2);
-  const AnyShape two = generate_shape(info.name, variant.name, edge);
+  const AnyOriginal two = generate_shape(info.name, variant.name, edge);
   set_n_threads(0);
   std::visit(
       [&](const auto& a) {
