@@ -15,6 +15,13 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 Kernel::Point_2 cgal_point(const Vec<2>& x) { return {x[0], x[1]}; }
 Kernel::Point_3 cgal_point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
 
+/// The corners of a facet in its cyclic order, beginning with its i-th.
+template <int Dim>
+std::array<Index, Dim> rotated(std::array<Index, Dim> facet, int i) {
+  std::rotate(facet.begin(), facet.begin() + i, facet.end());
+  return facet;
+}
+
 /// Turns both facets so that corners they share come first, and returns how many they share.
 template <int Dim>
 int align_shared_corners(std::array<Index, Dim>& f, std::array<Index, Dim>& g) {
@@ -25,9 +32,9 @@ int align_shared_corners(std::array<Index, Dim>& f, std::array<Index, Dim>& g) {
     return std::find(facet.begin(), facet.end(), v) != facet.end();
   };
   for (int i = 0; i < Dim && !(holds(g, f[0]) && (n_shared == 1 || holds(g, f[1]))); ++i)
-    std::rotate(f.begin(), f.begin() + 1, f.end());
+    f = rotated<Dim>(f, 1);
   for (int i = 0; i < Dim && !(holds(f, g[0]) && (n_shared == 1 || holds(f, g[1]))); ++i)
-    std::rotate(g.begin(), g.begin() + 1, g.end());
+    g = rotated<Dim>(g, 1);
   return n_shared;
 }
 

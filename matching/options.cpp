@@ -9,7 +9,7 @@ ExperimentOptions profile_defaults(Profile profile) {
   // Newton's steps are few and each of them counts.
   options.solver.stop.relative_decrease = 1e-4;
   options.solver.stop.decrease_window = 2;
-  options.solver.stop.max_iterations = 100;
+  options.solver.stop.max_iterations = 300;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten once per refinement, with nothing in between.
     options.cascade.nu_substeps = 1;
@@ -19,6 +19,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.fit_weight = 0;
     options.coefficients.max_curvature_times_h = 0;
     options.coefficients.invert_at_point = false;
+    options.coefficients.normal_mass = MassKind::consistent;
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;
     // Section 6: the simplified volume term and nothing else against folds, natural boundary conditions.
@@ -35,6 +36,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     method.interpolation = Interpolation::halving;
     method.initial_step = InitialStep::memory;
     method.step_growth = 1;
+    method.least_cosine = 0;
     method.curvature = 0;
     method.orthogonality = 0;
     method.restart_every = 0;

@@ -108,7 +108,8 @@ class Run {
   void finish_level(const LevelResult& level, const LevelState<Dim>& state, const SignedDistance<Dim>& d2) {
     LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? 0.0 : recorder_.history.rows.back().record.gradient_norm);
     const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
-    s.distance = two_sided_distance(deformed, d2);
+    s.distance = two_sided_distance(
+        deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2);
     summary_.levels.push_back(s);
     summary_.run.level_seconds.push_back(level.seconds);
     picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level));

@@ -15,6 +15,29 @@
 namespace shellmatch {
 
 template <int Dim>
+Surface<Dim> subdivided(const Surface<Dim>& surface, double length) {
+  if constexpr (Dim == 3) {
+    (void)length;
+    return surface;
+  } else {
+    Surface<2> fine{surface.vertices, {}};
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+      const auto [a, b] = surface.facets[f];
+      const Vec<2> from = surface.vertices[a], edge = surface.vertices[b] - from;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / length)));
+      Index last = a;
+      for (int k = 1; k < pieces; ++k) {
+        fine.vertices.push_back(from + edge * (static_cast<double>(k) / pieces));
+        fine.facets.push_back({last, static_cast<Index>(fine.vertices.size()) - 1});
+        last = fine.facets.back()[1];
+      }
+      fine.facets.push_back({last, b});
+    }
+    return fine;
+  }
+}
+
+template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
   Surface<Dim> deformed = reference;
   parallel_for(deformed.vertices.size(), [&](std::size_t i) {
@@ -205,6 +228,7 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template Surface<Dim> subdivided<Dim>(const Surface<Dim>&, double);                                                 \
   template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
   template TwoSidedDistance two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&);                 \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,                          \

@@ -14,6 +14,12 @@
 
 namespace shellmatch {
 
+/// The same surface with its facets split until none is longer than `length`: what is measured is then the image
+/// of the curve, not the polygon through the images of its corners. In space the surface itself, as meshes are as
+/// fine as their shape asks for.
+template <int Dim>
+Surface<Dim> subdivided(const Surface<Dim>& surface, double length);
+
 /// The surface with its vertices moved by phi; unit domain.
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
