@@ -78,7 +78,6 @@ const std::vector<Door>& door_table() {
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},
       {"CLI11", {"CLI/"}, {"apps/*.cpp"}},
       {"nanoflann", {"nanoflann"}, {"geometry/*.cpp", "grid/*.cpp"}},
-      {"robin-map", {"tsl/"}, {"geometry/*.cpp", "grid/*.cpp"}},
       {"fmt", {"fmt/"}, {"base/error.h", "*/*.cpp"}},
       {"Google Benchmark", {"benchmark/"}, {"bench/*.cpp"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {}},

@@ -1,0 +1,129 @@
+// What the cascade promises: every accepted step goes down, refinement changes no value of phi, a smaller nu gives
+// a smaller mismatch, no cell folds under the barrier, and all solvers find the same minimum.
+
+#include "base/parallel.h"
+#include "matching/cascade.h"
+#include "matching/shape_source.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shellmatch {
+namespace {
+
+struct Steps final : Observer {
+  std::vector<std::vector<double>> values;  // of every minimisation
+  void level_started(const LevelStart&) override { values.emplace_back(); }
+  bool iterated(const LevelStart&, const IterationRecord& r) override {
+    values.back().push_back(r.value);
+    return true;
+  }
+};
+
+template <int Dim>
+SignedDistance<Dim> built_in(const std::string& name) {
+  return SignedDistance<Dim>(std::get<Shape<Dim>>(open_shape("generate:" + name)).surface);
+}
+
+ExperimentOptions small(int max_level, Profile profile = Profile::standard) {
+  ExperimentOptions o = profile_defaults(profile);
+  o.cascade.max_level = max_level;
+  return o;
+}
+
+template <int Dim>
+CascadeResult<Dim> run(const std::string& reference, const std::string& target, const ExperimentOptions& options,
+                       Observer& observer, const LevelCallback<Dim>& finished = {}) {
+  PhaseSeconds seconds;
+  return run_cascade<Dim>(built_in<Dim>(reference), built_in<Dim>(target), options, observer, finished, seconds);
+}
+
+TEST(Schedule, DividesNuByTenAndHalvesTheVolumePerLevel) {
+  const CascadeOptions o;
+  const auto first = schedule_of_level(o, o.min_level), third = schedule_of_level(o, o.min_level + 2);
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_EQ(first[0].nu, o.nu);
+  ASSERT_EQ(third.size(), static_cast<std::size_t>(o.nu_substeps));
+  EXPECT_NEAR(third.back().nu, o.nu / 100, 1e-15);
+  EXPECT_NEAR(third[0].nu / third[1].nu, third[1].nu / third[2].nu, 1e-9);
+  EXPECT_EQ(third.back().volume_weight, o.volume / 4);
+}
+
+TEST(Cascade, EnergyNeverRisesWithinAMinimisation) {
+  Steps steps;
+  run<2>("circle", "ellipse/long", small(6), steps);
+  ASSERT_GE(steps.values.size(), 4u);
+  for (const auto& values : steps.values)
+    for (std::size_t i = 1; i < values.size(); ++i) EXPECT_LE(values[i], values[i - 1]);
+}
+
+TEST(Cascade, RefinementChangesNoValueOfPhi) {
+  std::vector<Vec<2>> points;
+  for (int i = 0; i < 200; ++i) points.emplace_back(0.5 + 0.45 * std::cos(0.7 * i), 0.5 + 0.45 * std::sin(1.3 * i));
+  struct StopAtLevelFive final : Observer {
+    bool iterated(const LevelStart& start, const IterationRecord&) override { return start.level < 5; }
+  } stop;
+  // Stopped before its first step on level 5, the second run has the first one's phi, prolonged.
+  ExperimentOptions o = small(5);
+  o.cascade.intermediate_decrease = 0;  // so that both converge alike on level 4
+  Steps steps;
+  ExperimentOptions same = small(4);
+  same.cascade.intermediate_decrease = 0;
+  const auto reference = run<2>("circle", "ellipse/long", same, steps);
+  const Deformation<2> before_map{reference.grid, reference.phi, {}};
+  const auto fine = run<2>("circle", "ellipse/long", o, stop);
+  EXPECT_TRUE(fine.interrupted);
+  const Deformation<2> after{fine.grid, fine.phi, {}};
+  EXPECT_GT(fine.grid.n_nodes(), reference.grid.n_nodes());
+  for (const auto& x : points) EXPECT_LT((before_map(x) - after(x)).norm(), 1e-14);
+}
+
+TEST(Cascade, SmallerNuGivesSmallerMismatch) {
+  double last = 1e300;
+  for (const double nu : {2e-2, 2e-3, 2e-4}) {
+    ExperimentOptions o = small(4);
+    o.cascade.nu = nu;
+    Steps steps;
+    const auto result = run<2>("circle", "ellipse/long", o, steps);
+    const double mismatch = result.levels.back().minimised[Term::match] * result.levels.back().start.nu;
+    EXPECT_LT(mismatch, last);
+    last = mismatch;
+  }
+}
+
+TEST(Cascade, NoCellFoldsUnderTheBarrier) {
+  Steps steps;
+  const auto safe = run<3>("sphere", "ellipsoid/long", small(4), steps);
+  for (const auto& level : safe.levels) EXPECT_EQ(level.folds.n_uncertified_cells, 0);
+}
+
+// Newton's minimum is the others' minimum: same energy, same start, tight tolerance.
+TEST(Cascade, AllSolversReachTheSameMinimum) {
+  double newton = 0;
+  for (const char* name : {"newton", "lbfgs", "fletcher_reeves", "ceres_lbfgs", "nlopt_lbfgs"}) {
+    ExperimentOptions o = small(4);
+    o.solver.name = name;
+    o.solver.stop = {.max_iterations = 3000, .relative_decrease = 1e-9, .decrease_window = 20, .gradient_norm = 1e-9,
+                     .max_seconds = 0};
+    Steps steps;
+    const double energy = run<2>("circle", "ellipse/long", o, steps).levels.back().minimised.sum();
+    if (newton == 0) newton = energy;
+    else EXPECT_NEAR(energy, newton, 1e-3 * newton) << name;
+  }
+}
+
+TEST(Cascade, SameBitsWithOneAndTwoThreads) {
+  std::vector<Vec<3>> phi;
+  for (const int threads : {1, 2}) {
+    set_n_threads(threads);
+    Steps steps;
+    const auto result = run<3>("sphere", "ellipsoid/long", small(4), steps);
+    if (threads == 1) phi = result.phi;
+    else EXPECT_TRUE(phi == result.phi);
+  }
+  set_n_threads(0);
+}
+
+}  // namespace
+}  // namespace shellmatch
