@@ -59,6 +59,8 @@ TYPED_TEST(Limits, WhatIsNotFiniteCannotBeEvaluated) {
       phi[node][Dim - 1] = bad;
       EXPECT_FALSE(p.energy.evaluate(phi, weights, values, {}));
       EXPECT_FALSE(p.energy.evaluate(phi, weights, values, gradient));
+      // Nor where it is out of reach of every term that has a weight.
+      EXPECT_FALSE(p.energy.evaluate(phi, only(Term::match), values, {}));
     }
   // Finite positions whose energy is not.
   auto phi = s.shifted(0);

@@ -86,6 +86,32 @@ TEST(Theory, LambdaIsOrthogonalExactlyWhereCurvaturesMatch) {
   check_lemma<3>(2);
 }
 
+// The integrands are the formulas of the paper, written with Eigen; n2 need not come as a unit vector.
+template <int Dim>
+void check_formulas(unsigned seed) {
+  std::mt19937 random(seed);
+  const Lame<double> lame{0.7, 1.3};
+  for (int i = 0; i < 20; ++i) {
+    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
+    const Mat<Dim> dphi = random_matrix<Dim>(random), root = random_symmetric<Dim>(random, 0.5, 2);
+    const Mat<Dim> p1 = projection<Dim>(n1), p2 = projection<Dim>(n2);
+    const Mat<Dim> r1 = p1 * random_symmetric<Dim>(random, 0.5, 2) * p1;
+    const TargetPoint<Dim, double> y{0.3, small<Dim>(0.8 * n2), small_symmetric<Dim>(root)};
+    const ReferencePoint<Dim, double> x{-0.1, small<Dim>(n1), small_symmetric<Dim>(r1)};
+    const auto w = [&](const Mat<Dim>& a) { return thin_shell_density(small(a), lame); };
+    const Mat<Dim> nn = n2 * n1.transpose();
+    EXPECT_NEAR(Match<Dim>::density(y, small(dphi), x, lame), 0.16, 1e-15);
+    EXPECT_NEAR(Membrane<Dim>::density(y, small(dphi), x, lame), w(p2 * dphi * p1 + nn), 1e-13);
+    EXPECT_NEAR(Bending<Dim>::density(y, small(dphi), x, lame), w(p2 * root * p2 * dphi * r1 + nn), 1e-12);
+    EXPECT_EQ(SimplifiedVolume<Dim>::density(small(dphi), lame), w(dphi));
+  }
+}
+
+TEST(Theory, IntegrandsAreTheFormulas) {
+  check_formulas<2>(1);
+  check_formulas<3>(2);
+}
+
 // Example ex:norank1conv: F convex in (trace, determinant) of the Cauchy-Green tensor is not enough.
 TEST(Theory, CauchyGreenMembraneIsNotRankOneConvex) {
   const Vec<2> e2(0, 1);
