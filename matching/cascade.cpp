@@ -1,12 +1,11 @@
 #include "matching/cascade.h"
 
-#include "base/parallel.h"
-#include "grid/constraints.h"
-#include "grid/elements.h"
 #include "grid/mass.h"
 #include "grid/prolongation.h"
+#include "matching/level_energy.h"
 #include "matching/level_problem.h"
 #include "matching/phase_clock.h"
+#include "matching/shape_fields.h"
 #include "solvers/metric.h"
 
 #include <cmath>
@@ -25,67 +24,27 @@ std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) 
 
 namespace {
 
-/// Exact distances at the nodes, kept over refinements: a node's distance does not change, only new nodes ask.
-template <int Dim>
-class NodalDistance {
- public:
-  explicit NodalDistance(const SignedDistance<Dim>& distance) : distance_(&distance) {}
-  const std::vector<double>& on(const Octree<Dim>& grid) {
-    const std::size_t known = values_.size();
-    values_.resize(static_cast<std::size_t>(grid.n_nodes()));
-    parallel_for(values_.size() - known, [&](std::size_t i) {
-      values_[known + i] = (*distance_)(grid.node_position(static_cast<Index>(known + i)));
-    }, 256);
-    return values_;
-  }
-
- private:
-  const SignedDistance<Dim>* distance_;
-  std::vector<double> values_;
-};
-
-/// The finite element function with these values at the free nodes.
-template <int Dim>
-std::vector<double> conforming(const Octree<Dim>& grid, std::vector<double> nodal) {
-  distribute(grid, nodal);
-  return nodal;
-}
-
-template <int Dim>
-std::vector<Vec<Dim>> identity(const Octree<Dim>& grid) {
-  std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
-  for (Index i = 0; i < grid.n_nodes(); ++i) phi[i] = grid.node_position(i);
-  return phi;
-}
-
 /// One level: all its minimisations, from phi, which is replaced by the result.
 template <int Dim>
 class Level {
  public:
   Level(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference, const CoefficientFields<Dim>& target,
         const ExperimentOptions& options)
-      : options_(options),
-        grid_(grid),
-        sigma_(options.cascade.sigma_cells * grid.finest_side()),
-        unknowns_(grid, options.energy.boundary),
-        target_(grid, target.distance, target.normal, target.root),
-        fields_{reference.distance, reference.normal, reference.root, !options.coefficients.invert_at_point},
-        energy_(unknowns_, fields_, target_, options.energy, sigma_, options.energy.quadrature_order),
-        hessian_(energy_, unknowns_, target_, options.energy) {}
+      : options_(options), grid_(grid), level_(grid, reference, target, options) {}
 
   LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted) {
     LevelResult result;
     LevelStart& start = result.start;
     start.level = level;
-    start.sigma = sigma_;
+    start.sigma = level_.sigma;
     start.n_nodes = grid_.n_nodes();
     start.n_free_nodes = static_cast<Index>(grid_.free_nodes().size());
     start.n_cells = static_cast<Index>(grid_.leaves().size());
-    result.n_band_cells = static_cast<Index>(energy_.band().n_elements());
-    result.n_band_points = energy_.band().n_active_points();
-    result.band_measure = energy_.band().measure();
+    result.n_band_cells = static_cast<Index>(level_.energy.band().n_elements());
+    result.n_band_points = level_.energy.band().n_active_points();
+    result.band_measure = level_.energy.band().measure();
 
-    const std::vector<double> mass = lumped_mass_of(unknowns_.nodes());
+    const std::vector<double> mass = lumped_mass_of(level_.unknowns.nodes());
     const auto steps = schedule_of_level(options_.cascade, level);
     start.n_substeps = static_cast<int>(steps.size());
     const auto minimizer = make_minimizer(options_.solver);
@@ -96,7 +55,7 @@ class Level {
       start.nu = steps[s].nu;
       start.volume_weight = steps[s].volume_weight;
       weights = term_weights(options_.energy, start.nu, start.volume_weight);
-      LevelProblem<Dim> problem(unknowns_, energy_, hessian_, weights, mass, phi);
+      LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi);
       std::vector<double> x = problem.unknowns_of(phi);
       StopOptions stop = options_.solver.stop;
       if (level < options_.cascade.max_level || s + 1 < steps.size())
@@ -112,12 +71,13 @@ class Level {
       result.gradient_evaluations += result.last.gradient_evaluations;
       result.seconds += result.last.seconds;
     }
-    energy_.evaluate(phi, weights, result.minimised, {});
+    level_.energy.evaluate(phi, weights, result.minimised, {});
     // The solution overfits its own Gauss points: report with others.
     const int finer = std::max(4, options_.energy.quadrature_order + 1);
-    const MatchingEnergy<Dim> report(unknowns_, fields_, target_, options_.energy, sigma_, std::min(finer, 5));
+    const MatchingEnergy<Dim> report(level_.unknowns, level_.reference, level_.target, options_.energy, level_.sigma,
+                                     std::min(finer, 5));
     report.evaluate(phi, weights, result.reported, {});
-    result.folds = find_folds<Dim>(unknowns_.elements(), phi);
+    result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
     return result;
   }
 
@@ -132,12 +92,7 @@ class Level {
 
   const ExperimentOptions& options_;
   const Octree<Dim>& grid_;
-  double sigma_;
-  Unknowns<Dim> unknowns_;
-  TargetField<Dim> target_;
-  ReferenceFields<Dim> fields_;
-  MatchingEnergy<Dim> energy_;
-  EnergyHessian<Dim> hessian_;
+  LevelEnergy<Dim> level_;
 };
 
 }  // namespace
@@ -149,17 +104,15 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   const CascadeOptions& schedule = options.cascade;
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
-  result.phi = identity(grid);
-  NodalDistance<Dim> d1(reference), d2(template_shape);
+  result.phi = identity_map(grid);
+  ShapeFields<Dim> shapes(reference, template_shape);
 
   for (int level = schedule.min_level;; ++level) {
     PhaseClock clock(seconds);
     clock.start("distances");
-    const std::vector<double>& nodal1 = d1.on(grid);
-    const std::vector<double>& nodal2 = d2.on(grid);
+    shapes.compute_distances(grid);
     clock.start("coefficients");
-    auto coefficients = compute_coefficient_pair(grid, conforming(grid, nodal1), conforming(grid, nodal2),
-                                                       options.coefficients);
+    auto coefficients = shapes.coefficients(grid, options.coefficients);
     clock.start("set-up");
     Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
     clock.start("minimisation");
@@ -174,10 +127,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 
     clock.start("refinement");
     const Index n_old = grid.n_nodes();
-    grid.refine([&](Index leaf) {
-      return meets_surface<Dim>(grid, nodal1, std::cref(reference), leaf) ||
-             meets_surface<Dim>(grid, nodal2, std::cref(template_shape), leaf);
-    });
+    shapes.refine(grid);
     prolongate(grid, n_old, result.phi);
   }
   return result;

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/placement.h"
 #include "geometry/surface_distance.h"
 #include "geometry/write_shape.h"
 #include "matching/cascade.h"
@@ -12,7 +11,7 @@
 #include "matching/phase_clock.h"
 #include "matching/process_info.h"
 #include "matching/run_report.h"
-#include "matching/shape_source.h"
+#include "matching/shape_pair.h"
 #include "matching/size_estimate.h"
 #include "matching/yaml_options.h"
 #include "render/plot.h"
@@ -61,18 +60,17 @@ ShapeSummary shape_summary(const auto& shape) {
 template <int Dim>
 class Run {
  public:
-  Run(const ExperimentOptions& options, Shape<Dim> reference, Shape<Dim> template_shape, OutputFolder& folder,
-      Observer& observer, PhaseSeconds seconds)
+  Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer,
+      PhaseSeconds seconds)
       : options_(options),
-        reference_(std::move(reference)),
-        template_(std::move(template_shape)),
+        shapes_(std::move(shapes)),
         folder_(folder),
         recorder_(observer),
         seconds_(std::move(seconds)) {}
 
   void go() {
     const auto begin = std::chrono::steady_clock::now();
-    place();
+    placement_ = shapes_.place(options_);
     check_size<Dim>(measure(reference_.surface) + measure(template_.surface), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
     const SignedDistance<Dim> d1(reference_.surface), d2(template_.surface);
@@ -96,15 +94,6 @@ class Run {
   }
 
  private:
-  void place() {
-    const double clearance = 1.0 / static_cast<double>(1 << options_.cascade.max_level);
-    placement_ = options_.input.placement == PlacementKind::fit
-                     ? fit_placement(reference_, template_, options_.input.margin)
-                     : as_is_placement(reference_, template_, clearance);
-    apply_placement(placement_, reference_.surface);
-    apply_placement(placement_, template_.surface);
-  }
-
   void finish_level(const LevelResult& level, const LevelState<Dim>& state, const SignedDistance<Dim>& d2) {
     LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? 0.0 : recorder_.history.rows.back().record.gradient_norm);
     const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
@@ -172,7 +161,8 @@ class Run {
   }
 
   const ExperimentOptions& options_;
-  Shape<Dim> reference_, template_;
+  ShapePair<Dim> shapes_;
+  const Shape<Dim>&reference_ = shapes_.reference, &template_ = shapes_.template_shape;
   OutputFolder& folder_;
   Recorder recorder_;
   PhaseSeconds seconds_;
@@ -188,22 +178,12 @@ void run_matching(const ExperimentOptions& options, const std::string& output_fo
   PhaseClock clock(seconds);
   observer.phase("reading");
   clock.start("reading");
-  AnyShape reference = open_shape(options.input.reference);
-  AnyShape template_shape = open_shape(options.input.template_file);
-  for (const AnyShape* shape : {&reference, &template_shape})
-    std::visit([&](const auto& s) {
-      for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));
-    }, *shape);
-  if (reference.index() != template_shape.index())
-    throw_input_error("{} is {}-dimensional and {} is {}-dimensional; both shapes must have the same dimension",
-                      options.input.reference, reference.index() + 2, options.input.template_file,
-                      template_shape.index() + 2);
+  AnyShapePair shapes = open_shape_pair(options.input, observer);
   clock.stop();
   OutputFolder folder(output_folder, force);
-  if (reference.index() == 0)
-    Run<2>(options, std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape)), folder, observer, seconds).go();
-  else
-    Run<3>(options, std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape)), folder, observer, seconds).go();
+  std::visit([&]<int Dim>(ShapePair<Dim>& pair) {
+    Run<Dim>(options, std::move(pair), folder, observer, seconds).go();
+  }, shapes);
 }
 
 }  // namespace shellmatch

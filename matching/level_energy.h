@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// The energy of an experiment on one grid, with all that it refers to.
+
+#include "energies/energy_hessian.h"
+#include "energies/matching_energy.h"
+#include "grid/curvature.h"
+#include "matching/options.h"
+
+namespace shellmatch {
+
+/// Grid and coefficients must outlive it; it does not move, as its parts refer to each other.
+template <int Dim>
+struct LevelEnergy {
+  const Octree<Dim>& grid;
+  double sigma;  ///< half width of the band
+  Unknowns<Dim> unknowns;
+  TargetField<Dim> target;
+  ReferenceFields<Dim> reference;
+  MatchingEnergy<Dim> energy;
+  EnergyHessian<Dim> hessian;
+
+  LevelEnergy(const Octree<Dim>& g, const CoefficientFields<Dim>& reference_fields,
+              const CoefficientFields<Dim>& target_fields, const ExperimentOptions& options)
+      : grid(g),
+        sigma(options.cascade.sigma_cells * g.finest_side()),
+        unknowns(g, options.energy.boundary),
+        target(g, target_fields.distance, target_fields.normal, target_fields.root),
+        reference{reference_fields.distance, reference_fields.normal, reference_fields.root,
+                  !options.coefficients.invert_at_point},
+        energy(unknowns, reference, target, options.energy, sigma, options.energy.quadrature_order),
+        hessian(energy, unknowns, target, options.energy) {}
+  LevelEnergy(const LevelEnergy&) = delete;
+  LevelEnergy& operator=(const LevelEnergy&) = delete;
+};
+
+}  // namespace shellmatch
