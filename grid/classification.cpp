@@ -1,8 +1,7 @@
 #include "grid/classification.h"
 
 #include "base/error.h"
-
-#include <Eigen/Eigenvalues>
+#include "grid/matrix_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +22,17 @@ Mat<Dim> extended_shape_operator(const Mat<Dim>& hessian, const Vec<Dim>& normal
 
 template <int Dim>
 Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& classifier, double exponent) {
-  // The iterative solver: the closed form (computeDirect) loses half the digits near double eigenvalues, and
-  // a shape operator next to an umbilic point has them.
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(extended_shape);
-  SHELLMATCH_CHECK(eigen.info() == Eigen::Success,
-                   "a shape operator has no eigenvalues; is a distance not finite?");
+  const bool by_formula = classifier.root == RootMethod::franca && std::abs(exponent) == 0.5;
+  const Eigenpairs<Dim> eigen = eigenpairs<Dim>(extended_shape);
   Vec<Dim> values;
   for (int i = 0; i < Dim; ++i) {
-    const double c = classifier(eigen.eigenvalues()[i]);
+    const double c = classifier(eigen.values[i]);
     SHELLMATCH_CHECK(c > 0, "a classified curvature is not positive");
-    values[i] = std::pow(c, exponent);
+    values[i] = by_formula ? c : std::pow(c, exponent);
   }
-  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+  const Mat<Dim> result = eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
+  if (!by_formula) return result;
+  return exponent > 0 ? franca_root<Dim>(result) : franca_inverse_root<Dim>(result);
 }
 
 template Mat<2> extended_shape_operator<2>(const Mat<2>&, const Vec<2>&);

@@ -15,6 +15,7 @@ struct Classifier {
   double tau = 1;    ///< 1/length, positive
   double cap = 0;    ///< 1/length; 0: none
   double shift = 0;  ///< 1/length; -shift lies below every curvature of both surfaces
+  RootMethod root = RootMethod::eigen;
 
   double operator()(double curvature) const;
 };
@@ -24,8 +25,8 @@ struct Classifier {
 template <int Dim>
 Mat<Dim> extended_shape_operator(const Mat<Dim>& hessian, const Vec<Dim>& normal);
 
-/// C(S)^exponent by one symmetric eigendecomposition: exponent 1, 1/2 or -1/2 for C, its root and its
-/// inverse root.
+/// C(S)^exponent: exponent 1, 1/2 or -1/2 for C, its root and its inverse root. By one symmetric
+/// eigendecomposition, or the roots from C(S) by Franca's formula (grid/matrix_root.h) if classifier.root says so.
 template <int Dim>
 Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& classifier, double exponent);
 

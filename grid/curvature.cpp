@@ -3,9 +3,8 @@
 #include "base/parallel.h"
 #include "grid/constraints.h"
 #include "grid/local_fit.h"
+#include "grid/matrix_root.h"
 #include "grid/projection.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -61,8 +60,7 @@ double least_curvature(const Octree<Dim>& grid, const NodalGeometry<Dim>& geomet
   double least = 0;
   for (const Index node : grid.free_nodes()) {
     const Mat<Dim> s = unpack_symmetric<Dim>(geometry.extended_shape[node]);
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(s, Eigen::EigenvaluesOnly);
-    least = std::min(least, eigen.eigenvalues()[0]);
+    least = std::min(least, eigenpairs<Dim>(s).values[0]);
   }
   return least;
 }
@@ -72,7 +70,7 @@ double least_curvature(const Octree<Dim>& grid, const NodalGeometry<Dim>& geomet
 template <int Dim>
 Classifier make_classifier(const Octree<Dim>& grid, const CoefficientOptions& options,
                            const NodalGeometry<Dim>& first, const NodalGeometry<Dim>& second) {
-  Classifier c{.kind = options.classification, .tau = options.tau, .cap = 0, .shift = 0};
+  Classifier c{.kind = options.classification, .tau = options.tau, .cap = 0, .shift = 0, .root = options.root};
   c.cap = options.max_curvature_times_h / grid.finest_side();
   if (c.kind == Classification::shift) {
     const double least = std::min(least_curvature(grid, first), least_curvature(grid, second));

@@ -105,7 +105,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
   result.phi = identity_map(grid);
-  ShapeFields<Dim> shapes(reference, template_shape);
+  ShapeFields<Dim> shapes(reference, template_shape, options.coefficients.distance);
 
   for (int level = schedule.min_level;; ++level) {
     PhaseClock clock(seconds);

@@ -14,6 +14,9 @@ ExperimentOptions profile_defaults(Profile profile) {
     // Section 6: nu is divided by ten once per refinement, with nothing in between.
     options.cascade.nu_substeps = 1;
     options.cascade.intermediate_decrease = 0;
+    // Section 5: distances by fast marching, roots after Franca.
+    options.coefficients.distance = DistanceMethod::fast_marching;
+    options.coefficients.root = RootMethod::franca;
     // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian as it comes, and the
     // root C(S1)^(-1/2) interpolated as such.
     options.coefficients.fit_weight = 0;

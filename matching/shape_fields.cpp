@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "grid/constraints.h"
 #include "grid/elements.h"
+#include "grid/fast_marching.h"
 
 #include <functional>
 
@@ -23,6 +24,10 @@ template <int Dim>
 void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
   for (int s = 0; s < 2; ++s) {
     std::vector<double>& values = distances_[s];
+    if (method_ == DistanceMethod::fast_marching) {
+      values = march_distance<Dim>(grid, std::cref(*shapes_[s]));
+      continue;
+    }
     const std::size_t known = values.size();
     values.resize(static_cast<std::size_t>(grid.n_nodes()));
     parallel_for(values.size() - known, [&](std::size_t i) {

@@ -10,16 +10,16 @@
 
 namespace shellmatch {
 
-/// Distances are kept over refinements: a node's distance does not change, only new nodes ask. All calls must
-/// be made with one and the same grid, before and after it is refined.
+/// Exact distances are kept over refinements: a node's distance does not change, only new nodes ask. Those of fast
+/// marching improve everywhere. All calls must be made with one and the same grid, before and after it is refined.
 template <int Dim>
 class ShapeFields {
  public:
   /// Both must outlive this object; the shapes lie in the unit domain.
-  ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape)
-      : shapes_{&reference, &template_shape} {}
+  ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape, DistanceMethod method)
+      : shapes_{&reference, &template_shape}, method_(method) {}
 
-  /// Exact distances at all nodes. To be called after every refinement.
+  /// Distances at all nodes; by either method their signs are exact. To be called after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
   /// Coefficients of both, from the finite element functions with these distances at the free nodes.
@@ -31,6 +31,7 @@ class ShapeFields {
 
  private:
   std::array<const SignedDistance<Dim>*, 2> shapes_;
+  DistanceMethod method_;
   std::array<std::vector<double>, 2> distances_;
 };
 
