@@ -18,7 +18,7 @@ struct ReferenceFields {
   std::span<const double> distance;
   std::span<const Vec<Dim>> normal;
   std::span<const std::array<double, n_symmetric<Dim>>> root;
-  bool root_is_inverse;  ///< root holds C(S1)^{-1/2}; else C(S1)^{1/2}, which is inverted at each point
+  bool root_is_inverse;  ///< root holds C(S1)^{-1/2} (or S1) to be taken as it is; else C(S1)^{1/2}, inverted at each point
 };
 
 /// Elements in which eta_sigma(d1) does not vanish at every quadrature point, eight at a time: the lanes of a

@@ -1,6 +1,6 @@
 // The inner loop of the program: match, membrane and bending at eight quadrature points at a time.
 
-#include "energies/autodiff/compiled.h"
+#include "energies/band_kernel.h"
 #include "energies/element_batch.h"
 #include "energies/matching_energy.h"
 
@@ -12,18 +12,6 @@ namespace {
 
 using autodiff::Pack;
 using autodiff::pack_size;
-
-/// Arrays of one batch of points: inputs of the functors and what they give back.
-template <int Dim>
-struct PointArrays {
-  static constexpr int n_target = TargetPoint<Dim, double>::size;
-  static constexpr int n_active = n_target + Dim * Dim;
-  static constexpr int n_passive = ReferencePoint<Dim, double>::size + 2;
-  std::array<Pack, n_active> active;
-  std::array<Pack, n_passive> passive;
-  std::array<Pack, n_active> adjoint;
-  std::array<std::array<Pack, n_target>, Dim> derivative;  ///< of the target's values by the coordinates of phi
-};
 
 /// Look-up of the template at phi(x). Lanes outside the band get harmless values: they have no weight, but a
 /// NaN would outlive a multiplication by zero.
@@ -52,21 +40,6 @@ void look_up(const TargetField<Dim>& target, const Pack& weight, const std::arra
   }
 }
 
-/// Weighted sum of a term over the lanes' points; adds the weighted derivative to p.adjoint.
-template <class Functor, int Dim, bool WithGradient>
-[[gnu::noinline]] Pack apply(PointArrays<Dim>& p, Pack seed) {
-  using Code = autodiff::Compiled<Functor>;
-  if constexpr (WithGradient) {
-    std::array<Pack, PointArrays<Dim>::n_active> adjoint;
-    const Pack v = Code::gradient(p.active.data(), p.passive.data(), seed, adjoint.data());
-    for (int i = 0; i < PointArrays<Dim>::n_active; ++i)
-      if (Code::reads_active(i)) p.adjoint[i] += adjoint[i];
-    return v * seed;
-  } else {
-    return Code::value(p.active.data(), p.passive.data()) * seed;
-  }
-}
-
 }  // namespace
 
 template <int Dim>
@@ -77,6 +50,8 @@ TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const 
   if (!(weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return {};
   const auto elements = unknowns_->elements();
   const auto batches = band_.batches();
+  const TermKernel<Dim> other_membrane = comparison_kernel<Dim, WithGradient>(options_.membrane);
+  const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);
 
   return parallel_sum(batches.size(), 32, TermValues{}, [&](const Chunk& chunk) {
     ElementBatch<Dim> batch;
@@ -98,11 +73,17 @@ TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const 
         for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
         if constexpr (WithGradient) p.adjoint.fill(Pack{});
         if (weights[Term::match] > 0)
-          sums[0] += apply<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::match]);
-        if (weights[Term::membrane] > 0)
-          sums[1] += apply<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::membrane]);
-        if (weights[Term::bending] > 0)
-          sums[2] += apply<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::bending]);
+          sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::match]);
+        if (weights[Term::membrane] > 0) {
+          const Pack seed = point.weight * weights[Term::membrane];
+          sums[1] += other_membrane ? other_membrane(p, seed)
+                                    : apply_term<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, seed);
+        }
+        if (weights[Term::bending] > 0) {
+          const Pack seed = point.weight * weights[Term::bending];
+          sums[2] += other_bending ? other_bending(p, seed)
+                                   : apply_term<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, seed);
+        }
         if constexpr (WithGradient) {
           std::array<Pack, Dim> by_position;
           for (int k = 0; k < Dim; ++k) {

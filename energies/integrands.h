@@ -22,7 +22,7 @@ template <int Dim, class P>
 struct ReferencePoint {
   P d1;                 ///< signed distance to M1
   SmallVec<P, Dim> n1;  ///< unit normal
-  SmallSym<P, Dim> r1;  ///< P1 C(S1)^{-1/2} P1
+  SmallSym<P, Dim> r1;  ///< P1 C(S1)^{-1/2} P1; S1 for QuadraticBending
   static constexpr int size = 1 + Dim + n_symmetric<Dim>;
 };
 
@@ -31,7 +31,7 @@ template <int Dim, class T>
 struct TargetPoint {
   T d2;                  ///< signed distance to M2
   SmallVec<T, Dim> n2;   ///< normal as interpolated: not of unit length
-  SmallSym<T, Dim> root; ///< C(S2)^{1/2}
+  SmallSym<T, Dim> root; ///< C(S2)^{1/2}; S2 for QuadraticBending
   static constexpr int size = 1 + Dim + n_symmetric<Dim>;
 };
 
@@ -81,6 +81,70 @@ struct Bending {
     const auto n2 = renormalised(y.n2);
     const auto tangential = project_rows(product<Dim>(dphi, x.r1), n2);
     return thin_shell_density(plus_outer(project_rows(product<Dim>(y.root, tangential), n2), n2, x.n1), lame);
+  }
+};
+
+/// W(Dphi P1 + n2 n1^T): the membrane with P2 left out (paper, fig:cubes). Derivatives that leave the template's
+/// tangent plane count as stretch, even where phi still has to find its way there.
+template <int Dim>
+struct MembraneWithoutP2 {
+  static constexpr const char* name = "membrane without P2";
+  template <class T, class P>
+  static constexpr T density(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
+                             const ReferencePoint<Dim, P>& x, const Lame<P>& lame) {
+    return thin_shell_density(plus_outer(project_columns(dphi, x.n1), renormalised(y.n2), x.n1), lame);
+  }
+};
+
+/// W((Dphi P1)^T Dphi P1 + n1 n1^T), eq. (eq:badMem): vanishes for every tangential isometry, oscillating ones
+/// included, and is not rank-one convex (paper, section 4.1). Knows nothing of the template.
+template <int Dim>
+struct CauchyGreenMembrane {
+  static constexpr const char* name = "Cauchy-Green membrane";
+  template <class T, class P>
+  static constexpr T density(const TargetPoint<Dim, T>&, const SmallMat<T, Dim>& dphi,
+                             const ReferencePoint<Dim, P>& x, const Lame<P>& lame) {
+    const auto tangential = project_columns(dphi, x.n1);
+    SmallMat<T, Dim> c;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        c(i, j) = tangential(0, i) * tangential(0, j);
+        for (int k = 1; k < Dim; ++k) c(i, j) = c(i, j) + tangential(k, i) * tangential(k, j);
+      }
+    return thin_shell_density(plus_outer(c, x.n1, x.n1), lame);
+  }
+};
+
+/// W(N^{1/2} Dphi P1 M^{-1/2} P1 + n2 n1^T): bending with P2 left out.
+template <int Dim>
+struct BendingWithoutP2 {
+  static constexpr const char* name = "bending without P2";
+  template <class T, class P>
+  static constexpr T density(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
+                             const ReferencePoint<Dim, P>& x, const Lame<P>& lame) {
+    const auto a = product<Dim>(y.root, product<Dim>(dphi, x.r1));
+    return thin_shell_density(plus_outer(a, renormalised(y.n2), x.n1), lame);
+  }
+};
+
+/// |Dphi^T S2 Dphi - S1|^2, which is not rank-one convex (paper, section 3.2). Reads the shape operators
+/// themselves: y.root is S2 and x.r1 is S1 here.
+template <int Dim>
+struct QuadraticBending {
+  static constexpr const char* name = "quadratic bending";
+  template <class T, class P>
+  static constexpr T density(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
+                             const ReferencePoint<Dim, P>& x, const Lame<P>&) {
+    const auto s2_dphi = product<Dim>(y.root, dphi);
+    T sum(0.0);
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) {
+        T pulled_back = dphi(0, i) * s2_dphi(0, j);
+        for (int k = 1; k < Dim; ++k) pulled_back = pulled_back + dphi(k, i) * s2_dphi(k, j);
+        const T gap = pulled_back - x.r1(i, j);
+        sum = sum + gap * gap;
+      }
+    return sum;
   }
 };
 

@@ -6,6 +6,8 @@
 #include "grid/matrix_root.h"
 #include "grid/projection.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace shellmatch {
@@ -113,6 +115,31 @@ CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vect
           classify(grid, std::move(target), classifier, false)};
 }
 
+template <int Dim>
+CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
+                                                 std::vector<double> template_distance,
+                                                 const CoefficientOptions& options) {
+  auto geometry = nodal_geometry<Dim>(
+      grid, std::array{std::move(reference_distance), std::move(template_distance)}, options);
+  const double cap = options.max_curvature_times_h / grid.finest_side();
+  const auto operators = [&](NodalGeometry<Dim>& g) {
+    const auto free = grid.free_nodes();
+    parallel_for(free.size(), [&](std::size_t i) {
+      const Vec<Dim>& n = g.normal[free[i]];
+      Mat<Dim> s = unpack_symmetric<Dim>(g.extended_shape[free[i]]) - n * n.transpose();
+      if (cap > 0) {
+        const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(s);
+        const Vec<Dim> capped = eigen.eigenvalues().cwiseMax(-cap).cwiseMin(cap);
+        s = eigen.eigenvectors() * capped.asDiagonal() * eigen.eigenvectors().transpose();
+      }
+      g.extended_shape[free[i]] = pack_symmetric<Dim>(s);
+    });
+    distribute(grid, g.extended_shape);
+    return CoefficientFields<Dim>{std::move(g.distance), std::move(g.normal), std::move(g.extended_shape)};
+  };
+  return {operators(geometry[0]), operators(geometry[1])};
+}
+
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                        \
   template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
                                                   const CoefficientOptions&, std::span<const Index>);      \
@@ -126,6 +153,8 @@ CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vect
   template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
                                                             const CoefficientOptions&, bool);              \
   template CoefficientPair<Dim> compute_coefficient_pair<Dim>(                                             \
+      const Octree<Dim>&, std::vector<double>, std::vector<double>, const CoefficientOptions&);            \
+  template CoefficientPair<Dim> compute_shape_operator_pair<Dim>(                                          \
       const Octree<Dim>&, std::vector<double>, std::vector<double>, const CoefficientOptions&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

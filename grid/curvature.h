@@ -46,7 +46,7 @@ template <int Dim>
 struct CoefficientFields {
   std::vector<double> distance;
   std::vector<Vec<Dim>> normal;
-  std::vector<SymmetricComponents<Dim>> root;  ///< C(S)^{1/2}, or C(S)^{-1/2} if that was asked for
+  std::vector<SymmetricComponents<Dim>> root;  ///< C(S)^{1/2}, or C(S)^{-1/2} or S itself if that was asked for
 };
 
 template <int Dim>
@@ -69,5 +69,11 @@ template <int Dim>
 CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
                                               std::vector<double> template_distance,
                                               const CoefficientOptions& options);
+
+/// The same with the shape operators S = P D^2 d P themselves in place of roots, their curvatures capped.
+template <int Dim>
+CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
+                                                 std::vector<double> template_distance,
+                                                 const CoefficientOptions& options);
 
 }  // namespace shellmatch

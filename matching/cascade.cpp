@@ -112,7 +112,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     clock.start("distances");
     shapes.compute_distances(grid);
     clock.start("coefficients");
-    auto coefficients = shapes.coefficients(grid, options.coefficients);
+    auto coefficients = shapes.coefficients(grid, options);
     clock.start("set-up");
     Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
     clock.start("minimisation");

@@ -27,7 +27,7 @@ struct LevelEnergy {
         unknowns(g, options.energy.boundary),
         target(g, target_fields.distance, target_fields.normal, target_fields.root),
         reference{reference_fields.distance, reference_fields.normal, reference_fields.root,
-                  !options.coefficients.invert_at_point},
+                  reads_shape_operators(options.energy) || !options.coefficients.invert_at_point},
         energy(unknowns, reference, target, options.energy, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns, target, options.energy) {}
   LevelEnergy(const LevelEnergy&) = delete;

@@ -81,6 +81,9 @@ struct ExperimentOptions {
   }
 };
 
+/// Quadratic bending compares the shape operators themselves, every other bending term roots of classified ones.
+inline bool reads_shape_operators(const EnergyOptions& energy) { return energy.bending == BendingModel::quadratic; }
+
 /// The defaults of a profile.
 ExperimentOptions profile_defaults(Profile profile);
 

@@ -132,7 +132,7 @@ class Run {
     if constexpr (Dim == 3) write_ply(folder_.path_of("deformed.ply"), moved);
     else write_outline_csv(folder_.path_of("deformed.csv"), moved);
     write_deformation(folder_.path_of(deformation_file_name), deformation,
-                      nodal_fields(result.reference, result.target, !options_.coefficients.invert_at_point), cells);
+                      nodal_fields(result.reference, result.target, options_), cells);
     if (!truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
       summary_.correspondence_error_before = correspondence_error(truth, reference_.original.vertices) / diagonal;

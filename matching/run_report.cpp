@@ -191,7 +191,7 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
 
 template <int Dim>
 std::vector<NodalField> nodal_fields(const CoefficientFields<Dim>& reference, const CoefficientFields<Dim>& target,
-                                     bool reference_root_is_inverse) {
+                                     const ExperimentOptions& options) {
   const auto flat = [](const auto& values, int n) {
     std::vector<double> list;
     list.reserve(values.size() * static_cast<std::size_t>(n));
@@ -200,12 +200,14 @@ std::vector<NodalField> nodal_fields(const CoefficientFields<Dim>& reference, co
     return list;
   };
   constexpr int n_sym = n_symmetric<Dim>;
+  const bool operators = reads_shape_operators(options.energy);
+  const char* first = operators ? "S1" : options.coefficients.invert_at_point ? "root_C1" : "inverse_root_C1";
   return {{"d1", 1, reference.distance},
           {"d2", 1, target.distance},
           {"n1", Dim, flat(reference.normal, Dim)},
           {"n2", Dim, flat(target.normal, Dim)},
-          {reference_root_is_inverse ? "inverse_root_C1" : "root_C1", n_sym, flat(reference.root, n_sym)},
-          {"root_C2", n_sym, flat(target.root, n_sym)}};
+          {first, n_sym, flat(reference.root, n_sym)},
+          {operators ? "S2" : "root_C2", n_sym, flat(target.root, n_sym)}};
 }
 
 template <int Dim>
@@ -238,7 +240,7 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
   template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \
                                                      const SignedDistance<Dim>&);                                     \
   template std::vector<NodalField> nodal_fields<Dim>(const CoefficientFields<Dim>&, const CoefficientFields<Dim>&,    \
-                                                     bool);                                                           \
+                                                     const ExperimentOptions&);                                       \
   template std::vector<CellField> cell_fields<Dim>(const Octree<Dim>&, const std::vector<Vec<Dim>>&,                  \
                                                    const std::vector<double>&, double)
 SHELLMATCH_INSTANTIATE(2);

@@ -52,10 +52,10 @@ template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance);
 
-/// d1, d2, n1, n2 and the roots of the classified shape operators at the nodes.
+/// d1, d2, n1, n2 and the roots of the classified shape operators at the nodes, or what the options took in their place.
 template <int Dim>
 std::vector<NodalField> nodal_fields(const CoefficientFields<Dim>& reference, const CoefficientFields<Dim>& target,
-                                     bool reference_root_is_inverse);
+                                     const ExperimentOptions& options);
 
 /// For each leaf: is it in the band, and the lower bound of det Dphi.
 template <int Dim>

@@ -5,6 +5,7 @@
 #include "geometry/signed_distance.h"
 #include "grid/curvature.h"
 #include "grid/octree.h"
+#include "matching/options.h"
 
 #include <vector>
 
@@ -22,9 +23,9 @@ class ShapeFields {
   /// Distances at all nodes; by either method their signs are exact. To be called after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
-  /// Coefficients of both, from the finite element functions with these distances at the free nodes.
-  /// \pre compute_distances()
-  CoefficientPair<Dim> coefficients(const Octree<Dim>& grid, const CoefficientOptions& options) const;
+  /// What the options' energy reads of both, from the finite element functions with these distances at the free
+  /// nodes. \pre compute_distances()
+  CoefficientPair<Dim> coefficients(const Octree<Dim>& grid, const ExperimentOptions& options) const;
 
   /// Splits every leaf that meets either shape (paper, section 5). \pre compute_distances()
   void refine(Octree<Dim>& grid) const;

@@ -51,6 +51,11 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
                                                      cascade.max_level, cascade.min_level)};
   if (energy.match_weight == 0)
     return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
+  const bool compares = energy.membrane != MembraneModel::thin_shell || energy.bending != BendingModel::thin_shell;
+  if (compares && options.solver.name == "newton")
+    return Conflict{"solver.name", fmt::format("newton has no second derivative for energy.membrane = {}, energy.bending "
+                                               "= {}; expected a first-order method, as lbfgs",
+                                               enum_name(energy.membrane), enum_name(energy.bending))};
   try {
     make_minimizer(options.solver);
   } catch (const InputError& error) {

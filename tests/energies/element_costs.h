@@ -21,8 +21,18 @@ class ElementCosts : public ::testing::Test {
   }
   template <class Add>
   void check(Term term, Add&& add, VolumeDensity volume = VolumeDensity::simplified) {
-    const Problem<Dim> problem(grid_, exact_fields<Dim>(grid_, reference_), exact_fields<Dim>(grid_, template_),
-                               options(volume));
+    check(term, add, options(volume));
+  }
+  template <class Add>
+  void check(Term term, Add&& add, MembraneModel membrane, BendingModel bending) {
+    ProblemOptions o = options(VolumeDensity::simplified);
+    o.energy.membrane = membrane;
+    o.energy.bending = bending;
+    check(term, add, o);
+  }
+  template <class Add>
+  void check(Term term, Add&& add, const ProblemOptions& o) {
+    const Problem<Dim> problem(grid_, exact_fields<Dim>(grid_, reference_), exact_fields<Dim>(grid_, template_), o);
     ElementSum<Dim> sum{problem, phi_};
     add(sum);
     sum.expect_equal(term);
@@ -44,6 +54,22 @@ class ElementCosts : public ::testing::Test {
     check(Term::membrane, [](auto& s) { s.template add_band<Membrane>(); });                                       \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, Bending) { check(Term::bending, [](auto& s) { s.template add_band<Bending>(); }); } \
+  TEST_F(ElementCosts##Dim##d, MembraneWithoutP2) {                                                                \
+    check(Term::membrane, [](auto& s) { s.template add_band<MembraneWithoutP2>(); }, MembraneModel::no_p2,         \
+          BendingModel::thin_shell);                                                                               \
+  }                                                                                                                \
+  TEST_F(ElementCosts##Dim##d, CauchyGreenMembrane) {                                                              \
+    check(Term::membrane, [](auto& s) { s.template add_band<CauchyGreenMembrane>(); }, MembraneModel::cauchy_green,\
+          BendingModel::thin_shell);                                                                               \
+  }                                                                                                                \
+  TEST_F(ElementCosts##Dim##d, BendingWithoutP2) {                                                                 \
+    check(Term::bending, [](auto& s) { s.template add_band<BendingWithoutP2>(); }, MembraneModel::thin_shell,      \
+          BendingModel::no_p2);                                                                                    \
+  }                                                                                                                \
+  TEST_F(ElementCosts##Dim##d, QuadraticBending) {                                                                 \
+    check(Term::bending, [](auto& s) { s.template add_band<QuadraticBending>(); }, MembraneModel::thin_shell,      \
+          BendingModel::quadratic);                                                                                \
+  }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, SimplifiedVolume) {                                                                 \
     check(Term::volume, [](auto& s) { s.template add_volume<SimplifiedVolume>(); }, VolumeDensity::simplified);    \
   }                                                                                                                \

@@ -7,6 +7,7 @@
 #include "tests/energies/matching_problem.h"
 #include "tests/support/taylor.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -62,28 +63,45 @@ struct Gradient : ::testing::Test {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
   const ExactShape<Dim> reference = sphere<Dim>(0.28);
 
-  // Calls body(problem, phi, term) for every term, density and boundary condition.
+  // Calls body(problem, phi, term) for every term, density, model and boundary condition.
   template <class Body>
   void for_each_term(const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
     for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet}) {
-      const bool fixed = boundary == BoundaryCondition::dirichlet;
       for (const VolumeDensity volume : densities) {
         ProblemOptions o;
         o.energy.lambda = 0.7;
         o.energy.volume = volume;
         o.energy.boundary = boundary;
         o.energy.fold_threshold = 0.9;
-        const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
-        for (int t = 0; t < n_terms; ++t) {
-          const Term term = static_cast<Term>(t);
-          if (term != Term::volume && volume != VolumeDensity::simplified) continue;
-          SCOPED_TRACE(std::string(term_names[t]) + (fixed ? ", dirichlet, " : ", neumann, ") +
-                       std::string(enum_name(volume)));
-          // Far enough for the barrier to act.
-          const double size = term == Term::barrier ? 3 * amplitude : amplitude;
-          body(problem, deformed<Dim>(grid, size, 5, fixed), term);
-        }
+        for_each_term_of(o, target, amplitude, body);
       }
+      // The terms to compare with, one of each at a time.
+      for (const auto& [membrane, bending] : {std::pair{MembraneModel::no_p2, BendingModel::no_p2},
+                                              std::pair{MembraneModel::cauchy_green, BendingModel::quadratic}}) {
+        ProblemOptions o;
+        o.energy.lambda = 0.7;
+        o.energy.boundary = boundary;
+        o.energy.membrane = membrane;
+        o.energy.bending = bending;
+        for_each_term_of(o, target, amplitude, body);
+      }
+    }
+  }
+
+  template <class Body>
+  void for_each_term_of(const ProblemOptions& o, const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
+    const bool fixed = o.energy.boundary == BoundaryCondition::dirichlet;
+    const bool compares = o.energy.membrane != MembraneModel::thin_shell;
+    const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
+    for (int t = 0; t < n_terms; ++t) {
+      const Term term = static_cast<Term>(t);
+      if (compares && term != Term::membrane && term != Term::bending) continue;
+      if (!compares && term != Term::volume && o.energy.volume != VolumeDensity::simplified) continue;
+      SCOPED_TRACE(fmt::format("{}, {}, volume {}, membrane {}, bending {}", term_names[t], enum_name(o.energy.boundary),
+                               enum_name(o.energy.volume), enum_name(o.energy.membrane), enum_name(o.energy.bending)));
+      // Far enough for the barrier to act.
+      const double size = term == Term::barrier ? 3 * amplitude : amplitude;
+      body(problem, deformed<Dim>(grid, size, 5, fixed), term);
     }
   }
 };

@@ -8,6 +8,10 @@ using namespace test;
 TEST(RecordedTerms3d, Match) { check_band_term<Match<3>, 3>(); }
 TEST(RecordedTerms3d, Membrane) { check_band_term<Membrane<3>, 3>(); }
 TEST(RecordedTerms3d, Bending) { check_band_term<Bending<3>, 3>(); }
+TEST(RecordedTerms3d, MembraneWithoutP2) { check_band_term<MembraneWithoutP2<3>, 3>(); }
+TEST(RecordedTerms3d, CauchyGreenMembrane) { check_band_term<CauchyGreenMembrane<3>, 3>(); }
+TEST(RecordedTerms3d, BendingWithoutP2) { check_band_term<BendingWithoutP2<3>, 3>(); }
+TEST(RecordedTerms3d, QuadraticBending) { check_band_term<QuadraticBending<3>, 3>(); }
 TEST(RecordedTerms3d, SimplifiedVolume) { check_volume_term<SimplifiedVolume<3>, 3>(); }
 TEST(RecordedTerms3d, FullVolume) { check_volume_term<FullVolume<3>, 3>(); }
 TEST(RecordedTerms3d, SymmetricDirichletVolume) { check_volume_term<SymmetricDirichletVolume<3>, 3>(); }

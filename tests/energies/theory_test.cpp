@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace shellmatch {
 namespace {
 
@@ -110,60 +108,6 @@ void check_formulas(unsigned seed) {
 TEST(Theory, IntegrandsAreTheFormulas) {
   check_formulas<2>(1);
   check_formulas<3>(2);
-}
-
-// Example ex:norank1conv: F convex in (trace, determinant) of the Cauchy-Green tensor is not enough.
-TEST(Theory, CauchyGreenMembraneIsNotRankOneConvex) {
-  const Vec<2> e2(0, 1);
-  const auto wf = [&](double l) {
-    Mat<2> b;
-    b << l, 0, 1 - l, 0;
-    const Mat<2> c = b.transpose() * b;
-    const double a = c.trace(), det = (c + e2 * e2.transpose()).determinant();
-    return 0.5 * a + 0.5 * det + 1 / det - 2;
-  };
-  EXPECT_NEAR(wf(0), 0, 1e-15);
-  EXPECT_NEAR(wf(1), 0, 1e-15);
-  EXPECT_NEAR(wf(0.5), 0.5, 1e-15);
-  // The membrane's own density, for the same normals, is convex on that line.
-  const auto membrane = [&](double l) {
-    const TargetPoint<2, double> y{0, small<2>(e2), {}};
-    const ReferencePoint<2, double> x{0, small<2>(e2), {}};
-    Mat<2> b;
-    b << l, 0, 1 - l, 0;
-    return Membrane<2>::density(y, small(b), x, Lame<double>{1, 1});
-  };
-  for (double l = 0; l < 0.95; l += 0.1)
-    EXPECT_LE(membrane(l + 0.05), 0.5 * (membrane(l) + membrane(l + 0.1)) + 1e-14);
-}
-
-// The oscillating isometries [eq:varphik] have |d phi_k| = 1 everywhere, their weak limit r0 e_theta has not.
-TEST(Theory, CauchyGreenMembraneAllowsOscillations) {
-  const double amplitude = 0.95;
-  const Vec<2> tangent(1, 0), normal(0, 1);
-  const auto density = [&](const Vec<2>& derivative) {
-    const Mat<2> dphi = derivative * tangent.transpose();
-    return thin_shell_density(small<double, 2>(dphi.transpose() * dphi + normal * normal.transpose()), Lame<double>{1, 1});
-  };
-  const int n = 1000;
-  Vec<2> mean = Vec<2>::Zero();
-  for (int i = 0; i < n; ++i) {
-    const double radial = amplitude * std::sin(2 * std::numbers::pi * i / n);
-    const Vec<2> derivative(std::sqrt(1 - radial * radial), radial);  // in the frame (e_theta, e_r)
-    EXPECT_NEAR(density(derivative), 0, 1e-14);
-    mean += derivative / n;
-  }
-  EXPECT_LT(mean.norm(), 0.9);
-  EXPECT_GT(density(mean), 0.1);
-}
-
-TEST(Theory, QuadraticBendingIsNotConvexOnARankOneSegment) {
-  const Mat<3> p = projection<3>(Vec<3>::UnitZ());
-  const auto density = [&](double t) {
-    const Mat<3> a = Mat<3>::Identity() - t * Vec<3>::UnitX() * Vec<3>::UnitX().transpose();
-    return (a.transpose() * p * a - p).squaredNorm();
-  };
-  EXPECT_GT(density(0.625), 0.5 * (density(0.5) + density(0.75)) + 0.01);
 }
 
 // Figure fig:detDtt: for the identity the extended tangential derivative has determinant n1.n2.

@@ -110,6 +110,9 @@ TEST_F(Experiment, DemandsBetweenOptionsNameTheLine) {
   expect_refused("energy:\n  match_weight: 0\n", {}, {"experiment.yaml:2: energy.match_weight"});
   expect_refused("solver:\n  name: newtn\n", {}, {"experiment.yaml:2: solver.name", "newtn", "fletcher_reeves"});
   EXPECT_NO_THROW(read("cascade: {min_level: 4, max_level: 4}"));
+  expect_refused("energy: {membrane: cauchy_green}", {}, {"solver.name", "newton", "cauchy_green", "lbfgs"});
+  expect_refused("energy: {bending: quadratic}\nsolver: {name: newton}", {}, {"experiment.yaml:2: solver.name"});
+  EXPECT_NO_THROW(read("energy: {membrane: no_p2, bending: quadratic}\nsolver: {name: lbfgs}"));
 }
 
 TEST_F(Experiment, RoundTripsExactly) {
