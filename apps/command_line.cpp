@@ -20,6 +20,7 @@ struct Commands {
   GenerateCommand generate;
   ApplyCommand apply;
   InspectCommand inspect;
+  CurvatureCommand curvature;
   ConfigCommand config;
 };
 
@@ -95,6 +96,15 @@ void describe(CLI::App& app, Commands& commands) {
   CLI::App* inspect = add_command(app, "inspect", help_text::inspect, help_text::inspect_footer);
   inspect->add_option("FILE", commands.inspect.file, "the shape")->required()->type_name("");
   inspect->add_flag("--json", commands.inspect.json, "for machines");
+
+  CLI::App* curvature = add_command(app, "curvature", help_text::curvature, help_text::curvature_footer);
+  curvature->add_option("SHAPE", commands.curvature.shape, "the shape")->required()->type_name("");
+  add_run_settings(*curvature, commands.curvature.settings, "output folder (required)");
+  curvature->add_option("--degree", commands.curvature.degree, "of the polynomials fitted to a mesh, 2 to 4; 2 if not given")
+      ->type_name("N");
+  curvature->add_option("--rings", commands.curvature.rings,
+                        "of neighbours that the fit to the mesh takes in, 1 to 10; 2 if not given")
+      ->type_name("N");
 
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
   config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
@@ -184,6 +194,10 @@ Command parse_command_line(const std::vector<std::string>& words) {
     return commands.apply;
   }
   if (name == "inspect") return commands.inspect;
+  if (name == "curvature") {
+    require_output(commands.curvature.settings.output, "DIR");
+    return commands.curvature;
+  }
   return commands.config;
 }
 

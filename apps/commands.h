@@ -50,6 +50,12 @@ struct InspectCommand {
   bool json = false;
 };
 
+struct CurvatureCommand {
+  std::string shape;
+  std::string degree, rings;  ///< of the fit to the mesh
+  RunSettings settings;
+};
+
 struct ConfigCommand {
   std::string profile;
   bool markdown = false;
@@ -60,8 +66,8 @@ struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, ConfigCommand,
-                             PrintCommand>;
+using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
+                             ConfigCommand, PrintCommand>;
 
 /// Each throws InputError, EnvironmentError or, where it was stopped by a signal, Interrupted.
 void execute(const MatchCommand& command);
@@ -69,6 +75,7 @@ void execute(const RunCommand& command);
 void execute(const GenerateCommand& command);
 void execute(const ApplyCommand& command);
 void execute(const InspectCommand& command);
+void execute(const CurvatureCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const PrintCommand& command);
 

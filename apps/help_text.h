@@ -69,6 +69,17 @@ inline constexpr const char* inspect_footer = R"(Examples:
   shellmatch inspect shape.ply
   shellmatch inspect generate:hand --json)";
 
+inline constexpr const char* curvature =
+    "Compare the curvatures that the grids see of a shape with fits to its mesh and, where there is one, a formula.";
+
+inline constexpr const char* curvature_footer = R"(One grid for each of the levels, refined at the shape as for a matching. The output folder holds summary.json,
+curvature.ply (the finest level; curvature.csv for contours), pictures/ and config.yaml.
+
+Examples:
+  shellmatch curvature shape.ply -o curvature --levels 4:7
+  shellmatch curvature generate:torus -o torus --set coefficients.neighbours=60
+  shellmatch curvature generate:ellipsoid/long -o marched --set coefficients.distance=fast_marching)";
+
 inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
 
 inline constexpr const char* config_footer = R"(Examples:

@@ -10,6 +10,7 @@ list(APPEND GEOMETRY_SOURCES
   surface_distance.cpp
   distortion.cpp
   cgal_curvature.cpp
+  curve_curvature.cpp
   cgal_self_intersections.cpp)
 
 # GCC 12 takes the undefined lanes of its own AVX-512 intrinsics, which Eigen's decompositions use, for an error.

@@ -1,5 +1,6 @@
 # The shapes that ship with the program.
 list(APPEND GEOMETRY_SOURCES
+  exact_shape.cpp
   generate_beet.cpp
   generate_box.cpp
   generate_dolphin.cpp

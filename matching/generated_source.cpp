@@ -23,4 +23,9 @@ std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::s
   return generate_shape(name, variant);
 }
 
+std::optional<AnyExactShape> generated_formula(const std::string& source) {
+  const auto [name, variant] = split_variant(source.substr(prefix.size()));
+  return exact_shape(name, variant);
+}
+
 }  // namespace shellmatch

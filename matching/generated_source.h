@@ -2,8 +2,10 @@
 /// \file
 /// Built-in shapes by name, wherever a file may stand.
 
+#include "geometry/exact_shape.h"
 #include "geometry/surface.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -19,5 +21,8 @@ std::pair<std::string, std::string> split_variant(const std::string& text);
 /// The built-in shape with its default parameters and edge length. \pre is_generated_source(source).
 /// \throws InputError naming the shapes or variants that there are
 std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::string& source);
+
+/// Distance and curvatures of the same shape by their formulas, if there are any.
+std::optional<AnyExactShape> generated_formula(const std::string& source);
 
 }  // namespace shellmatch

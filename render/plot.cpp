@@ -53,11 +53,11 @@ bool point_shows(const Axis& x, const Axis& y, const Series& s, std::size_t i) {
 void draw_series(const Series& s, const Color& color, const Axis& x, const Axis& y, Canvas& canvas) {
   std::vector<Vec<2>> run;
   const auto flush = [&] {
-    if (run.size() > 1)
+    if (s.line && run.size() > 1)
       canvas.polyline(run, false,
                       {color, 1.8, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
-    if (s.points || run.size() == 1)
-      for (const Vec<2>& p : run) canvas.disc(p, 3, color);
+    if (s.points || !s.line || run.size() == 1)
+      for (const Vec<2>& p : run) canvas.disc(p, s.point_radius, color);
     run.clear();
   };
   for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -76,9 +76,10 @@ void draw_legend(const Plot& plot, double left, double top, Canvas& canvas) {
     const Series& s = plot.series[k];
     if (s.name.empty()) continue;
     const Color color = series_color(static_cast<int>(k));
-    canvas.polyline(std::array{Vec<2>(left, y), Vec<2>(left + 26, y)}, false,
-                    {color, 2.4, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
-    if (s.points) canvas.disc({left + 13, y}, 3.2, color);
+    if (s.line)
+      canvas.polyline(std::array{Vec<2>(left, y), Vec<2>(left + 26, y)}, false,
+                      {color, 2.4, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
+    if (s.points || !s.line) canvas.disc({left + 13, y}, 3.2, color);
     canvas.text(s.name, {left + 34, y}, {.size = font, .color = grey, .anchor_y = 0.5});
     y += 1.6 * font;
   }

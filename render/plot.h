@@ -14,6 +14,8 @@ struct Series {
   std::vector<double> x, y;  ///< of equal length; points that are not finite, or not positive on a
                              ///< logarithmic axis, interrupt the line
   bool dashed = false, points = false;
+  bool line = true;         ///< false shows the points alone
+  double point_radius = 3;  ///< pixels
 };
 
 struct Plot {

@@ -63,7 +63,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, EveryCommandHelps) {
-  for (const char* command : {"match", "run", "generate", "apply", "inspect", "config"}) {
+  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "config"}) {
     SCOPED_TRACE(command);
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -85,7 +85,7 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, generate, apply, inspect, config"});
+  expect_refused({}, {"a command is missing", "match, run, generate, apply, inspect, curvature, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
   expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});
@@ -140,6 +140,30 @@ TEST_F(Cli, MissingShapesAreNamed) {
   expect_refused({"apply", "none", "none.ply", "-o", "moved.ply"}, {"none"}, folder_.string());
   expect_refused({"inspect", "generate:hnad"}, {"hnad", "hand"}, folder_.string());
   EXPECT_EQ(n_files(), 0u) << "something was written";
+}
+
+TEST_F(Cli, CurvatureWritesItsFolder) {
+  const ProgramResult result =
+      run_program({"curvature", "generate:circle", "-o", "curvature", "--levels", "3:5", "--rings", "3"}, folder_.string());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  expect_contains(result.out, "against the formula");
+  for (const char* name : {"summary.json", "config.yaml", "curvature.csv", "pictures/scatter.png", "pictures/curvature.png"})
+    EXPECT_GT(fs::file_size(folder_ / "curvature" / name), 0u) << name;
+  // It is an output folder like any other: kept, or replaced with --force.
+  expect_refused({"curvature", "generate:circle", "-o", "curvature"}, {"not empty", "--force"}, folder_.string());
+  EXPECT_EQ(run_program({"curvature", "generate:box", "-o", "curvature", "--levels", "3:3", "-q", "--force"}, folder_.string()).exit_code, 0);
+  EXPECT_GT(fs::file_size(folder_ / "curvature" / "curvature.ply"), 0u);
+  EXPECT_EQ(n_files(), 1u);
+}
+
+TEST_F(Cli, CurvatureRefusesWhatItCannotUse) {
+  expect_refused({"curvature", "generate:circle"}, {"curvature", "-o DIR"});
+  expect_refused({"curvature", "none.ply", "-o", "out"}, {"none.ply"}, folder_.string());
+  expect_refused({"curvature", "generate:circle", "-o", "out", "--rings", "0"}, {"--rings 0", "from 1 to 10"}, folder_.string());
+  expect_refused({"curvature", "generate:circle", "-o", "out", "--degree", "5"}, {"--degree 5", "from 2 to 4"}, folder_.string());
+  expect_refused({"curvature", write("big.csv", "0,0\n9,0\n9,9\n"), "-o", "out", "--placement", "as-is"}, {"big.csv"}, folder_.string());
+  expect_refused({"curvature", "generate:sphere", "-o", "out", "--levels", "3:15"}, {"level 15", "--levels"}, folder_.string(), 3);
+  EXPECT_EQ(n_files(), 1u) << "something was written";
 }
 
 TEST_F(Cli, HostileWordsEndInAMessage) {

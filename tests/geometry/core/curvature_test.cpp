@@ -1,4 +1,4 @@
-#include "geometry/cgal_curvature.h"
+#include "geometry/mesh_curvature.h"
 
 #include "tests/geometry/core/test_surfaces.h"
 

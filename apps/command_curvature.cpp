@@ -1,0 +1,84 @@
+// `curvature`: the curvatures that grids see of a shape, against those of its mesh and against formulas.
+
+#include "apps/commands.h"
+#include "apps/experiment_overrides.h"
+#include "apps/interrupt.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/placement.h"
+#include "matching/curvature_report.h"
+#include "matching/generated_source.h"
+#include "matching/output_folder.h"
+#include "matching/shape_source.h"
+#include "matching/size_estimate.h"
+#include "matching/yaml_options.h"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+namespace shellmatch {
+
+namespace {
+
+int whole_number(const std::string& text, const char* option, int least, int greatest, int default_value) {
+  if (text.empty()) return default_value;
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < least || value > greatest)
+    throw_input_error("{} {}: expected a whole number from {} to {}", option, text, least, greatest);
+  return value;
+}
+
+template <int Dim>
+std::optional<ExactShape<Dim>> formula_of(const std::string& source) {
+  if (!is_generated_source(source)) return std::nullopt;
+  const auto shape = generated_formula(source);
+  if (!shape) return std::nullopt;
+  return std::get<ExactShape<Dim>>(*shape);
+}
+
+template <int Dim>
+void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const CurvatureCommand& command,
+             const MeshFit& fit) {
+  const bool quiet = command.settings.verbosity == Verbosity::quiet;
+  OutputFolder folder(command.settings.output, command.settings.force);
+  const double scale =
+      options.input.placement == PlacementKind::fit ? fit_placement(shape, shape, options.input.margin).scale : 1;
+  double measure = 0;
+  for (Index f = 0; f < static_cast<Index>(shape.surface.facets.size()); ++f) measure += facet_measure(shape.surface, f);
+  check_size<Dim>(measure * std::pow(scale, Dim - 1), options.cascade.min_level, options.cascade.max_level,
+                  folder.final_path());
+  const auto comparison =
+      compare_curvatures<Dim>(shape, formula_of<Dim>(shape.source), options, fit, [&](const CurvatureLevel& l) {
+        if (interrupt_requested()) throw Interrupted("stopped on request; nothing was written");
+        if (!quiet) std::cerr << fmt::format("level {}: {} nodes\n", l.level, l.n_nodes);
+      });
+  const CurvatureSubject subject{shape.source, fit, options.coefficients};
+  write_file(folder.path_of("summary.json"), curvature_json(comparison, subject));
+  write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
+  write_curvature_mesh(comparison, folder.path_of(Dim == 2 ? "curvature.csv" : "curvature.ply"));
+  write_curvature_scatter(comparison, folder.path_of("pictures/scatter.png"));
+  write_curvature_picture(comparison, fmt::format("{}, level {}", shape.source, options.cascade.max_level),
+                          folder.path_of("pictures/curvature.png"));
+  folder.commit();
+  if (!quiet) std::cout << curvature_text(comparison, subject);
+}
+
+}  // namespace
+
+void execute(const CurvatureCommand& command) {
+  catch_interrupts();
+  std::vector<Override> overrides = {{"input.reference", command.shape, "SHAPE"},
+                                     {"input.template", command.shape, "SHAPE"}};
+  for (Override& change : overrides_of(command.settings)) overrides.push_back(std::move(change));
+  const ExperimentOptions options = make_experiment(overrides);
+  const MeshFit defaults;
+  const MeshFit fit{whole_number(command.degree, "--degree", 2, 4, defaults.degree),
+                    whole_number(command.rings, "--rings", 1, 10, defaults.n_rings)};
+  set_n_threads(options.threads);
+  const AnyShape shape = open_shape(command.shape);
+  std::visit([&](const auto& s) { compare(s, options, command, fit); }, shape);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,28 @@
+#include "apps/experiment_overrides.h"
+
+#include "base/error.h"
+
+namespace shellmatch {
+
+std::vector<Override> overrides_of(const RunSettings& settings) {
+  std::vector<Override> overrides;
+  const auto add = [&](const char* key, const std::string& value, const char* option) {
+    if (!value.empty()) overrides.push_back({key, value, fmt::format("{} {}", option, value)});
+  };
+  add("profile", settings.profile, "--profile");
+  if (!settings.levels.empty()) {
+    const std::size_t colon = settings.levels.find(':');
+    if (colon == std::string::npos)
+      throw_input_error("--levels {}: expected the coarsest and the finest level as MIN:MAX, for example 3:7",
+                        settings.levels);
+    const std::string origin = "--levels " + settings.levels;
+    overrides.push_back({"cascade.min_level", settings.levels.substr(0, colon), origin});
+    overrides.push_back({"cascade.max_level", settings.levels.substr(colon + 1), origin});
+  }
+  add("input.placement", settings.placement, "--placement");
+  add("threads", settings.threads, "--threads");
+  for (const std::string& assignment : settings.assignments) overrides.push_back(parse_override(assignment));
+  return overrides;
+}
+
+}  // namespace shellmatch

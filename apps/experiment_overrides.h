@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// The options of the command line that change an experiment.
+
+#include "apps/commands.h"
+#include "matching/yaml_options.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+/// In the order in which they are to be applied: named options first, so that --set wins over them.
+/// \throws InputError for what cannot be understood
+std::vector<Override> overrides_of(const RunSettings& settings);
+
+}  // namespace shellmatch
