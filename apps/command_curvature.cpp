@@ -15,6 +15,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 namespace shellmatch {
@@ -59,7 +60,9 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
   write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
   write_curvature_mesh(comparison, folder.path_of(Dim == 2 ? "curvature.csv" : "curvature.ply"));
   write_curvature_scatter(comparison, folder.path_of("pictures/scatter.png"));
-  write_curvature_picture(comparison, fmt::format("{}, level {}", shape.source, options.cascade.max_level),
+  const std::string name =
+      is_generated_source(shape.source) ? shape.source : std::filesystem::path(shape.source).filename().string();
+  write_curvature_picture(comparison, fmt::format("{}, level {}", name, options.cascade.max_level),
                           folder.path_of("pictures/curvature.png"));
   folder.commit();
   if (!quiet) std::cout << curvature_text(comparison, subject);
