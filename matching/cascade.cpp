@@ -3,10 +3,14 @@
 #include "grid/mass.h"
 #include "grid/prolongation.h"
 #include "matching/level_energy.h"
+#include "matching/level_metric.h"
 #include "matching/level_problem.h"
+#include "matching/level_solver.h"
 #include "matching/phase_clock.h"
 #include "matching/shape_fields.h"
-#include "solvers/metric.h"
+#include "solvers/fallback.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -47,22 +51,26 @@ class Level {
     const std::vector<double> mass = lumped_mass_of(level_.unknowns.nodes());
     const auto steps = schedule_of_level(options_.cascade, level);
     start.n_substeps = static_cast<int>(steps.size());
-    const auto minimizer = make_minimizer(options_.solver);
-    const Metric metric = minimizer->uses_metric() ? options_.solver.metric : Metric::euclidean;
+    const SolverOptions solver = solver_at_level(options_.solver, level);
     TermValues weights;
     for (std::size_t s = 0; s < steps.size() && !interrupted; ++s) {
       start.substep = static_cast<int>(s) + 1;
       start.nu = steps[s].nu;
       start.volume_weight = steps[s].volume_weight;
       weights = term_weights(options_.energy, start.nu, start.volume_weight);
-      LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi);
+      LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
+                                [&](Metric metric) { return level_metric(level_, options_.energy, solver, weights, metric); });
       std::vector<double> x = problem.unknowns_of(phi);
-      StopOptions stop = options_.solver.stop;
+      StopOptions stop = solver.stop;
       if (level < options_.cascade.max_level || s + 1 < steps.size())
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       observer.level_started(start);
-      result.last = minimize_in_metric(*minimizer, metric, problem, x, stop,
-                                       [&](const IterationRecord& r) { return observer.iterated(start, r); });
+      result.last = minimize_with_fallback(
+          solver, problem, x, stop, [&](const IterationRecord& r) { return observer.iterated(start, r); },
+          [&](const std::string& change) {
+            result.fallbacks.push_back(fmt::format("level {}, step {}: {}", level, start.substep, change));
+            observer.note(result.fallbacks.back());
+          });
       observer.level_finished(start, result.last);
       interrupted = result.last.reason == StopReason::interrupted;
       phi = problem.positions(x);

@@ -32,6 +32,7 @@ struct LevelResult {
   TermValues reported;               ///< with a finer one
   FoldReport folds;
   MinimizerSummary last;             ///< of the last minimisation
+  std::vector<std::string> fallbacks;  ///< of all minimisations: which method gave up, why, and which went on
   int iterations = 0;                ///< of all minimisations of the level
   long value_evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;

@@ -13,9 +13,9 @@ namespace shellmatch {
 
 namespace {
 
-constexpr std::string_view before_terms[] = {"level", "substep", "nu", "iteration", "value"};
-constexpr std::string_view after_terms[] = {"gradient_norm", "step", "value_evaluations",
-                                            "gradient_evaluations", "seconds"};
+constexpr std::string_view before_terms[] = {"level", "substep", "nu", "solver", "iteration", "value"};
+constexpr std::string_view after_terms[] = {"gradient_norm",        "l2_gradient_norm",     "step",
+                                            "value_evaluations", "gradient_evaluations", "seconds"};
 
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -62,9 +62,9 @@ std::string history_csv(const History& history) {
     const IterationRecord& r = row.record;
     SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(),
                      "a history's line has a value for each term");
-    fmt::format_to(out, "{},{},{},{},{},", row.level, row.substep, row.nu, r.iteration, r.value);
+    fmt::format_to(out, "{},{},{},{},{},{},", row.level, row.substep, row.nu, r.solver, r.iteration, r.value);
     for (const double term : r.terms) fmt::format_to(out, "{},", term);
-    fmt::format_to(out, "{},{},{},{},{}\n", r.gradient_norm, r.step, r.value_evaluations,
+    fmt::format_to(out, "{},{},{},{},{},{}\n", r.gradient_norm, r.l2_gradient_norm, r.step, r.value_evaluations,
                    r.gradient_evaluations, r.seconds);
   }
   return csv;
@@ -94,10 +94,12 @@ History read_history(const std::string& path) {
     row.level = static_cast<int>(integer());
     row.substep = static_cast<int>(integer());
     row.nu = real();
+    row.record.solver = fields[next++];
     row.record.iteration = static_cast<int>(integer());
     row.record.value = real();
     for (std::size_t k = 0; k < history.term_names.size(); ++k) row.record.terms.push_back(real());
     row.record.gradient_norm = real();
+    row.record.l2_gradient_norm = real();
     row.record.step = real();
     row.record.value_evaluations = integer();
     row.record.gradient_evaluations = integer();

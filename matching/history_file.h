@@ -23,7 +23,7 @@ struct History {
   std::vector<HistoryRow> rows;
 };
 
-/// The columns level, substep, nu, iteration, value, one for each term, gradient_norm, step,
+/// The columns level, substep, nu, solver, iteration, value, one for each term, gradient_norm, l2_gradient_norm, step,
 /// value_evaluations, gradient_evaluations, seconds; numbers such that reading gives the same bits back.
 std::string history_csv(const History& history);
 

@@ -7,8 +7,14 @@ namespace shellmatch {
 template <int Dim>
 LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy,
                                 EnergyHessian<Dim>& hessian, const TermValues& weights,
-                                std::span<const double> mass, std::vector<Vec<Dim>> phi)
-    : unknowns_(&unknowns), energy_(&energy), hessian_(hessian), weights_(weights), phi_(std::move(phi)) {
+                                std::span<const double> mass, std::vector<Vec<Dim>> phi,
+                                std::function<Eigen::SparseMatrix<double>(Metric)> metric)
+    : unknowns_(&unknowns),
+      energy_(&energy),
+      hessian_(hessian),
+      weights_(weights),
+      phi_(std::move(phi)),
+      metric_(std::move(metric)) {
   SHELLMATCH_CHECK(mass.size() == unknowns.nodes().size(), "one mass for each unknown node");
   mass_.reserve(mass.size() * Dim);
   for (const double m : mass) mass_.insert(mass_.end(), Dim, m);

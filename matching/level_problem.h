@@ -6,6 +6,7 @@
 #include "energies/matching_energy.h"
 #include "solvers/objective.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,14 +18,19 @@ class LevelProblem final : public SecondOrderObjective {
  public:
   /// \param phi   nodal positions that fixed nodes keep; overwritten by evaluate()
   /// \param mass  lumped mass of each unknown node, in the order of unknowns.nodes()
+  /// \param metric  matrices of the metrics h1 and h1_band on the unknown nodes; without it there are none
   LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy, EnergyHessian<Dim>& hessian,
-               const TermValues& weights, std::span<const double> mass, std::vector<Vec<Dim>> phi);
+               const TermValues& weights, std::span<const double> mass, std::vector<Vec<Dim>> phi,
+               std::function<Eigen::SparseMatrix<double>(Metric)> metric = {});
 
   std::size_t size() const override { return unknowns_->size(); }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override;
   std::vector<std::string> term_names() const override;
   std::vector<double> term_values() const override { return {values_.v.begin(), values_.v.end()}; }
   std::span<const double> lumped_mass() const override { return mass_; }
+  Eigen::SparseMatrix<double> metric_matrix(Metric metric) const override {
+    return metric_ ? metric_(metric) : Eigen::SparseMatrix<double>();
+  }
 
   void prepare_second_derivative(std::span<const double> x) override;
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
@@ -42,6 +48,7 @@ class LevelProblem final : public SecondOrderObjective {
   TermValues weights_, values_;
   std::vector<double> mass_;
   std::vector<Vec<Dim>> phi_;
+  std::function<Eigen::SparseMatrix<double>(Metric)> metric_;
 };
 
 }  // namespace shellmatch

@@ -118,6 +118,20 @@ std::string scalar_text(const OptionScalar& value, OptionKind kind) {
   return kind == OptionKind::choice ? text : quoted_text(text);
 }
 
+std::string level_overrides_text(const OptionNode& section, const LevelOverrides& levels) {
+  std::vector<std::string> entries;
+  for (const LevelOverrides::Entry& e : levels.entries) {
+    std::vector<std::string> settings;
+    for (const auto& [path, values] : e.settings) {
+      OptionNode option = *find_option(section, path);
+      option.get = [&v = values] { return v; };
+      settings.push_back(fmt::format("{}: {}", path, value_text(option)));
+    }
+    entries.push_back(fmt::format("{}: {{{}}}", e.key(), fmt::join(settings, ", ")));
+  }
+  return fmt::format("{{{}}}", fmt::join(entries, ", "));
+}
+
 std::string value_text(const OptionNode& option) {
   std::vector<std::string> texts;
   for (const OptionScalar& value : option.get()) texts.push_back(scalar_text(value, option.kind));
@@ -128,6 +142,7 @@ std::string type_text(const OptionNode& option) {
   std::string name;
   switch (option.kind) {
     case OptionKind::section: return "section";
+    case OptionKind::level_overrides: return "map of levels to options";
     case OptionKind::boolean: name = "true | false"; break;
     case OptionKind::integer: name = "integer"; break;
     case OptionKind::real: name = "real number"; break;
@@ -141,6 +156,7 @@ std::string allowed_text(const OptionNode& option) {
   std::string text;
   switch (option.kind) {
     case OptionKind::section: return "a section of keys and values";
+    case OptionKind::level_overrides: return "a map from levels to options of its section, as {3-5: {name: lbfgs}}";
     case OptionKind::boolean: text = "true or false"; break;
     case OptionKind::integer: text = "an integer"; break;
     case OptionKind::real: text = "a finite number"; break;
@@ -158,6 +174,14 @@ const OptionNode* find_option(const OptionNode& root, std::string_view path) {
     if (child.name == path.substr(0, dot))
       return dot == std::string_view::npos ? &child : find_option(child, path.substr(dot + 1));
   return nullptr;
+}
+
+const OptionNode* overridable_option(const OptionNode& section, std::string_view path, const std::string& where) {
+  const OptionNode* option = find_option(section, path);
+  if (option == nullptr) throw_input_error("{}: {}", where, unknown_key_text(section, section, std::string(path)));
+  if (option->kind == OptionKind::level_overrides)
+    throw_input_error("{}: {} cannot stand within itself", where, option->name);
+  return option;
 }
 
 std::string unknown_key_text(const OptionNode& root, const OptionNode& section, const std::string& key) {

@@ -24,6 +24,9 @@ std::string scalar_text(const OptionScalar& value, OptionKind kind);
 /// The same for the option's present value: a scalar, or a list in brackets.
 std::string value_text(const OptionNode& option);
 
+/// The same for overrides of the options of `section` by level: "{3-5: {name: "lbfgs"}}".
+std::string level_overrides_text(const OptionNode& section, const LevelOverrides& levels);
+
 /// "integer", "list of real numbers", "neumann | dirichlet".
 std::string type_text(const OptionNode& option);
 
@@ -32,6 +35,10 @@ std::string allowed_text(const OptionNode& option);
 
 /// The option of that path, or null.
 const OptionNode* find_option(const OptionNode& root, std::string_view path);
+
+/// The option or section of `section` that level overrides name by a path relative to it. \throws InputError, beginning
+/// with `where`, if there is none or it is the overrides themselves
+const OptionNode* overridable_option(const OptionNode& section, std::string_view path, const std::string& where);
 
 /// What to say of a key that `section` does not have: the nearest spelling, the section where a key of that
 /// name is, and the keys that are allowed.

@@ -3,6 +3,7 @@
 /// A described option struct (base/options.h) as a tree of named values without types, so that reading,
 /// writing, documenting and overriding are ordinary functions, compiled once.
 
+#include "base/level_overrides.h"
 #include "base/options.h"
 
 #include <functional>
@@ -13,10 +14,10 @@
 
 namespace shellmatch {
 
-enum class OptionKind { section, boolean, integer, real, text, choice };
+enum class OptionKind { section, boolean, integer, real, text, choice, level_overrides };
 
 /// One value; that of a choice is its name.
-using OptionScalar = std::variant<bool, int, double, std::string>;
+using OptionScalar = LevelOverrides::Value;
 
 /// One option or section, bound to a member of a living struct.
 struct OptionNode {
@@ -28,7 +29,10 @@ struct OptionNode {
   std::vector<std::string> choices;   ///< the names a choice may have, in their order
   std::vector<OptionNode> children;   ///< of a section
 
-  /// The present value; a list of one where the option is no list. Not for sections.
+  /// Where that is the kind: the member itself; the paths in it are relative to the section that holds the option.
+  LevelOverrides* level_overrides = nullptr;
+
+  /// The present value; a list of one where the option is no list. Not for sections and level overrides.
   std::function<std::vector<OptionScalar>()> get;
   /// Sets the value. \pre every scalar has the type and lies in the range that the node states.
   std::function<void(const std::vector<OptionScalar>&)> set;
@@ -91,7 +95,10 @@ struct TreeBuilder {
     node.name = name;
     node.path = parent.path.empty() ? node.name : parent.path + "." + name;
     node.info = info;
-    if constexpr (IsVector<T>::value) {
+    if constexpr (std::is_same_v<T, LevelOverrides>) {
+      node.kind = OptionKind::level_overrides;
+      node.level_overrides = &member;
+    } else if constexpr (IsVector<T>::value) {
       using Element = typename IsVector<T>::Element;
       set_kind<Element>(node);
       node.is_list = true;

@@ -95,7 +95,7 @@ class Run {
 
  private:
   void finish_level(const LevelResult& level, const LevelState<Dim>& state, const SignedDistance<Dim>& d2) {
-    LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? 0.0 : recorder_.history.rows.back().record.gradient_norm);
+    LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? IterationRecord{} : recorder_.history.rows.back().record);
     const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
     s.distance = two_sided_distance(
         deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2);

@@ -53,7 +53,7 @@ TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDi
   return {one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed)};
 }
 
-LevelSummary level_summary(const LevelResult& r, double gradient_norm) {
+LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   const auto named = [](const TermValues& values) {
     NamedValues list;
     for (int t = 0; t < n_terms; ++t) list.emplace_back(term_names[t], values.v[t]);
@@ -75,7 +75,10 @@ LevelSummary level_summary(const LevelResult& r, double gradient_norm) {
   s.iterations = r.iterations;
   s.value_evaluations = r.value_evaluations;
   s.gradient_evaluations = r.gradient_evaluations;
-  s.gradient_norm = gradient_norm;
+  s.gradient_norm = last.gradient_norm;
+  s.l2_gradient_norm = last.l2_gradient_norm;
+  s.solver = r.last.solver;
+  s.fallbacks = r.fallbacks;
   s.stop_reason = enum_name(r.last.reason);
   s.stop_message = r.last.message;
   s.folds = r.folds;

@@ -27,7 +27,7 @@ Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& 
 template <int Dim>
 TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 
-LevelSummary level_summary(const LevelResult& result, double gradient_norm);
+LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
 /// Area (length) and angle distortion and facets that face away, over all facets.
 template <int Dim>

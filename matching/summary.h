@@ -39,7 +39,10 @@ struct LevelSummary {
   int iterations = 0;            ///< of all substeps, as the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
   double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
-  std::string stop_reason, stop_message;  ///< of the last substep
+  double l2_gradient_norm = 0;            ///< at the end, in L2
+  std::string solver;                     ///< that ended the last substep
+  std::string stop_reason, stop_message;  ///< of the last substep; the message is in the method's or library's words
+  std::vector<std::string> fallbacks;     ///< of all substeps: which method gave up, why, and which went on
   FoldReport folds;
   std::optional<TwoSidedDistance> distance;
 };

@@ -48,6 +48,7 @@ std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node&
   };
   std::vector<OptionScalar> values;
   if (!option.is_list) return {scalar(value)};
+  if (value.IsScalar() && option.kind == OptionKind::text) return {scalar(value)};  // a list of one word
   if (!value.IsSequence())
     throw_input_error("{}: a list is missing; expected {}", where, allowed_text(option));
   for (const YAML::Node& element : value) values.push_back(scalar(element));
@@ -71,7 +72,53 @@ struct YamlDocument::Content {
   }
 
   void fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section);
+  void fill_levels(const YAML::Node& map, const OptionNode& section, const OptionNode& option);
+  void fill_settings(const YAML::Node& map, const OptionNode& section, const std::string& entry_path,
+                     const std::string& prefix, LevelOverrides::Entry& entry);
+
+  /// Notes the line of a key. \throws InputError where it was noted before
+  void note_line(const std::string& path, int line) {
+    const auto [earlier, is_new] = lines.try_emplace(path, line);
+    if (!is_new)
+      throw_input_error("{}:{}: {}: the same key stands in line {} already; keep one of them", name, line, path,
+                        earlier->second);
+  }
 };
+
+void YamlDocument::Content::fill_levels(const YAML::Node& map, const OptionNode& section, const OptionNode& option) {
+  const std::string where = place(option.path);
+  if (!map.IsMap()) throw_input_error("{}: expected {}", where, allowed_text(option));
+  for (const auto& entry : map) {
+    const int line = entry.first.Mark().line + 1;
+    if (!entry.first.IsScalar()) throw_input_error("{}: a key must be a range of levels, as 3-5", where);
+    const std::string path = option.path + "." + entry.first.Scalar();
+    note_line(path, line);
+    LevelOverrides::Entry& levels = option.level_overrides->at(entry.first.Scalar(), fmt::format("{}:{}: {}", name, line, option.path));
+    if (!entry.second.IsMap())
+      throw_input_error("{}: expected options of {}, as {{name: lbfgs}}", place(path), section.path);
+    fill_settings(entry.second, section, path, "", levels);
+  }
+}
+
+// Keys may stand in sections of their own, as elsewhere, or be paths with dots, as they are written.
+void YamlDocument::Content::fill_settings(const YAML::Node& map, const OptionNode& section,
+                                          const std::string& entry_path, const std::string& prefix,
+                                          LevelOverrides::Entry& entry) {
+  for (const auto& setting : map) {
+    const int line = setting.first.Mark().line + 1;
+    if (!setting.first.IsScalar()) throw_input_error("{}:{}: {}: a key must be a word", name, line, entry_path);
+    const std::string path = prefix + setting.first.Scalar(), full_path = entry_path + "." + path;
+    note_line(full_path, line);
+    const OptionNode* option = overridable_option(section, path, fmt::format("{}:{}: {}", name, line, entry_path));
+    if (option->kind != OptionKind::section) {
+      entry.set(path, parse_node(*option, setting.second, place(full_path)));
+    } else if (setting.second.IsMap()) {
+      fill_settings(setting.second, section, entry_path, path + ".", entry);
+    } else {
+      throw_input_error("{}: is no section; expected some of its keys with values", place(full_path));
+    }
+  }
+}
 
 void YamlDocument::Content::fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section) {
   for (const auto& entry : map) {
@@ -84,11 +131,10 @@ void YamlDocument::Content::fill_section(const YAML::Node& map, const OptionNode
                                      [&](const OptionNode& child) { return child.name == key; });
     if (option == section.children.end())
       throw_input_error("{}:{}: {}", name, line, unknown_key_text(root, section, key));
-    const auto [earlier, is_new] = lines.try_emplace(option->path, line);
-    if (!is_new)
-      throw_input_error("{}:{}: {}: the same key stands in line {} already; keep one of them", name, line,
-                        option->path, earlier->second);
-    if (option->kind != OptionKind::section) {
+    note_line(option->path, line);
+    if (option->kind == OptionKind::level_overrides) {
+      fill_levels(entry.second, section, *option);
+    } else if (option->kind != OptionKind::section) {
       fill_option(entry.second, *option);
     } else if (entry.second.IsMap()) {
       fill_section(entry.second, root, *option);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "matching/generated_source.h"
+#include "matching/level_solver.h"
 #include "matching/option_text.h"
 #include "matching/yaml_document.h"
 
@@ -13,7 +14,28 @@ namespace shellmatch {
 
 namespace {
 
+// "solver.levels.3-5.name": true where the key leads into overrides by level, which are then set.
+bool apply_to_levels(const OptionNode& root, const Override& change) {
+  for (std::size_t dot = change.key.find('.'); dot != std::string::npos; dot = change.key.find('.', dot + 1)) {
+    const std::string path = change.key.substr(0, dot);
+    const OptionNode* levels = find_option(root, path);
+    if (levels == nullptr || levels->kind != OptionKind::level_overrides) continue;
+    const std::size_t end = change.key.find('.', dot + 1);
+    const std::string where = fmt::format("{}: {}", change.origin, path);
+    LevelOverrides::Entry& entry = levels->level_overrides->at(change.key.substr(dot + 1, end - dot - 1), where);
+    const OptionNode& section = *find_option(root, path.substr(0, path.rfind('.')));
+    const std::string rest = end == std::string::npos ? "" : change.key.substr(end + 1);
+    const OptionNode* option = overridable_option(section, rest, where);
+    if (option->kind == OptionKind::section)
+      throw_input_error("{}: {} is a section; set its options one by one", where, rest);
+    entry.set(rest, parse_value(*option, change.value, fmt::format("{}: {}", change.origin, change.key)));
+    return true;
+  }
+  return false;
+}
+
 void apply(const OptionNode& root, const Override& change) {
+  if (apply_to_levels(root, change)) return;
   const std::size_t dot = change.key.rfind('.');
   const OptionNode* option = find_option(root, change.key);
   if (option == nullptr) {
@@ -25,6 +47,8 @@ void apply(const OptionNode& root, const Override& change) {
   if (option->kind == OptionKind::section)
     throw_input_error("{}: {} is a section; set its options one by one, as {}.{}=...", change.origin, option->path,
                       option->path, option->children.front().name);
+  if (option->kind == OptionKind::level_overrides)
+    throw_input_error("{}: set its options one by one, as {}.3-5.name=lbfgs", change.origin, option->path);
   option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, option->path)));
 }
 
@@ -43,6 +67,26 @@ struct Conflict {
   std::string path, text;
 };
 
+// What is wrong with the solver that `section` describes.
+std::optional<Conflict> solver_conflict(const SolverOptions& solver, const EnergyOptions& energy,
+                                        const std::string& section) {
+  const bool compares = energy.membrane != MembraneModel::thin_shell || energy.bending != BendingModel::thin_shell;
+  if (compares && solver.name == "newton")
+    return Conflict{section + ".name", fmt::format("newton has no second derivative for energy.membrane = {}, energy.bending "
+                                               "= {}; expected a first-order method, as lbfgs",
+                                               enum_name(energy.membrane), enum_name(energy.bending))};
+  try {
+    make_minimizer(solver);
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    for (const std::string key : {"name", "fallback"})
+      if (const std::string prefix = "solver." + key + ": "; text.starts_with(prefix))
+        return Conflict{section + "." + key, text.substr(prefix.size())};
+    return Conflict{section == "solver" ? "solver.name" : section, text};
+  }
+  return std::nullopt;
+}
+
 std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   const CascadeOptions& cascade = options.cascade;
   const EnergyOptions& energy = options.energy;
@@ -51,17 +95,10 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
                                                      cascade.max_level, cascade.min_level)};
   if (energy.match_weight == 0)
     return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
-  const bool compares = energy.membrane != MembraneModel::thin_shell || energy.bending != BendingModel::thin_shell;
-  if (compares && options.solver.name == "newton")
-    return Conflict{"solver.name", fmt::format("newton has no second derivative for energy.membrane = {}, energy.bending "
-                                               "= {}; expected a first-order method, as lbfgs",
-                                               enum_name(energy.membrane), enum_name(energy.bending))};
-  try {
-    make_minimizer(options.solver);
-  } catch (const InputError& error) {
-    const std::string text = error.what(), prefix = "solver.name: ";
-    return Conflict{"solver.name", text.starts_with(prefix) ? text.substr(prefix.size()) : text};
-  }
+  if (auto conflict = solver_conflict(options.solver, energy, "solver")) return conflict;
+  for (const LevelOverrides::Entry& e : options.solver.levels.entries)
+    if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), energy, "solver.levels." + e.key()))
+      return conflict;
   return std::nullopt;
 }
 

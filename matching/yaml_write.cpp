@@ -17,6 +17,10 @@ std::string limits_text(const OptionNode& option) {
   return text;
 }
 
+std::string any_value_text(const OptionNode& section, const OptionNode& option) {
+  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides) : value_text(option);
+}
+
 void write_section(std::string& text, const OptionNode& section, int depth, bool with_comments) {
   const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
   for (const OptionNode& option : section.children) {
@@ -31,7 +35,7 @@ void write_section(std::string& text, const OptionNode& section, int depth, bool
       text += fmt::format("{}# {} ({}{}{})\n", indent, option.info.meaning, type_text(option),
                           limits.empty() ? "" : ", ", limits);
     }
-    text += fmt::format("{}{}: {}\n", indent, option.name, value_text(option));
+    text += fmt::format("{}{}: {}\n", indent, option.name, any_value_text(section, option));
   }
 }
 
@@ -52,7 +56,7 @@ void write_table(std::string& text, const OptionNode& section) {
       continue;
     }
     const bool number = option.kind == OptionKind::integer || option.kind == OptionKind::real;
-    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)), value_text(option),
+    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)), any_value_text(section, option),
                         number ? cell(range_text(option.info)) : "", cell(option.info.unit),
                         cell(option.info.meaning));
   }

@@ -115,7 +115,7 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     std::swap(g, line.gradient);
     value = p.value;
     gradient_norm = p.gradient_norm;
-    run.accept({.feasible = true, .value = value, .gradient_norm = gradient_norm}, p.alpha * size.length);
+    run.accept(p.evaluation(), p.alpha * size.length);
   }
   return run.summary();
 }

@@ -48,7 +48,7 @@ MinimizerSummary Lbfgs::minimize(Objective& objective, std::vector<double>& x, c
     std::swap(g, line.gradient);
     value = found.point.value;
     last_step = found.point.alpha * size.length;
-    run.accept({.feasible = true, .value = value, .gradient_norm = found.point.gradient_norm}, last_step);
+    run.accept(found.point.evaluation(), last_step);
   }
   return run.summary();
 }

@@ -13,7 +13,7 @@ LibraryRun::LibraryRun(Objective& objective, const std::vector<double>& x, const
 
 bool LibraryRun::start() {
   if (!run_.start(best_x_, best_gradient_)) return false;
-  best_ = {.feasible = true, .value = run_.start_value(), .gradient_norm = run_.start_gradient_norm()};
+  best_ = run_.start_evaluation();
   return true;
 }
 
@@ -56,7 +56,7 @@ bool LibraryRun::accept_best() noexcept {
       recorded_ = true;
       const double step = distance(best_x_, recorded_x_);
       recorded_x_ = best_x_;
-      run_.accept(best_.value, best_.gradient_norm, step, best_terms_);
+      run_.accept(best_, step, best_terms_);
     }
   } catch (...) {
     exception_ = std::current_exception();

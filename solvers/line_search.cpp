@@ -40,8 +40,10 @@ double longer_step(const LinePoint& before, const LinePoint& low) {
 void Line::lay(std::span<const double> base, std::span<const double> direction, double value, double slope) {
   base_ = base;
   direction_ = direction;
-  start_ = {
-      .alpha = 0, .value = value, .slope = slope, .gradient_norm = 0, .feasible = true, .has_gradient = true};
+  start_ = LinePoint{};
+  start_.value = value;
+  start_.slope = slope;
+  start_.feasible = start_.has_gradient = true;
 }
 
 LinePoint Line::at(double alpha, bool with_gradient) {
@@ -51,6 +53,7 @@ LinePoint Line::at(double alpha, bool with_gradient) {
               .value = e.value,
               .slope = 0,
               .gradient_norm = e.gradient_norm,
+              .l2_gradient_norm = e.l2_gradient_norm,
               .feasible = e.feasible,
               .has_gradient = e.feasible && with_gradient};
   if (p.has_gradient) p.slope = dot(gradient, direction_);

@@ -33,9 +33,12 @@ struct LinePoint {
   double alpha = 0;
   double value = 0;
   double slope = 0;          ///< derivative along the line; only where `has_gradient`
-  double gradient_norm = 0;  ///< only where `has_gradient`
+  double gradient_norm = 0;  ///< only where `has_gradient`, as the next
+  double l2_gradient_norm = 0;
   bool feasible = false;
   bool has_gradient = false;
+
+  Evaluation evaluation() const { return {feasible, value, gradient_norm, l2_gradient_norm}; }
 };
 
 /// The function alpha -> f(x + alpha d). It owns the trial point and the gradient there, for the method to

@@ -23,7 +23,7 @@ struct RangeCheck {
     if constexpr (std::is_arithmetic_v<T>) {
       if (!in_range(static_cast<double>(value), info))
         throw_input_error("{} = {} is out of range ({}): {}", key, value, range_text(info), info.meaning);
-    } else if constexpr (!std::is_enum_v<T> && !std::is_same_v<T, std::string>) {
+    } else if constexpr (requires(RangeCheck& r) { T::describe(value, r); }) {
       RangeCheck inner{key};
       T::describe(value, inner);
     }
@@ -34,6 +34,19 @@ std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& w : words) text += (text.empty() ? "" : ", ") + w;
   return text;
+}
+
+[[noreturn]] void refuse_name(const std::string& option, const std::string& name, std::vector<std::string> names) {
+  const std::string nearest = nearest_word(name, names);
+  throw_input_error("{}: there is no method '{}'{}; choose one of {}", option, name,
+                    nearest.empty() ? "" : ", did you mean '" + nearest + "'?", joined(names));
+}
+
+void check_fallback(const SolverOptions& options) {
+  std::vector<std::string> names = minimizer_names();
+  names.emplace_back("auto");
+  for (const std::string& name : options.fallback)
+    if (std::find(names.begin(), names.end(), name) == names.end()) refuse_name("solver.fallback", name, names);
 }
 
 }  // namespace
@@ -48,6 +61,7 @@ std::vector<std::string> minimizer_names() {
 std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
   RangeCheck check{"solver"};
   SolverOptions::describe(options, check);
+  check_fallback(options);
   if (options.name == "fletcher_reeves") return std::make_unique<FletcherReeves>(options.fletcher_reeves);
   if (options.name == "lbfgs") return std::make_unique<Lbfgs>(options.lbfgs);
   if (options.name == "newton") return std::make_unique<Newton>(options.newton);
@@ -56,10 +70,7 @@ std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
   for (const auto& [method, name] : EnumNames<NloptMethod>::names)
     if (options.name == name) return std::make_unique<NloptMinimizer>(method, options.nlopt);
 
-  const std::vector<std::string> names = minimizer_names();
-  const std::string nearest = nearest_word(options.name, names);
-  throw_input_error("solver.name: there is no method '{}'{}; choose one of {}", options.name,
-                    nearest.empty() ? "" : ", did you mean '" + nearest + "'?", joined(names));
+  refuse_name("solver.name", options.name, minimizer_names());
 }
 
 }  // namespace shellmatch

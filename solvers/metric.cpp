@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "solvers/cholmod_factor.h"
 
 #include <cmath>
 
@@ -38,8 +39,16 @@ void DiagonalFactor::solve_transposed(std::span<const double> g, std::span<doubl
 }
 
 std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective& objective) {
+  if (metric == Metric::euclidean) return nullptr;
+  if (metric != Metric::l2) {
+    Eigen::SparseMatrix<double> matrix = objective.metric_matrix(metric);
+    if (matrix.rows() == 0) return nullptr;
+    const std::size_t rows = static_cast<std::size_t>(matrix.rows()), n = objective.size();
+    SHELLMATCH_CHECK(n % rows == 0, "the metric's matrix must have one row for each node");
+    return std::make_unique<SparseFactor>(std::move(matrix), static_cast<int>(n / rows));
+  }
   const std::span<const double> mass = objective.lumped_mass();
-  if (metric == Metric::euclidean || mass.empty()) return nullptr;
+  if (mass.empty()) return nullptr;
   if (mass.size() != objective.size())
     throw_input_error("the lumped mass has {} entries for {} unknowns; it must have one for each",
                       mass.size(), objective.size());
@@ -55,7 +64,10 @@ MetricObjective::MetricObjective(Objective& objective, const MetricFactor& facto
 bool MetricObjective::evaluate(std::span<const double> y, double& value, std::span<double> gradient) {
   factor_.solve(y, x_);
   if (!objective_.evaluate(x_, value, gradient)) return false;
-  if (!gradient.empty()) factor_.solve_transposed(gradient, gradient);
+  if (!gradient.empty()) {
+    l2_gradient_norm_ = objective_.l2_gradient_norm(gradient);
+    factor_.solve_transposed(gradient, gradient);
+  }
   return true;
 }
 

@@ -41,11 +41,12 @@ class DiagonalFactor final : public MetricFactor {
 };
 
 /// The factor of a metric for an objective; null where the change of variables would be the identity: metric
-/// euclidean, or an objective without a mass. \throws InputError where the mass is not one positive number
-/// for each unknown.
+/// euclidean, or an objective without mass or matrix. \throws InputError where the mass is not one positive number
+/// for each unknown, or the matrix is not positive definite.
 std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective& objective);
 
-/// The objective as a function of y = F x. Its lumped mass is empty: its metric is Euclidean.
+/// The objective as a function of y = F x. Its lumped mass is empty: its metric is Euclidean. The L2 norm of the
+/// gradient remains that of the objective.
 class MetricObjective final : public Objective {
  public:
   /// Keeps references to both.
@@ -54,11 +55,13 @@ class MetricObjective final : public Objective {
   bool evaluate(std::span<const double> y, double& value, std::span<double> gradient) override;
   std::vector<std::string> term_names() const override { return objective_.term_names(); }
   std::vector<double> term_values() const override { return objective_.term_values(); }
+  double l2_gradient_norm(std::span<const double>) const override { return l2_gradient_norm_; }
 
  private:
   Objective& objective_;
   const MetricFactor& factor_;
   std::vector<double> x_;
+  double l2_gradient_norm_ = 0;
 };
 
 /// Minimises in the metric: goes over to y, minimises, comes back. Gradient norms and steps of the record are

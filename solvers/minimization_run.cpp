@@ -20,6 +20,7 @@ Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double
   at.feasible = objective_.evaluate(x, at.value, gradient) && std::isfinite(at.value);
   if (at.feasible && !gradient.empty()) {
     at.gradient_norm = norm(gradient);
+    at.l2_gradient_norm = objective_.l2_gradient_norm(gradient);
     at.feasible = std::isfinite(at.gradient_norm);
   }
   return at;
@@ -32,21 +33,24 @@ bool MinimizationRun::start(std::span<const double> x, std::span<double> gradien
     return false;
   }
   summary_.initial_value = summary_.final_value = at.value;
-  start_gradient_norm_ = at.gradient_norm;
+  summary_.initial_gradient_norm = summary_.final_gradient_norm = at.gradient_norm;
+  start_ = at;
   IterationRecord record;
   record.value = at.value;
   record.gradient_norm = at.gradient_norm;
+  record.l2_gradient_norm = at.l2_gradient_norm;
   record.terms = term_values();
   const bool go_on = report(std::move(record));
   if (size() == 0 && summary_.reason == StopReason::gradient_norm) summary_.message = "there are no unknowns";
   return go_on;
 }
 
-bool MinimizationRun::accept(double value, double gradient_norm, double step, std::vector<double> terms) {
+bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms) {
   IterationRecord record;
   record.iteration = ++summary_.iterations;
-  record.value = summary_.final_value = value;
-  record.gradient_norm = gradient_norm;
+  record.value = summary_.final_value = at.value;
+  record.gradient_norm = summary_.final_gradient_norm = at.gradient_norm;
+  record.l2_gradient_norm = at.l2_gradient_norm;
   record.step = step;
   record.terms = std::move(terms);
   return report(std::move(record));

@@ -16,6 +16,7 @@ struct Evaluation {
   bool feasible = false;  ///< false: cannot be evaluated here, or value or gradient not finite
   double value = 0;
   double gradient_norm = 0;  ///< Euclidean; only where the gradient was asked for
+  double l2_gradient_norm = 0;  ///< as Objective::l2_gradient_norm; only there too
 };
 
 /// Counts evaluations, keeps the record, applies the stop rules and calls the caller back. A method evaluates
@@ -38,10 +39,8 @@ class MinimizationRun {
   std::vector<double> term_values() const { return objective_.term_values(); }
 
   /// Records a step that was accepted; `step` is its norm. False where the run is over by it.
-  bool accept(double value, double gradient_norm, double step, std::vector<double> terms);
-  bool accept(const Evaluation& at, double step) {
-    return accept(at.value, at.gradient_norm, step, term_values());
-  }
+  bool accept(const Evaluation& at, double step, std::vector<double> terms);
+  bool accept(const Evaluation& at, double step) { return accept(at, step, term_values()); }
 
   /// True once a reason to stop is known. Long inner loops ask also `out_of_time()`.
   bool over() const { return over_; }
@@ -52,7 +51,8 @@ class MinimizationRun {
   void finish(StopReason reason, std::string message = {});
 
   double start_value() const { return summary_.initial_value; }
-  double start_gradient_norm() const { return start_gradient_norm_; }
+  double start_gradient_norm() const { return start_.gradient_norm; }
+  const Evaluation& start_evaluation() const { return start_; }
 
   /// The account of the whole, to be taken at the end.
   MinimizerSummary summary() const;
@@ -64,7 +64,7 @@ class MinimizationRun {
   const IterationCallback& callback_;
   StopMonitor monitor_;
   MinimizerSummary summary_;
-  double start_gradient_norm_ = 0;
+  Evaluation start_;
   bool over_ = false;
 };
 

@@ -39,10 +39,12 @@ struct IterationRecord {
   double value = 0;
   std::vector<double> terms;       ///< as Objective::term_values
   double gradient_norm = 0;        ///< in the metric of the minimisation
+  double l2_gradient_norm = 0;     ///< in L2, whatever the metric, so that all methods compare
   double step = 0;                 ///< norm of the step in that metric
   long value_evaluations = 0;      ///< so far, those with gradient included
   long gradient_evaluations = 0;   ///< so far
   double seconds = 0;              ///< since the start of this minimisation
+  std::string solver;              ///< the method, where several may take turns (solvers/fallback.h)
 };
 
 enum class StopReason {
@@ -61,9 +63,12 @@ struct MinimizerSummary {
   StopReason reason = StopReason::max_iterations;
   std::string message;             ///< the method's own words, in one line
   double initial_value = 0, final_value = 0;
+  double initial_gradient_norm = 0, final_gradient_norm = 0;  ///< in the metric of the minimisation
   int iterations = 0;
   long value_evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;
+  std::string solver;                  ///< the method that ended it
+  std::vector<std::string> fallbacks;  ///< one line for every method that gave up before it
 };
 
 /// Called after every accepted step and at the start; return false to stop (StopReason::interrupted).

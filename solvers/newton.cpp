@@ -96,7 +96,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     std::swap(g, line.gradient);
     value = found.point.value;
     gradient_norm = found.point.gradient_norm;
-    run.accept({.feasible = true, .value = value, .gradient_norm = gradient_norm}, found.point.alpha * size.length);
+    run.accept(found.point.evaluation(), found.point.alpha * size.length);
   }
   return run.summary();
 }

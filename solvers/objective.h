@@ -2,12 +2,25 @@
 /// \file
 /// What a solver sees of a problem, whatever the problem is.
 
+#include "base/options.h"
+
+#include <Eigen/SparseCore>
+
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
+
+/// The inner products in which gradients can be taken (docs/solvers.md).
+enum class Metric { euclidean, l2, h1, h1_band };
+template <>
+struct EnumNames<Metric> {
+  static constexpr std::pair<Metric, std::string_view> names[] = {
+      {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::h1_band, "h1_band"}};
+};
 
 /// A function of n real unknowns, a sum of named terms.
 class Objective {
@@ -31,6 +44,15 @@ class Objective {
   /// Diagonal of the lumped mass matrix, one positive number for each unknown: the L2 metric. Empty means
   /// that the problem has none and the metric is Euclidean.
   virtual std::span<const double> lumped_mass() const { return {}; }
+
+  /// Matrix of the metric h1 or h1_band: symmetric positive definite with both triangles stored, one row for each
+  /// node; unknown n_components * i + k is component k of node i, and size() is n_components times the rows. An
+  /// empty matrix means that the problem has none.
+  virtual Eigen::SparseMatrix<double> metric_matrix(Metric /*metric*/) const { return {}; }
+
+  /// Norm in L2 of the L2 gradient (Euclidean where there is no mass), for the Euclidean `gradient` that evaluate()
+  /// returned last: what the record states for every method and metric alike.
+  virtual double l2_gradient_norm(std::span<const double> gradient) const;
 };
 
 /// An objective that offers a positive semidefinite model H of its second derivative.

@@ -3,6 +3,7 @@
 /// Which minimiser, and how it is set. Symbols and equations: Nocedal & Wright, Numerical Optimization, 2nd
 /// edition (2006).
 
+#include "base/level_overrides.h"
 #include "base/options.h"
 #include "solvers/library_options.h"
 #include "solvers/minimizer.h"
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace shellmatch {
-
-enum class Metric { euclidean, l2 };
-template <>
-struct EnumNames<Metric> {
-  static constexpr std::pair<Metric, std::string_view> names[] = {{Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}};
-};
 
 /// How a step that was too long is shortened.
 enum class Interpolation { halving, quadratic, cubic };
@@ -121,22 +116,28 @@ struct NewtonOptions {
 struct SolverOptions {
   std::string name = "fletcher_reeves";
   Metric metric = Metric::l2;
+  double h1_length = 0.1;
+  std::vector<std::string> fallback = {"auto"};
   StopOptions stop;
   FletcherReevesOptions fletcher_reeves;
   LbfgsOptions lbfgs;
   NewtonOptions newton;
   CeresOptions ceres;
   NloptOptions nlopt;
+  LevelOverrides levels;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("name", self.name, {.meaning = "the method: fletcher_reeves (the paper's), lbfgs, newton, ceres_steepest_descent, ceres_ncg, ceres_bfgs, ceres_lbfgs, nlopt_lbfgs, nlopt_tnewton, nlopt_var1, nlopt_var2, nlopt_mma, nlopt_ccsaq or nlopt_slsqp"});
-    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken"});
+    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken: euclidean, l2 (lumped mass), h1 (mass + h1_length^2 stiffness), h1_band (the stiffness of the energy's own terms, that of the band included); newton brings its own"});
+    visit("h1_length", self.h1_length, {.unit = "side of the domain", .min = 0, .max = 10, .meaning = "length over which metric h1 smooths gradients"});
+    visit("fallback", self.fallback, {.meaning = "methods that go on, in this order, where one gives up without having converged; auto: lbfgs after newton, none after others; [] for none"});
     visit("stop", self.stop, {.meaning = "when a minimisation ends"});
     visit("fletcher_reeves", self.fletcher_reeves, {.meaning = "options of the paper's conjugate gradients"});
     visit("lbfgs", self.lbfgs, {.meaning = "options of our limited-memory BFGS"});
     visit("newton", self.newton, {.meaning = "options of Newton's method"});
     visit("ceres", self.ceres, {.meaning = "options of the methods ceres_*, under Ceres' own names"});
     visit("nlopt", self.nlopt, {.meaning = "options of the methods nlopt_*"});
+    visit("levels", self.levels, {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
   }
 };
 

@@ -68,6 +68,7 @@ const std::vector<Door>& door_table() {
       // The dual numbers alone, without the solvers; hence before the entry for the rest of Ceres.
       {"Ceres' dual numbers", {"ceres/jet.h"}, {"energies/*", "energies/*/*", "solvers/ceres_*.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/ceres_*.cpp"}},
+      {"CHOLMOD", {"cholmod"}, {"solvers/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/", "boost/"}, {"geometry/cgal_*.cpp", "geometry/cgal_*.h"}},
       {"VTK", {"vtk"}, {"*/vtk_*.cpp"}},
       {"NLopt", {"nlopt"}, {"solvers/nlopt_*.cpp"}},

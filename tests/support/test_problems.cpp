@@ -8,6 +8,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 namespace shellmatch::testing {
@@ -225,6 +226,21 @@ class WeightedBowl final : public TestProblem {
     return x;
   }
   std::span<const double> lumped_mass() const override { return mass_; }
+  // Three components for each node of a chain: h1 couples neighbours by a second difference, h1_band more tightly and
+  // with a mass of its own. No chain for a number of unknowns that is no multiple of three.
+  Eigen::SparseMatrix<double> metric_matrix(Metric metric) const override {
+    if (size() % 3 != 0) return {};
+    const int n = static_cast<int>(size() / 3);
+    const double coupling = metric == Metric::h1 ? 0.1 : 1;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, metric == Metric::h1 ? 1.0 : 1.0 + i % 2);
+    for (int i = 0; i + 1 < n; ++i)
+      for (const auto& [a, b, sign] : {std::tuple{i, i, 1}, {i + 1, i + 1, 1}, {i, i + 1, -1}, {i + 1, i, -1}})
+        entries.emplace_back(a, b, sign * coupling);
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
   std::vector<std::string> term_names() const override { return {"quadratic", "quartic"}; }
   std::vector<double> term_values() const override { return {quadratic_, quartic_}; }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {

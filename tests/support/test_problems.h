@@ -48,7 +48,7 @@ std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu);
 
 /// A sum of two named terms on n unknowns with a lumped mass of widely different sizes:
 /// sum m_i/2 (x_i - c_i)^2 + sum m_i/4 (x_i - c_i)^4. In the metric l2 its second derivative at the minimum
-/// is 1.
+/// is 1. Where n is a multiple of 3 it has matrices for h1 and h1_band too, of a chain of nodes.
 std::unique_ptr<TestProblem> weighted_bowl(std::size_t n);
 
 }  // namespace shellmatch::testing

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace shellmatch {
 namespace {
@@ -111,6 +113,64 @@ TEST(Cascade, AllSolversReachTheSameMinimum) {
     if (newton == 0) newton = energy;
     else EXPECT_NEAR(energy, newton, 1e-3 * newton) << name;
   }
+}
+
+TEST(Cascade, EveryMetricLeadsToTheSameMinimum) {
+  for (const char* name : {"lbfgs", "fletcher_reeves", "ceres_ncg", "nlopt_var2"}) {
+    double first = 0;
+    for (const auto& [metric, metric_name] : EnumNames<Metric>::names) {
+      ExperimentOptions o = small(4);
+      o.solver.name = name;
+      o.solver.metric = metric;
+      o.solver.stop = {.max_iterations = 3000, .relative_decrease = 1e-9, .decrease_window = 20, .gradient_norm = 1e-9,
+                       .max_seconds = 0};
+      Steps steps;
+      const double energy = run<2>("circle", "ellipse/long", o, steps).levels.back().minimised.sum();
+      if (first == 0) first = energy;
+      EXPECT_NEAR(energy, first, 2e-3 * first) << name << ", " << metric_name;
+    }
+  }
+}
+
+// Notes what an observer is told of methods.
+struct Methods final : Observer {
+  std::map<int, std::set<std::string>> by_level;
+  std::vector<std::string> notes;
+  void note(const std::string& text) override { notes.push_back(text); }
+  bool iterated(const LevelStart& start, const IterationRecord& r) override {
+    if (r.iteration > 0) by_level[start.level].insert(r.solver);
+    return true;
+  }
+};
+
+TEST(Cascade, EveryLevelHasItsSolver) {
+  ExperimentOptions o = small(5);
+  o.solver.levels.at("4", "").set("name", {std::string("lbfgs")});
+  o.solver.levels.at("5-7", "").set("name", {std::string("ceres_ncg")});
+  Methods methods;
+  run<2>("circle", "ellipse/long", o, methods);
+  EXPECT_EQ(methods.by_level[3], std::set<std::string>{"newton"});
+  EXPECT_EQ(methods.by_level[4], std::set<std::string>{"lbfgs"});
+  EXPECT_EQ(methods.by_level[5], std::set<std::string>{"ceres_ncg"});
+}
+
+TEST(Cascade, AMethodThatGivesUpIsReplacedAndEverybodyIsTold) {
+  ExperimentOptions o = small(3);
+  o.solver.name = "fletcher_reeves";
+  o.solver.fletcher_reeves.max_trials = 1;  // it gives up at the first difficulty
+  o.solver.fallback = {"lbfgs"};
+  o.solver.stop.relative_decrease = 1e-12;
+  o.solver.stop.decrease_window = 50;
+  o.solver.stop.gradient_norm = 1e-7;
+  o.cascade.intermediate_decrease = 0;
+  Methods methods;
+  const auto result = run<2>("circle", "ellipse/long", o, methods);
+  ASSERT_EQ(methods.notes.size(), 1u);
+  EXPECT_NE(methods.notes[0].find("level 3, step 1: fletcher_reeves gave up after"), std::string::npos) << methods.notes[0];
+  EXPECT_NE(methods.notes[0].find("(no_descent: no lower value"), std::string::npos) << methods.notes[0];
+  EXPECT_EQ(result.levels.back().fallbacks, methods.notes);
+  EXPECT_EQ(result.levels.back().last.solver, "lbfgs");
+  EXPECT_EQ(methods.by_level[3], (std::set<std::string>{"fletcher_reeves", "lbfgs"}));
 }
 
 TEST(Cascade, SameBitsWithOneAndTwoThreads) {

@@ -22,7 +22,8 @@ History some_history() {
           {level,
            1,
            0.1 / level,
-           {i, 1.0 / (3 + i), {0.1 * i, 1e-300 / 7}, 1e-5 / 3, 0.7, 2 * i + 1, i + 1, 0.25 * i}});
+           {i, 1.0 / (3 + i), {0.1 * i, 1e-300 / 7}, 1e-5 / 3, 1e-3 / 7, 0.7, 2 * i + 1, i + 1, 0.25 * i,
+            i < 2 ? "newton" : "lbfgs"}});
   return h;
 }
 
@@ -38,6 +39,8 @@ TEST(HistoryTest, RoundTripIsExact) {
     EXPECT_EQ(back.rows[i].nu, h.rows[i].nu);
     EXPECT_EQ(back.rows[i].record.value, h.rows[i].record.value);
     EXPECT_EQ(back.rows[i].record.terms, h.rows[i].record.terms);
+    EXPECT_EQ(back.rows[i].record.solver, h.rows[i].record.solver);
+    EXPECT_EQ(back.rows[i].record.l2_gradient_norm, h.rows[i].record.l2_gradient_norm);
     EXPECT_EQ(back.rows[i].record.gradient_evaluations, h.rows[i].record.gradient_evaluations);
     EXPECT_EQ(back.rows[i].record.seconds, h.rows[i].record.seconds);
   }
@@ -46,8 +49,8 @@ TEST(HistoryTest, RoundTripIsExact) {
 TEST(HistoryTest, HeadLineNamesEveryColumn) {
   const std::string csv = history_csv(some_history());
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "level,substep,nu,iteration,value,match,membrane,gradient_norm,step,value_evaluations,gradient_"
-            "evaluations,seconds");
+            "level,substep,nu,solver,iteration,value,match,membrane,gradient_norm,l2_gradient_norm,step,"
+            "value_evaluations,gradient_evaluations,seconds");
 }
 
 TEST(HistoryTest, DamageIsAnInputErrorThatNamesTheLine) {

@@ -1,5 +1,6 @@
 // Experiments: what wins over what, and demands between options.
 
+#include "matching/level_solver.h"
 #include "matching/yaml_options.h"
 #include "tests/matching/yaml/expect_input_error.h"
 
@@ -113,6 +114,60 @@ TEST_F(Experiment, DemandsBetweenOptionsNameTheLine) {
   expect_refused("energy: {membrane: cauchy_green}", {}, {"solver.name", "newton", "cauchy_green", "lbfgs"});
   expect_refused("energy: {bending: quadratic}\nsolver: {name: newton}", {}, {"experiment.yaml:2: solver.name"});
   EXPECT_NO_THROW(read("energy: {membrane: no_p2, bending: quadratic}\nsolver: {name: lbfgs}"));
+}
+
+TEST_F(Experiment, SolversOfLevelsAreLaidOverTheSection) {
+  const std::string text =
+      "solver:\n"
+      "  levels:\n"
+      "    3-5: {name: lbfgs, lbfgs: {memory: 7}, stop.max_iterations: 9}\n"
+      "    6:\n"
+      "      metric: h1\n"
+      "      fallback: fletcher_reeves\n"
+      "  name: newton\n";
+  const ExperimentOptions options = read(text, {"solver.levels.6.h1_length=0.25", "solver.levels.8.name=ceres_ncg"});
+  for (const ExperimentOptions& o : {options, read(to_yaml(options))}) {
+    for (const int level : {3, 5}) {
+      const SolverOptions s = solver_at_level(o.solver, level);
+      EXPECT_EQ(s.name, "lbfgs");
+      EXPECT_EQ(s.lbfgs.memory, 7);
+      EXPECT_EQ(s.stop.max_iterations, 9);
+      EXPECT_EQ(s.metric, Metric::l2);
+    }
+    const SolverOptions six = solver_at_level(o.solver, 6);
+    EXPECT_EQ(six.name, "newton");
+    EXPECT_EQ(six.metric, Metric::h1);
+    EXPECT_EQ(six.h1_length, 0.25);
+    EXPECT_EQ(six.fallback, std::vector<std::string>{"fletcher_reeves"});
+    EXPECT_EQ(solver_at_level(o.solver, 7).name, "newton");
+    EXPECT_EQ(solver_at_level(o.solver, 7).lbfgs.memory, LbfgsOptions{}.memory);
+    EXPECT_EQ(solver_at_level(o.solver, 8).name, "ceres_ncg");
+    EXPECT_EQ(o.solver.levels, options.solver.levels);
+  }
+}
+
+TEST_F(Experiment, WrongSolversOfLevelsNameTheLine) {
+  const auto levels = [](const std::string& text) { return "solver:\n  levels:\n    " + text + "\n"; };
+  const std::string place = "experiment.yaml:3: solver.levels";
+  expect_refused(levels("3-x: {name: lbfgs}"), {}, {place, "'3-x' is no range of levels", "as 3-5"});
+  expect_refused(levels("5-3: {name: lbfgs}"), {}, {place, "'5-3' is no range of levels"});
+  expect_refused(levels("0-3: {name: lbfgs}"), {}, {place, "'0-3' is no range of levels"});
+  expect_refused(levels("3-5-6: {name: lbfgs}"), {}, {place, "no range of levels"});
+  expect_refused(levels("{3-5: {name: lbfgs}, 5-6: {name: lbfgs}}"), {}, {"levels 3-5 and 5-6 overlap"});
+  expect_refused(levels("{3: {name: lbfgs}, 3: {name: newton}}"), {}, {place + ".3", "the same key stands in line 3"});
+  expect_refused(levels("3-5: {name: lbgfs}"), {}, {place + ".3-5.name", "'lbgfs'", "did you mean 'lbfgs'?"});
+  expect_refused(levels("3-5: {fallback: [lbgfs]}"), {}, {place + ".3-5.fallback", "did you mean 'lbfgs'?"});
+  expect_refused(levels("3-5: {nmae: lbfgs}"), {}, {place + ".3-5", "unknown key \"nmae\"", "did you mean"});
+  expect_refused(levels("3-5: {metric: h2}"), {}, {place + ".3-5.metric", "one of euclidean, l2, h1, h1_band"});
+  expect_refused(levels("3-5: {lbfgs: {memory: 0}}"), {}, {place + ".3-5.lbfgs.memory", "out of range"});
+  expect_refused(levels("3-5: {lbfgs: 3}"), {}, {place + ".3-5.lbfgs", "is no section"});
+  expect_refused(levels("3-5: {levels: {}}"), {}, {"cannot stand within itself"});
+  expect_refused(levels("3-5: lbfgs"), {}, {place + ".3-5", "expected options of solver"});
+  expect_refused("solver: {levels: lbfgs}", {}, {"experiment.yaml:1: solver.levels", "a map from levels"});
+  expect_refused("threads: 1", {"solver.levels.3-5.nme=lbfgs"}, {"--set solver.levels.3-5.nme=lbfgs", "unknown key"});
+  expect_refused("threads: 1", {"solver.levels.3-5.name=lbfg"}, {"solver.levels.3-5.name", "did you mean 'lbfgs'?"});
+  expect_refused("threads: 1", {"solver.levels=lbfgs"}, {"solver.levels.3-5.name=lbfgs"});
+  expect_refused(levels("3-5: {name: lbfgs}"), {"solver.levels.4.name=newton"}, {"levels 3-5 and 4 overlap"});
 }
 
 TEST_F(Experiment, RoundTripsExactly) {
