@@ -36,6 +36,8 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
   assemble_volume(phi, weights[Term::volume]);
   if (weights[Term::barrier] > 0) assemble_barrier(phi, weights[Term::barrier]);
   assemble_band(phi, weights);
+  folds_cost_ = weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
+  keep_restraint();
   assemble_blocks();
 }
 

@@ -2,10 +2,11 @@
 /// \file
 /// A positive semidefinite model of the energy's second derivative, for Newton's method.
 ///
-/// Match: Gauss-Newton. Membrane and bending: the second derivative of W, made positive semidefinite at every
-/// quadrature point in closed form, in the tangent frames of both surfaces (there W is a function of a matrix
-/// of one row and column less); derivatives of the template's coefficients by phi are dropped. Volume: the
-/// second derivative at the element's centre, by principal stretches. Barrier: Gauss-Newton.
+/// Match: Gauss-Newton. Membrane and bending: J^T W'' J with the second derivative of W made positive semidefinite
+/// at every quadrature point in closed form, in the tangent frames of both surfaces (there W is a function of a
+/// matrix of one row and column less), and J the first derivative of its argument by Dphi and by phi, on which
+/// n2 and the template's curvature depend. Volume: the second derivative at the element's centre, by principal
+/// stretches. Barrier: Gauss-Newton.
 
 #include "energies/matching_energy.h"
 
@@ -26,6 +27,12 @@ class EnergyHessian {
 
   /// Computes the element matrices at phi. \pre the energy can be evaluated there.
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
+
+  /// Where the step d (nodal) from phi would fold a cell, or nearly so, the model knows nothing of it: adds to
+  /// such cells' matrices a multiple of the Laplacian's, which resists every change of the step within the cell
+  /// but none of it as a whole: Levenberg's and Marquardt's remedy, cell by cell. The multiples are kept over
+  /// the steps, where they fall unless they are called for again. False where no cell is in want of it.
+  bool restrain(std::span<const Vec<Dim>> phi, std::span<const double> d);
 
   /// y = H x by the unknowns.
   void apply(std::span<const double> x, std::span<double> y) const;
@@ -48,12 +55,16 @@ class EnergyHessian {
   void assemble_barrier(std::span<const Vec<Dim>> phi, double weight);
   void assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights);
   void assemble_blocks();
+  void keep_restraint();
+  void add_restraint(std::size_t element, double factor);
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
   const TargetField<Dim>* target_;
   EnergyOptions options_;
   std::vector<ElementMatrices> matrices_;                 ///< element e: entry e / 8, lane e % 8
+  bool folds_cost_ = false;                               ///< is there a term that forbids them?
+  std::vector<float> restraint_;                          ///< factor on the Laplacian's matrix, by element
   std::vector<Mat<Dim>> inverse_blocks_;                  ///< of each unknown node
   mutable std::vector<Vec<Dim>> nodal_;                   ///< scratch of apply()
   mutable std::vector<double> element_products_;

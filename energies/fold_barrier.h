@@ -33,7 +33,7 @@ constexpr std::array<T, n_bernstein_total<Dim>> bernstein_determinant(const T* d
     for (int k = 0; k < Dim; ++k)
       for (int a = 0; a < Dim; ++a) {
         // Mean over the edges along k that surround the point: all of those at distance 1/2, or the one at 0.
-        T sum(0.0);
+        T sum{};
         int count = 0;
         for (int c = 0; c < n_corners<Dim>; ++c) {
           if ((c >> k) & 1) continue;

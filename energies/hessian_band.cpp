@@ -26,12 +26,37 @@ SquarePack<Dim - 1> in_frames(const std::array<std::array<Pack, Dim>, Dim - 1>& 
   return r;
 }
 
+/// Rows: entries of the argument of W. Columns: entries of X, then components of phi.
+template <int Dim>
+using Jacobian = std::array<std::array<Pack, (Dim - 1) * (Dim - 1) + Dim>, (Dim - 1) * (Dim - 1)>;
+
+/// h += factor j^T w j
+template <int Dim>
+void add_congruent(double factor, const SquarePack<(Dim - 1) * (Dim - 1)>& w, const Jacobian<Dim>& j,
+                   SquarePack<(Dim - 1) * (Dim - 1) + Dim>& h) {
+  constexpr int m = (Dim - 1) * (Dim - 1), n = m + Dim;
+  Jacobian<Dim> wj{};
+  for (int e = 0; e < m; ++e)
+    for (int f = 0; f < m; ++f)
+      for (int v = 0; v < n; ++v) wj[e][v] += w[e][f] * j[f][v];
+  for (int u = 0; u < n; ++u)
+    for (int v = u; v < n; ++v) {
+      Pack sum{};
+      for (int e = 0; e < m; ++e) sum += j[e][u] * wj[e][v];
+      h[u][v] += factor * sum;
+      if (u != v) h[v][u] += factor * sum;
+    }
+}
+
 /// What the template and the deformation give at eight points.
 template <int Dim>
 struct PointGeometry {
   std::array<Pack, Dim> gradient2;  ///< of d2 at phi
   std::array<Pack, Dim> n2;
   std::array<Pack, n_symmetric<Dim>> root;
+  // By the coordinates of phi; the first not normalised, its component along n2 is of no use.
+  std::array<std::array<Pack, Dim>, Dim> n2_derivative;
+  std::array<std::array<Pack, n_symmetric<Dim>>, Dim> root_derivative;
 };
 
 template <int Dim>
@@ -53,6 +78,10 @@ PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weigh
     n = length > 1e-9 ? Vec<Dim>(n / length) : Vec<Dim>(Vec<Dim>::Unit(0));
     for (int k = 0; k < Dim; ++k) g.n2[k][lane] = n[k];
     for (int i = 0; i < n_symmetric<Dim>; ++i) g.root[i][lane] = row[(1 + Dim + i) / 4][(1 + Dim + i) % 4];
+    for (int a = 0; a < Dim; ++a) {
+      for (int k = 0; k < Dim; ++k) g.n2_derivative[a][k][lane] = d[a][(1 + k) / 4][(1 + k) % 4] / std::max(length, 1e-2);
+      for (int i = 0; i < n_symmetric<Dim>; ++i) g.root_derivative[a][i][lane] = d[a][(1 + Dim + i) / 4][(1 + Dim + i) % 4];
+    }
   }
   return g;
 }
@@ -61,7 +90,7 @@ PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weigh
 
 template <int Dim>
 void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr int m = (Dim - 1) * (Dim - 1);
+  constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim;
   const auto elements = unknowns_->elements();
   const Band<Dim>& band = energy_->band();
   const auto& points = energy_->shape().points;
@@ -86,12 +115,6 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
         batch.position(points[q], y);
         const auto g = geometry_at<Dim>(*target_, point.weight, y);
         std::array<Pack, n_dofs> v;
-        if (weights[Term::match] > 0) {
-          const Pack scale = autodiff::root_of(2.0 * weights[Term::match] * point.weight);
-          for (int c = 0; c < n_corners<Dim>; ++c)
-            for (int a = 0; a < Dim; ++a) v[c * Dim + a] = scale * points[q].n[c] * g.gradient2[a];
-          add_square(v);
-        }
         // X = t2^T Dphi t1; membrane: W of X; bending: W of N X R, N and R the roots in the frames.
         std::array<Pack, Dim * Dim> dphi;
         batch.jacobian(points[q], dphi.data());
@@ -114,29 +137,53 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
           flat[i] = point.weight > 0 ? flat[i] : one;
           bent[i] = point.weight > 0 ? bent[i] : one;
         }
-        SquarePack<m> h{};
-        if (weights[Term::membrane] > 0) {
-          const auto w = tangent_hessian<Dim>(flat, lame);
-          for (int i = 0; i < m; ++i)
-            for (int j = 0; j < m; ++j) h[i][j] += weights[Term::membrane] * w[i][j];
+        // The second derivative by X and phi together: J^T W'' J with J of the whole chain.
+        SquarePack<n_variables> h{};
+        for (int a = 0; a < Dim; ++a)
+          for (int c = 0; c < Dim; ++c) h[m + a][m + c] = 2.0 * weights[Term::match] * g.gradient2[a] * g.gradient2[c];
+        Jacobian<Dim> by_x{};
+        for (int e = 0; e < m; ++e) by_x[e][e] = Pack{} + 1.0;
+        std::array<std::array<Pack, Dim>, Dim - 1> turn{};  // t2_i . dn2/dphi_a
+        for (int i = 0; i < Dim - 1; ++i)
+          for (int a = 0; a < Dim; ++a)
+            for (int d = 0; d < Dim; ++d) turn[i][a] += t2[i][d] * g.n2_derivative[a][d];
+        for (int j = 0; j < Dim - 1; ++j) {
+          Pack leaning{};  // n2 . Dphi t1_j
+          for (int c = 0; c < Dim; ++c)
+            for (int d = 0; d < Dim; ++d) leaning += g.n2[c] * dphi[c * Dim + d] * t1[j][d];
+          for (int i = 0; i < Dim - 1; ++i)
+            for (int a = 0; a < Dim; ++a) by_x[i * (Dim - 1) + j][m + a] = -turn[i][a] * leaning;
         }
+        if (weights[Term::membrane] > 0) add_congruent<Dim>(weights[Term::membrane], tangent_hessian<Dim>(flat, lame), by_x, h);
         if (weights[Term::bending] > 0) {
-          const auto w = tangent_hessian<Dim>(bent, lame);
-          // d(N X R) / dX, entry (i j) by (s t): N_is R_tj.
-          const auto chain = [&](int e, int f) { return n[e / (Dim - 1)][f / (Dim - 1)] * r[f % (Dim - 1)][e % (Dim - 1)]; };
-          for (int i = 0; i < m; ++i)
-            for (int j = i; j < m; ++j) {
-              Pack sum{};
-              for (int e = 0; e < m; ++e)
-                for (int f = 0; f < m; ++f) sum += chain(e, i) * w[e][f] * chain(f, j);
-              h[i][j] += weights[Term::bending] * sum;
-              if (i != j) h[j][i] += weights[Term::bending] * sum;
+          std::array<Pack, Dim - 1> across{};  // t2_i . N n2
+          for (int i = 0; i < Dim - 1; ++i)
+            for (int c = 0; c < Dim; ++c)
+              for (int d = 0; d < Dim; ++d) across[i] += t2[i][c] * g.root[SmallSym<double, Dim>::slot(c, d)] * g.n2[d];
+          // d(N X R): N dX R, entry (i j) by (s t) N_is R_tj, and dN X R.
+          Jacobian<Dim> by_root{};
+          for (int e = 0; e < m; ++e)
+            for (int f = 0; f < m; ++f) {
+              const Pack chain = n[e / (Dim - 1)][f / (Dim - 1)] * r[f % (Dim - 1)][e % (Dim - 1)];
+              for (int u = 0; u < n_variables; ++u) by_root[e][u] += chain * by_x[f][u];
             }
+          for (int a = 0; a < Dim; ++a) {
+            auto dn = in_frames<Dim>(t2, [&](int i, int j) { return g.root_derivative[a][SmallSym<double, Dim>::slot(i, j)]; }, t2);
+            for (int i = 0; i < Dim - 1; ++i)
+              for (int j = 0; j < Dim - 1; ++j) dn[i][j] -= turn[i][a] * across[j] + across[i] * turn[j][a];
+            for (int i = 0; i < Dim - 1; ++i)
+              for (int j = 0; j < Dim - 1; ++j)
+                for (int s = 0; s < Dim - 1; ++s)
+                  for (int t = 0; t < Dim - 1; ++t) by_root[i * (Dim - 1) + j][m + a] += dn[i][s] * x[s][t] * r[t][j];
+          }
+          add_congruent<Dim>(weights[Term::bending], tangent_hessian<Dim>(bent, lame), by_root, h);
         }
-        const auto l = cholesky<m>(h);
+        for (int i = 0; i < n_variables; ++i)
+          for (int j = 0; j < n_variables; ++j) h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
+        const auto l = cholesky<n_variables>(h);
         const Pack root_weight = autodiff::root_of(point.weight);
-        for (int mode = 0; mode < m; ++mode) {
-          // Component a of corner c moves X_ij by t2_i[a] (grad N_c . t1_j).
+        for (int mode = 0; mode < n_variables; ++mode) {
+          // Component a of corner c moves X_ij by t2_i[a] (grad N_c . t1_j), and phi_a by N_c.
           std::array<std::array<Pack, Dim>, Dim> direction{};  // sum_ij L_ij,mode t2_i t1_j^T
           for (int i = 0; i < Dim - 1; ++i)
             for (int j = 0; j < Dim - 1; ++j)
@@ -147,8 +194,8 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
             for (int d = 0; d < Dim; ++d) direction[a][d] *= root_weight * batch.inverse_side;
           for (int c = 0; c < n_corners<Dim>; ++c)
             for (int a = 0; a < Dim; ++a) {
-              Pack s = points[q].dn[c][0] * direction[a][0];
-              for (int d = 1; d < Dim; ++d) s += points[q].dn[c][d] * direction[a][d];
+              Pack s = points[q].n[c] * root_weight * l[m + a][mode];
+              for (int d = 0; d < Dim; ++d) s += points[q].dn[c][d] * direction[a][d];
               v[c * Dim + a] = s;
             }
           add_square(v);

@@ -7,7 +7,15 @@
 #include "grid/curvature.h"
 #include "matching/options.h"
 
+#include <cmath>
+
 namespace shellmatch {
+
+/// sigma on a grid with finest cells of this side.
+inline double band_half_width(const CascadeOptions& o, double finest_side) {
+  const bool finest = finest_side <= std::ldexp(1.0, -o.max_level);
+  return (finest ? o.sigma_cells : o.coarse_sigma_cells) * finest_side;
+}
 
 /// Grid and coefficients must outlive it; it does not move, as its parts refer to each other.
 template <int Dim>
@@ -23,7 +31,7 @@ struct LevelEnergy {
   LevelEnergy(const Octree<Dim>& g, const CoefficientFields<Dim>& reference_fields,
               const CoefficientFields<Dim>& target_fields, const ExperimentOptions& options)
       : grid(g),
-        sigma(options.cascade.sigma_cells * g.finest_side()),
+        sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
         target(g, target_fields.distance, target_fields.normal, target_fields.root),
         reference{reference_fields.distance, reference_fields.normal, reference_fields.root,

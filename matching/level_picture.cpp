@@ -58,7 +58,10 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   const int size = picture.panel_size > 0 ? picture.panel_size : 440;
   const Surface<3>* all[] = {picture.reference, picture.template_shape, picture.deformed};
   const Camera camera = fit_camera(all, 1);
-  RenderOptions options{.width = size, .height = size, .samples = 3};
+  const RenderOptions options{.width = size,
+                              .height = size,
+                              .samples = picture.draft ? 2 : 3,
+                              .ambient_occlusion = !picture.draft};
   const auto draw = [&](std::vector<RenderSurface> surfaces) {
     return render_surfaces(surfaces, camera, options);
   };

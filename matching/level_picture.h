@@ -25,6 +25,7 @@ struct LevelPicture {
   const Octree<Dim>* grid = nullptr;    ///< in the plane only, in the unit domain: drawn with the shapes ...
   const std::vector<Vec<Dim>>* phi = nullptr;  ///< ... undeformed, and deformed by its nodes' positions
   int panel_size = 0;                          ///< pixels of a panel's side; 0 chooses
+  bool draft = false;  ///< in space: coarser samples and no soft shade, a sixth of the time
 };
 
 /// A row of panels with a pattern that the deformation carries along. \pre reference, template_shape and

@@ -35,6 +35,12 @@ void LevelProblem<Dim>::prepare_second_derivative(std::span<const double> x) {
 }
 
 template <int Dim>
+bool LevelProblem<Dim>::restrain(std::span<const double> x, std::span<const double> d) {
+  unknowns_->expand(x, phi_);
+  return hessian_.restrain(phi_, d);
+}
+
+template <int Dim>
 std::vector<std::string> LevelProblem<Dim>::term_names() const {
   return {shellmatch::term_names.begin(), shellmatch::term_names.end()};
 }

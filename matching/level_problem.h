@@ -36,6 +36,8 @@ class LevelProblem final : public SecondOrderObjective {
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
   void precondition(std::span<const double> r, std::span<double> z) const override { hessian_.precondition(r, z); }
 
+  bool restrain(std::span<const double> x, std::span<const double> d) override;
+
   /// The unknowns of the nodal positions.
   std::vector<double> unknowns_of(const std::vector<Vec<Dim>>& phi) const;
   /// The nodal positions of the unknowns.

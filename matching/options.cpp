@@ -12,7 +12,10 @@ ExperimentOptions profile_defaults(Profile profile) {
   options.solver.stop.max_iterations = 300;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten once per refinement, with nothing in between.
+    options.cascade.nu = 0.002;
+    options.cascade.nu_factor = 0.1;
     options.cascade.nu_substeps = 1;
+    options.cascade.coarse_sigma_cells = options.cascade.sigma_cells;
     options.cascade.intermediate_decrease = 0;
     // Section 5: distances by fast marching, roots after Franca.
     options.coefficients.distance = DistanceMethod::fast_marching;

@@ -41,11 +41,12 @@ struct InputOptions {
 /// The cascade from coarse to fine (paper, algorithm 1 and section 6).
 struct CascadeOptions {
   int min_level = 3, max_level = 7;
-  double nu = 0.002, nu_factor = 0.1;
+  double nu = 0.0002, nu_factor = 0.2;
   int nu_substeps = 3;
   double intermediate_decrease = 1e-3;
   double volume = 0.025, volume_factor = 0.5;
   double sigma_cells = 2;
+  double coarse_sigma_cells = 4;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
@@ -56,7 +57,8 @@ struct CascadeOptions {
     visit("intermediate_decrease", self.intermediate_decrease, {.min = 0, .max = 0.1, .meaning = "relative decrease at which every minimisation but the very last stops, where that is more than solver.stop.relative_decrease; 0 asks for the same of all"});
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
     visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
-    visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band"});
+    visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
+    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip"});
   }
 };
 

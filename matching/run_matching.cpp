@@ -101,12 +101,13 @@ class Run {
         deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2);
     summary_.levels.push_back(s);
     summary_.run.level_seconds.push_back(level.seconds);
-    picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level));
+    picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level), true);
   }
 
   void picture(const Surface<Dim>& deformed, const LevelState<Dim>& state, const SignedDistance<Dim>& d2,
-               const std::string& title, const std::string& name) {
+               const std::string& title, const std::string& name, bool draft) {
     LevelPicture<Dim> p;
+    p.draft = draft;
     p.reference = &reference_.surface;
     p.template_shape = &template_.surface;
     p.deformed = &deformed;
@@ -124,7 +125,7 @@ class Run {
     const Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, d2);
-    picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png");
+    picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png", false);
 
     const auto cells = cell_fields(result.grid, result.phi, result.reference.distance, result.levels.back().start.sigma);
     const Deformation<Dim> deformation{std::move(result.grid), std::move(result.phi), placement_};

@@ -60,7 +60,7 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
 void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
   const Surface<3>& s = *look_.surface;
   const std::vector<Vec<3>> normals = vertex_normals(s);
-  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 100000 ? 64 : 160);
+  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 10000 ? 64 : 160);
   std::vector<float> raw(s.vertices.size(), 1);
   parallel_for(
       raw.size(),

@@ -73,7 +73,10 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   while (!run.over()) {
     model->prepare_second_derivative(x);
     const double relative = gradient_norm / run.start_gradient_norm();
-    linear.solve(*model, g, d, std::min(options_.max_forcing, std::sqrt(relative)), options_.max_linear_iterations);
+    const double forcing = std::min(options_.max_forcing, std::sqrt(relative));
+    int n_restraints = 0;
+    do linear.solve(*model, g, d, forcing, options_.max_linear_iterations);
+    while (n_restraints++ < options_.max_restraints && model->restrain(x, d));
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
       run.finish(StopReason::no_descent);

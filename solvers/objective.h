@@ -64,6 +64,13 @@ class SecondOrderObjective : public Objective {
   virtual void apply_second_derivative(std::span<const double> x, std::span<double> y) const = 0;
   /// z = B^{-1} r, with B symmetric positive definite and spectrally near to H.
   virtual void precondition(std::span<const double> r, std::span<double> z) const = 0;
+  /// Told of the step d from x that H suggests, stiffens H where the step leads beyond what H knows of. True
+  /// where it did: the step should then be computed again. What was added fades over the next calls of
+  /// prepare_second_derivative().
+  virtual bool restrain(std::span<const double> x, std::span<const double> d) {
+    static_cast<void>(x), static_cast<void>(d);
+    return false;
+  }
 };
 
 }  // namespace shellmatch
