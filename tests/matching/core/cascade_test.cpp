@@ -42,7 +42,8 @@ CascadeResult<Dim> run(const std::string& reference, const std::string& target, 
 }
 
 TEST(Schedule, DividesNuByTenAndHalvesTheVolumePerLevel) {
-  const CascadeOptions o;
+  CascadeOptions o = profile_defaults(Profile::paper).cascade;
+  o.nu_substeps = 3;
   const auto first = schedule_of_level(o, o.min_level), third = schedule_of_level(o, o.min_level + 2);
   ASSERT_EQ(first.size(), 1u);
   EXPECT_EQ(first[0].nu, o.nu);
@@ -69,9 +70,10 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   // Stopped before its first step on level 5, the second run has the first one's phi, prolonged.
   ExperimentOptions o = small(5);
   o.cascade.intermediate_decrease = 0;  // so that both converge alike on level 4
+  o.cascade.coarse_sigma_cells = o.cascade.sigma_cells;  // and to the same
   Steps steps;
-  ExperimentOptions same = small(4);
-  same.cascade.intermediate_decrease = 0;
+  ExperimentOptions same = o;
+  same.cascade.max_level = 4;
   const auto reference = run<2>("circle", "ellipse/long", same, steps);
   const Deformation<2> before_map{reference.grid, reference.phi, {}};
   const auto fine = run<2>("circle", "ellipse/long", o, stop);
