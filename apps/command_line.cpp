@@ -21,6 +21,7 @@ struct Commands {
   ApplyCommand apply;
   InspectCommand inspect;
   CurvatureCommand curvature;
+  CheckGradientCommand check_gradient;
   ConfigCommand config;
 };
 
@@ -30,10 +31,8 @@ void set_verbosity(RunSettings& settings, Verbosity verbosity) {
   settings.verbosity = verbosity;
 }
 
-void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
-  command.add_option("-o,--output", settings.output, output_meaning)->type_name("DIR");
-  command.add_option("--levels", settings.levels, "coarsest and finest level; cells have side 2^-level")
-      ->type_name("MIN:MAX");
+// What all commands that read an experiment have in common.
+void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning, const char* verbose_meaning) {
   command.add_option("--placement", settings.placement,
                      "fit moves both shapes into the unit domain together, as-is leaves them where they are")
       ->type_name("fit|as-is");
@@ -45,11 +44,18 @@ void add_run_settings(CLI::App& command, RunSettings& settings, const std::strin
   command.add_option("--set", settings.assignments, "any other option (`shellmatch config` lists them); repeatable")
       ->type_name("KEY.SUB=VALUE")
       ->allow_extra_args(false);
-  command.add_flag("--force", settings.force, "replace the output folder of an earlier run");
+  command.add_flag("--force", settings.force, force_meaning);
   command.add_flag_function("-q,--quiet", [&](std::int64_t) { set_verbosity(settings, Verbosity::quiet); },
                             "errors only");
   command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(settings, Verbosity::verbose); },
-                            "every iteration");
+                            verbose_meaning);
+}
+
+void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
+  command.add_option("-o,--output", settings.output, output_meaning)->type_name("DIR");
+  command.add_option("--levels", settings.levels, "coarsest and finest level; cells have side 2^-level")
+      ->type_name("MIN:MAX");
+  add_experiment_settings(command, settings, "replace the output folder of an earlier run", "every iteration");
 }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, const std::string& footer) {
@@ -105,6 +111,17 @@ void describe(CLI::App& app, Commands& commands) {
   curvature->add_option("--rings", commands.curvature.rings,
                         "of neighbours that the fit to the mesh takes in, 1 to 10; 2 if not given")
       ->type_name("N");
+
+  CLI::App* check = add_command(app, "check-gradient", help_text::check_gradient, help_text::check_gradient_footer);
+  CheckGradientCommand& checked = commands.check_gradient;
+  check->add_option("CONFIG", checked.config, "the YAML file")->required()->type_name("");
+  check->add_option("--level", checked.level, "level of the grid; 5, in the plane 7, where the cascade has it")->type_name("L");
+  check->add_option("--state", checked.state, "the deformation to check at; random:0.03:1 where not given")
+      ->type_name("identity|random:A[:SEED]|DIR");
+  check->add_option("--directions", checked.directions, "random directions for the Taylor remainder; 2 where not given")
+      ->type_name("N");
+  check->add_option("--json", checked.json, "write all figures to this file")->type_name("FILE");
+  add_experiment_settings(*check, checked.settings, "replace the file of --json if it exists", "every phase");
 
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
   config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
@@ -198,6 +215,7 @@ Command parse_command_line(const std::vector<std::string>& words) {
     require_output(commands.curvature.settings.output, "DIR");
     return commands.curvature;
   }
+  if (name == "check-gradient") return commands.check_gradient;
   return commands.config;
 }
 

@@ -32,12 +32,7 @@ void execute(const MatchCommand& command) {
 }
 
 void execute(const RunCommand& command) {
-  const ExperimentOptions options = read_experiment(command.config, overrides_of(command.settings));
-  for (const auto& [key, source] : {std::pair{"reference", &options.input.reference},
-                                    std::pair{"template", &options.input.template_file}})
-    if (source->empty())
-      throw_input_error("{}: input.{}: is missing; expected the file of the shape, or a built-in one as generate:hand",
-                        command.config, key);
+  const ExperimentOptions options = read_run_options(command.config, command.settings);
   const std::string name = std::filesystem::path(command.config).stem().string();
   match(options, command.settings.output.empty() ? "out/" + name : command.settings.output, command.settings);
 }

@@ -4,6 +4,7 @@
 
 #include "matching/options.h"
 
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -56,6 +57,12 @@ struct CurvatureCommand {
   RunSettings settings;
 };
 
+struct CheckGradientCommand {
+  std::string config;
+  std::string level, state, directions, json;  ///< empty where not given; json is a file
+  RunSettings settings;                        ///< without output and levels
+};
+
 struct ConfigCommand {
   std::string profile;
   bool markdown = false;
@@ -67,15 +74,22 @@ struct PrintCommand {
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             ConfigCommand, PrintCommand>;
+                             CheckGradientCommand, ConfigCommand, PrintCommand>;
 
-/// Each throws InputError, EnvironmentError or, where it was stopped by a signal, Interrupted.
+/// A check was made and did not pass: exit code 1.
+class CheckFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Each throws InputError, EnvironmentError, CheckFailed or, where it was stopped by a signal, Interrupted.
 void execute(const MatchCommand& command);
 void execute(const RunCommand& command);
 void execute(const GenerateCommand& command);
 void execute(const ApplyCommand& command);
 void execute(const InspectCommand& command);
 void execute(const CurvatureCommand& command);
+void execute(const CheckGradientCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const PrintCommand& command);
 

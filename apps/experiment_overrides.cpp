@@ -25,4 +25,14 @@ std::vector<Override> overrides_of(const RunSettings& settings) {
   return overrides;
 }
 
+ExperimentOptions read_run_options(const std::string& config, const RunSettings& settings) {
+  const ExperimentOptions options = read_experiment(config, overrides_of(settings));
+  for (const auto& [key, source] : {std::pair{"reference", &options.input.reference},
+                                    std::pair{"template", &options.input.template_file}})
+    if (source->empty())
+      throw_input_error("{}: input.{}: is missing; expected the file of the shape, or a built-in one as generate:hand",
+                        config, key);
+  return options;
+}
+
 }  // namespace shellmatch

@@ -13,4 +13,7 @@ namespace shellmatch {
 /// \throws InputError for what cannot be understood
 std::vector<Override> overrides_of(const RunSettings& settings);
 
+/// The experiment of a YAML file with these settings, both shapes named. \throws InputError
+ExperimentOptions read_run_options(const std::string& config, const RunSettings& settings);
+
 }  // namespace shellmatch

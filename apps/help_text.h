@@ -15,7 +15,7 @@ inline constexpr const char* program_footer = R"(Examples:
 
 `shellmatch COMMAND --help` tells more about each command.
 
-Exit codes: 0 done; 2 the command line or an input cannot be used; 3 the machine does not give what is
+Exit codes: 0 done; 1 a check did not pass; 2 the command line or an input cannot be used; 3 the machine does not give what is
 needed (memory, disk, permission); 70 an error of the program; 130 stopped by Ctrl-C.)";
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
@@ -79,6 +79,18 @@ Examples:
   shellmatch curvature shape.ply -o curvature --levels 4:7
   shellmatch curvature generate:torus -o torus --set coefficients.neighbours=60
   shellmatch curvature generate:ellipsoid/long -o marched --set coefficients.distance=fast_marching)";
+
+inline constexpr const char* check_gradient =
+    "Check the derivatives of an experiment's energy, term by term: order of the Taylor remainder, element functors with "
+    "dual numbers, differences, Ceres' checker, and symmetry and sign of the Newton model.";
+
+inline constexpr const char* check_gradient_footer = R"(The grid and the energy are those of the cascade at the end of the level. The deformation is identity,
+random:AMPLITUDE[:SEED] (in sides of the domain), or the output folder of a run. Exit code 1 where a derivative is wrong.
+
+Examples:
+  shellmatch check-gradient configs/hand.yaml
+  shellmatch check-gradient configs/hand.yaml --level 6 --state out/hand --json check.json
+  shellmatch check-gradient configs/leaf.yaml --state random:0.05:7 --set energy.volume=full)";
 
 inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
 

@@ -17,7 +17,7 @@
 
 namespace {
 
-enum ExitCode { success = 0, input_error = 2, environment_error = 3, internal_error = 70, interrupted = 130 };
+enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, internal_error = 70, interrupted = 130 };
 
 int fail(ExitCode code, const std::string& text) {
   std::fputs(fmt::format("shellmatch: error: {}\n", text).c_str(), stderr);
@@ -33,6 +33,8 @@ int main(int argc, char** argv) {
     std::visit([](const auto& c) { execute(c); }, command);
     if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
     return success;
+  } catch (const CheckFailed& error) {
+    return fail(check_failed, error.what());
   } catch (const InputError& error) {
     return fail(input_error, error.what());
   } catch (const EnvironmentError& error) {

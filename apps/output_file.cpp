@@ -12,6 +12,14 @@
 
 namespace shellmatch {
 
+void check_report_file(const std::string& path, bool force) {
+  namespace fs = std::filesystem;
+  if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
+  if (fs::exists(path) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (!fs::is_directory(folder)) throw_input_error("{}: there is no folder {}", path, folder.string());
+}
+
 void check_output_file(const std::string& path, int dimension, bool force) {
   namespace fs = std::filesystem;
   const std::vector<std::string> endings =
@@ -21,10 +29,7 @@ void check_output_file(const std::string& path, int dimension, bool force) {
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
     throw_input_error("{}: {} written as {}", path, dimension == 2 ? "contours are" : "surfaces are",
                       fmt::join(endings, ", "));
-  if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
-  if (fs::exists(path) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (!fs::is_directory(folder)) throw_input_error("{}: there is no folder {}", path, folder.string());
+  check_report_file(path, force);
 }
 
 void write_output_file(const std::string& path, const OriginalShape<2>& shape) { write_outline_csv(path, shape); }

@@ -23,6 +23,8 @@ class Progress final : public Observer {
   void phase(const std::string& name) override;
   void level_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
+  /// Nothing more will be rewritten: what follows goes elsewhere.
+  void finished() { clear(); }
   void level_finished(const LevelStart& start, const MinimizerSummary& summary) override;
 
  private:

@@ -6,6 +6,7 @@
 /// against them.
 
 #include "energies/band.h"
+#include "energies/fold_barrier.h"
 #include "energies/integrands.h"
 #include "energies/target_field.h"
 
@@ -100,6 +101,29 @@ class VolumeElementCost {
   const ShapeTable<Dim>* shape_;
   double weight_;
   Lame<double> lame_;
+};
+
+/// The barrier against folds on one element.
+template <int Dim>
+class BarrierElementCost {
+ public:
+  static constexpr int n_dofs = n_corners<Dim> * Dim;
+  /// threshold: d0 of energies/fold_barrier.h
+  BarrierElementCost(double side, double weight, double threshold) {
+    double volume = 1;
+    for (int k = 0; k < Dim; ++k) volume *= side;
+    factor_ = weight * volume;
+    scale_ = 1 / (threshold * volume);
+  }
+
+  template <class T>
+  bool operator()(const T* dofs, T* energy) const {
+    *energy = factor_ * FoldBarrierFunctor<Dim>::template evaluate<T, double>(dofs, &scale_);
+    return std::isfinite(autodiff::scalar_part(*energy));
+  }
+
+ private:
+  double factor_, scale_;
 };
 
 }  // namespace shellmatch

@@ -47,6 +47,10 @@ class MatchingEnergy {
   bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                 std::span<double> gradient) const;
 
+  /// By every element's corners, element after element in the order of unknowns.elements(): what the last
+  /// evaluation with a gradient summed up.
+  std::span<const double> element_gradients() const { return element_gradients_; }
+
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
 

@@ -63,7 +63,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, EveryCommandHelps) {
-  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "config"}) {
+  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "config"}) {
     SCOPED_TRACE(command);
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -85,7 +85,7 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, generate, apply, inspect, curvature, config"});
+  expect_refused({}, {"a command is missing", "match, run, generate, apply, inspect, curvature, check-gradient, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
   expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});
@@ -198,6 +198,37 @@ TEST_F(Cli, ConfigOfAProfileIsReadBack) {
   expect_contains(config.out, "\nprofile: paper\n");
   // All that is wrong with it is that no shapes are named yet.
   expect_refused({"run", write("paper.yaml", config.out)}, {"input.reference", "missing"});
+}
+
+TEST_F(Cli, DerivativesOfAnExperimentAreChecked) {
+  const std::string config =
+      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse, placement: as-is}\n"
+                           "cascade: {min_level: 3, max_level: 5}\n");
+  const std::string json = (folder_ / "check.json").string();
+  const ProgramResult result = run_program({"check-gradient", config, "--level", "4", "--json", json});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* part : {"match", "membrane", "bending", "volume", "barrier", "sum", "at level 4", "\npassed\n"})
+    expect_contains(result.out, part);
+  EXPECT_TRUE(fs::exists(json));
+  expect_refused({"check-gradient", config, "--json", json}, {"check.json", "exists already", "--force"});
+  expect_refused({"check-gradient", config, "--json", "none/x.json"}, {"none/x.json", "no folder"}, folder_.string());
+  EXPECT_EQ(run_program({"check-gradient", config, "-q", "--level", "3", "--json", json, "--force"}).out, "");
+}
+
+TEST_F(Cli, ChecksThatCannotBeMadeSayWhy) {
+  const std::string config =
+      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse}\ncascade: {min_level: 3, max_level: 5}\n");
+  const auto check = [&](Words words) {
+    words.insert(words.begin(), {"check-gradient", config});
+    return words;
+  };
+  expect_refused(check({"--level", "6"}), {"--level 6", "3 to 5"});
+  expect_refused(check({"--level", "x"}), {"--level x", "an integer"});
+  expect_refused(check({"--state", "idenity"}), {"--state idenity", "identity", "random:AMPLITUDE"});
+  expect_refused(check({"--state", "random:0.9"}), {"--state random:0.9", "folds", "smaller"});
+  expect_refused(check({"--state", folder_.string()}), {"deformation.vtu"});
+  expect_refused(check({"--directions", "0"}), {"--directions 0", "integer >= 1"});
+  expect_refused({"check-gradient", "none.yaml"}, {"none.yaml", "no such file"});
 }
 
 TEST_F(Cli, AFullDiskIsTheMachinesFault) {

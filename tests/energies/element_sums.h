@@ -4,7 +4,6 @@
 /// of freedom, summed over the elements at the nodes and taken to the free nodes by C^T of grid/constraints.h.
 
 #include "energies/element_cost.h"
-#include "energies/fold_barrier.h"
 #include "grid/constraints.h"
 #include "tests/energies/matching_problem.h"
 
@@ -51,13 +50,8 @@ struct ElementSum {
   }
 
   void add_barrier() {
-    for (const Element<Dim>& e : problem.unknowns.elements()) {
-      const double volume = std::pow(e.side, Dim), scale = 1 / (problem.options.fold_threshold * volume);
-      add(e, [&]<class T>(const T* dofs, T* energy) {
-        *energy = volume * FoldBarrierFunctor<Dim>::template evaluate<T, double>(dofs, &scale);
-        return true;
-      });
-    }
+    for (const Element<Dim>& e : problem.unknowns.elements())
+      add(e, BarrierElementCost<Dim>(e.side, 1, problem.options.fold_threshold));
   }
 
   /// C^T of the derivative at the nodes.

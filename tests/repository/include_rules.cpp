@@ -65,8 +65,9 @@ struct Door {
 
 const std::vector<Door>& door_table() {
   static const std::vector<Door> table = {
-      // The dual numbers alone, without the solvers; hence before the entry for the rest of Ceres.
+      // The dual numbers alone, without the solvers; hence before the entry for the rest of Ceres; so is the checker.
       {"Ceres' dual numbers", {"ceres/jet.h"}, {"energies/*", "energies/*/*", "solvers/ceres_*.cpp"}},
+      {"Ceres' gradient checker", {"ceres/gradient_checker.h"}, {"matching/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/", "boost/"}, {"geometry/cgal_*.cpp", "geometry/cgal_*.h"}},

@@ -1,0 +1,56 @@
+#include "base/taylor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+
+double order_between(double x_coarse, double y_coarse, double x_fine, double y_fine) {
+  return std::log(y_coarse / y_fine) / std::log(x_coarse / x_fine);
+}
+
+bool TaylorRemainder::is_second_order(double tolerance) const {
+  // Not `> tolerance`: an order that is no number is none.
+  return !orders.empty() &&
+         std::all_of(orders.begin(), orders.end(), [&](double o) { return std::abs(o - 2) <= tolerance; });
+}
+
+TaylorRemainder taylor_remainder(const std::function<double(double)>& f, double derivative, const TaylorSteps& steps) {
+  const double at_zero = f(0.0);
+  TaylorRemainder result;
+  double t = steps.largest;
+  for (int decade = 0; decade <= steps.decades; ++decade, t *= 0.1) {
+    result.steps.push_back(t);
+    result.remainders.push_back(std::abs(f(t) - at_zero - t * derivative));
+    if (decade > 0)
+      result.orders.push_back(order_between(result.steps[decade - 1], result.remainders[decade - 1], t,
+                                            result.remainders[decade]));
+  }
+  return result;
+}
+
+bool TaylorScale::fits(double reach, int decades) const {
+  return smallest > 0 && smallest * std::pow(10.0, decades) <= reach;
+}
+
+TaylorSteps TaylorScale::steps(int decades) const { return {smallest * std::pow(10.0, decades), decades}; }
+
+TaylorScale taylor_scale(const std::function<double(double)>& f, double reach) {
+  const double at_zero = f(0.0);
+  TaylorScale scale;
+  scale.rounding = std::numeric_limits<double>::epsilon() * std::abs(at_zero);
+  // At these steps a smooth function is straight, so that the second difference is rounding alone. To one side: the
+  // arguments round alike to both, and the difference between them would cancel.
+  for (const double share : {1e-8, 1.7e-8, 2.3e-8, 3.1e-8, 4.3e-8, 5.9e-8}) {
+    const double t = share * reach;
+    scale.rounding = std::max(scale.rounding, std::abs(f(2 * t) - 2 * f(t) + at_zero));
+  }
+  const double bend = f(reach) + f(-reach) - 2 * at_zero;
+  if (!std::isfinite(bend) || std::abs(bend) <= 100 * scale.rounding) return scale;
+  scale.curvature = bend / (reach * reach);
+  scale.smallest = std::sqrt(2 * 100 * scale.rounding / std::abs(scale.curvature));
+  return scale;
+}
+
+}  // namespace shellmatch
