@@ -7,9 +7,12 @@ namespace shellmatch {
 template <int Dim, bool WithGradient>
 TermKernel<Dim> comparison_kernel(BendingModel model) {
   switch (model) {
-    case BendingModel::no_p2: return &apply_term<BandFunctor<BendingWithoutP2<Dim>, Dim>, Dim, WithGradient>;
-    case BendingModel::quadratic: return &apply_term<BandFunctor<QuadraticBending<Dim>, Dim>, Dim, WithGradient>;
-    case BendingModel::thin_shell: break;
+    case BendingModel::no_p2:
+      return &apply_term<BandFunctor<BendingWithoutP2<Dim>, Dim>, Dim, WithGradient>;
+    case BendingModel::quadratic:
+      return &apply_term<BandFunctor<QuadraticBending<Dim>, Dim>, Dim, WithGradient>;
+    case BendingModel::thin_shell:
+      break;
   }
   return nullptr;
 }

@@ -7,9 +7,12 @@ namespace shellmatch {
 template <int Dim, bool WithGradient>
 TermKernel<Dim> comparison_kernel(MembraneModel model) {
   switch (model) {
-    case MembraneModel::no_p2: return &apply_term<BandFunctor<MembraneWithoutP2<Dim>, Dim>, Dim, WithGradient>;
-    case MembraneModel::cauchy_green: return &apply_term<BandFunctor<CauchyGreenMembrane<Dim>, Dim>, Dim, WithGradient>;
-    case MembraneModel::thin_shell: break;
+    case MembraneModel::no_p2:
+      return &apply_term<BandFunctor<MembraneWithoutP2<Dim>, Dim>, Dim, WithGradient>;
+    case MembraneModel::cauchy_green:
+      return &apply_term<BandFunctor<CauchyGreenMembrane<Dim>, Dim>, Dim, WithGradient>;
+    case MembraneModel::thin_shell:
+      break;
   }
   return nullptr;
 }

@@ -111,8 +111,12 @@ Vec<3> bent(const Vec<3>& x, double bend, double sway) {
 
 Body<3> dolphin_body(const DolphinOptions& options, double edge_length) {
   const double bend = radians(options.bend), sway = radians(options.sway);
+  const Mat<3> turn = Eigen::AngleAxisd(radians(options.turn), Vec<3>::UnitZ()).toRotationMatrix();
   return {mesh_implicit([&](const Vec<3>& x) { return dolphin(x, options.fatness); }, edge_length, "dolphin"),
-          [bend, sway](const Vec<3>& x) { return bent(x, bend, sway); }};
+          [bend, sway, turn](const Vec<3>& x) {
+            const Vec<3> middle = Vec<3>::Constant(0.5);
+            return Vec<3>(middle + turn * (bent(x, bend, sway) - middle));
+          }};
 }
 
 }  // namespace shellmatch

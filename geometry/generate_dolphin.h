@@ -10,6 +10,7 @@ namespace shellmatch {
 struct DolphinOptions {
   double bend = 0;
   double sway = 0;
+  double turn = 0;
   double fatness = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -21,6 +22,11 @@ struct DolphinOptions {
     visit(
         "sway", self.sway,
         {.unit = "degrees", .min = -40, .max = 40, .meaning = "turn of the tail against the head sideways"});
+    visit("turn", self.turn,
+          {.unit = "degrees",
+           .min = -180,
+           .max = 180,
+           .meaning = "turn of the whole dolphin about the upright axis through the domain's middle"});
     visit("fatness", self.fatness, {.min = 0.7, .max = 1.25, .meaning = "factor on the radii of the trunk"});
   }
 };

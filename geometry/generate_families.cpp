@@ -101,7 +101,9 @@ std::vector<Family> make_families() {
   all.push_back(family<3, DolphinOptions>(
       "dolphin", "a dolphin that swims", 0.0065, &dolphin_body,
       {{"straight", "at rest", {}},
-       {"bent", "tail down by 45 degrees and a little aside", {.bend = 45, .sway = 12}}}));
+       {"bent", "tail down by 45 degrees and a little aside", {.bend = 45, .sway = 12}},
+       {"turned", "at rest, turned by 30 degrees", {.turn = 30}},
+       {"reversed", "at rest, turned by 180 degrees", {.turn = 180}}}));
   all.push_back(family<3, FaceOptions>(
       "face", "a head with nose, brows, eyes, mouth, chin and ears", 0.0085, &face_body,
       {{"neutral", "a head at rest", {}},

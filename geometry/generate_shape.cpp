@@ -47,23 +47,30 @@ HandOptions hand_options(const GeneratorParameters& p) {
 }
 
 template <int Dim>
+KnownPositions<Dim> truth_between(const Family& family, const GeneratorParameters& from, const GeneratorParameters& to,
+                                  const std::vector<Vec<Dim>>& rest, const Body<Dim>& target) {
+  const std::string& name = family.info.name;
+  KnownPositions<Dim> truth;
+  if (name == "beet" || name == "face") return truth;
+  for (Index v = 0; v < static_cast<Index>(rest.size()); ++v)
+    if (name != "hand") truth.push_back({v, target.pose(rest[v])});
+  if constexpr (Dim == 3)
+    if (name == "hand") {
+      const Hand hand(hand_options(from)), other(hand_options(to));
+      for (Index v = 0; v < static_cast<Index>(rest.size()); ++v)
+        if (const auto y = hand.corresponding_point(other, rest[v])) truth.push_back({v, *y});
+    }
+  return truth;
+}
+
+template <int Dim>
 GeneratedPair<Dim> make_pair(const Family& family, double edge_length) {
   const std::string& name = family.info.name;
   const GeneratorParameters &from = family.info.variants[0].values, &to = family.info.variants[1].values;
   const auto reference = std::get<Body<Dim>>(family.build(from, edge_length));
   const auto target = std::get<Body<Dim>>(family.build(to, 1.2 * edge_length));
-  GeneratedPair<Dim> pair{posed(reference, name), posed(target, name), {}};
-  if (name == "beet" || name == "face") return pair;
-  for (Index v = 0; v < static_cast<Index>(reference.rest.vertices.size()); ++v)
-    if (name != "hand") pair.truth.push_back({v, target.pose(reference.rest.vertices[v])});
-  if constexpr (Dim == 3)
-    if (name == "hand") {
-      const Hand hand(hand_options(from)), other(hand_options(to));
-      for (Index v = 0; v < static_cast<Index>(reference.rest.vertices.size()); ++v)
-        if (const auto y = hand.corresponding_point(other, reference.rest.vertices[v]))
-          pair.truth.push_back({v, *y});
-    }
-  return pair;
+  return {posed(reference, name), posed(target, name),
+          truth_between<Dim>(family, from, to, reference.rest.vertices, target)};
 }
 
 }  // namespace
@@ -80,6 +87,19 @@ AnyOriginal generate_shape(std::string_view name, std::string_view variant, doub
   const GeneratorParameters complete = complete_parameters(family.info, variant, parameters);
   return std::visit([&](const auto& body) -> AnyOriginal { return posed(body, name); },
                     family.build(complete, checked_edge_length(family.info, edge_length)));
+}
+
+AnyKnownPositions known_positions(std::string_view name, std::string_view from, std::string_view to) {
+  const Family& family = find_family(name);
+  const GeneratorParameters first = complete_parameters(family.info, from, {});
+  const GeneratorParameters second = complete_parameters(family.info, to, {});
+  const auto known = [&]<int Dim>(std::integral_constant<int, Dim>) -> AnyKnownPositions {
+    const auto reference = std::get<Body<Dim>>(family.build(first, family.info.edge_length));
+    const auto target = std::get<Body<Dim>>(family.build(second, family.info.edge_length));
+    return truth_between<Dim>(family, first, second, reference.rest.vertices, target);
+  };
+  if (family.info.dimension == 2) return known(std::integral_constant<int, 2>());
+  return known(std::integral_constant<int, 3>());
 }
 
 AnyPair generated_pair(std::string_view name, double edge_length) {

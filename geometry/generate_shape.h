@@ -60,13 +60,20 @@ struct KnownPosition {
   Vec<Dim> position;
 };
 
+template <int Dim>
+using KnownPositions = std::vector<KnownPosition<Dim>>;
+using AnyKnownPositions = std::variant<KnownPositions<2>, KnownPositions<3>>;
+
+/// Where the vertices of generate_shape(name, from) go in variant `to`, ascending by vertex, on the exact surface, to
+/// rounding. Empty where nothing is known (beet, face); all vertices where a map of the shape is known; for the hand
+/// those whose motion is rigid. \throws InputError for an unknown name or variant
+AnyKnownPositions known_positions(std::string_view name, std::string_view from, std::string_view to);
+
 /// Two shapes to be matched, tessellated differently.
 template <int Dim>
 struct GeneratedPair {
   OriginalShape<Dim> reference, template_shape;
-  /// Ascending by vertex. On the template's exact surface, to rounding. Empty where nothing is known (beet,
-  /// face); all vertices where a map of the shape is known; for the hand those whose motion is rigid.
-  std::vector<KnownPosition<Dim>> truth;
+  KnownPositions<Dim> truth;  ///< as known_positions()
 };
 
 using AnyPair = std::variant<GeneratedPair<2>, GeneratedPair<3>>;

@@ -86,6 +86,7 @@ class Level {
                                      std::min(finer, 5));
     report.evaluate(phi, weights, result.reported, {});
     result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
+    result.band = report_band<Dim>(level_.unknowns.elements(), report.band(), report.shape(), level_.target, phi);
     return result;
   }
 

@@ -2,6 +2,7 @@
 /// \file
 /// The multilevel scheme (paper, algorithm 1): minimise on a grid, refine where the shapes are, go on from there.
 
+#include "energies/band_report.h"
 #include "energies/folds.h"
 #include "energies/matching_energy.h"
 #include "geometry/signed_distance.h"
@@ -31,6 +32,7 @@ struct LevelResult {
   TermValues minimised;              ///< with the quadrature that was minimised
   TermValues reported;               ///< with a finer one
   FoldReport folds;
+  BandReport band;                   ///< with the finer quadrature
   MinimizerSummary last;             ///< of the last minimisation
   std::vector<std::string> fallbacks;  ///< of all minimisations: which method gave up, why, and which went on
   int iterations = 0;                ///< of all minimisations of the level

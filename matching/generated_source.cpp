@@ -28,4 +28,20 @@ std::optional<AnyExactShape> generated_formula(const std::string& source) {
   return exact_shape(name, variant);
 }
 
+template <int Dim>
+std::vector<std::pair<Index, Vec<Dim>>> generated_correspondence(const std::string& reference,
+                                                                 const std::string& template_shape) {
+  std::vector<std::pair<Index, Vec<Dim>>> pairs;
+  if (!is_generated_source(reference) || !is_generated_source(template_shape)) return pairs;
+  const auto [name, from] = split_variant(reference.substr(prefix.size()));
+  const auto [other, to] = split_variant(template_shape.substr(prefix.size()));
+  if (name != other) return pairs;
+  const AnyKnownPositions known = known_positions(name, from, to);
+  for (const auto& [vertex, position] : std::get<KnownPositions<Dim>>(known)) pairs.emplace_back(vertex, position);
+  return pairs;
+}
+
+template std::vector<std::pair<Index, Vec<2>>> generated_correspondence<2>(const std::string&, const std::string&);
+template std::vector<std::pair<Index, Vec<3>>> generated_correspondence<3>(const std::string&, const std::string&);
+
 }  // namespace shellmatch

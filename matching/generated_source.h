@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace shellmatch {
 
@@ -24,5 +25,11 @@ std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::s
 
 /// Distance and curvatures of the same shape by their formulas, if there are any.
 std::optional<AnyExactShape> generated_formula(const std::string& source);
+
+/// Where the vertices of the built-in shape `reference` truly go in `template_shape`: pairs of vertex and position.
+/// Empty unless both are built-in shapes of one kind of which that is known (geometry/generate_shape.h).
+template <int Dim>
+std::vector<std::pair<Index, Vec<Dim>>> generated_correspondence(const std::string& reference,
+                                                                 const std::string& template_shape);
 
 }  // namespace shellmatch

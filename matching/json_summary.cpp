@@ -39,6 +39,12 @@ void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, BandReport>
+void describe(S& s, Member&& member) {
+  member("normal_angle", s.normal_angle), member("folded_share", s.folded_share);
+}
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
 void describe(S& s, Member&& member) {
   member("level", s.level), member("sigma", s.sigma), member("nu", s.nu),
@@ -50,7 +56,7 @@ void describe(S& s, Member&& member) {
   member("gradient_evaluations", s.gradient_evaluations), member("gradient_norm", s.gradient_norm);
   member("l2_gradient_norm", s.l2_gradient_norm), member("solver", s.solver), member("fallbacks", s.fallbacks);
   member("stop_reason", s.stop_reason), member("stop_message", s.stop_message);
-  member("folds", s.folds), member("distance", s.distance);
+  member("folds", s.folds), member("band", s.band), member("distance", s.distance);
 }
 
 template <class S, class Member>

@@ -23,6 +23,14 @@ struct EnumNames<PlacementKind> {
   static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
 };
 
+/// Which pictures a run draws: on small grids they cost more than the matching.
+enum class Pictures { all, result, none };
+template <>
+struct EnumNames<Pictures> {
+  static constexpr std::pair<Pictures, std::string_view> names[] = {
+      {Pictures::all, "all"}, {Pictures::result, "result"}, {Pictures::none, "none"}};
+};
+
 /// Where the shapes are and how they get into the unit domain.
 struct InputOptions {
   std::string reference, template_file, correspondence;
@@ -32,7 +40,7 @@ struct InputOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
-    visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error"});
+    visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
   }
@@ -70,6 +78,7 @@ struct ExperimentOptions {
   EnergyOptions energy;
   CoefficientOptions coefficients;
   SolverOptions solver;
+  Pictures pictures = Pictures::all;
   int threads = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -79,6 +88,7 @@ struct ExperimentOptions {
     visit("energy", self.energy, {.meaning = "weights and material"});
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
     visit("solver", self.solver, {.meaning = "the minimiser"});
+    visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
     visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
   }
 };

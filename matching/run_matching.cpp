@@ -5,6 +5,8 @@
 #include "geometry/surface_distance.h"
 #include "geometry/write_shape.h"
 #include "matching/cascade.h"
+#include "matching/generated_source.h"
+#include "matching/grid_picture.h"
 #include "matching/history_file.h"
 #include "matching/level_picture.h"
 #include "matching/output_folder.h"
@@ -74,9 +76,11 @@ class Run {
     check_size<Dim>(measure(reference_.surface) + measure(template_.surface), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
     const SignedDistance<Dim> d1(reference_.surface), d2(template_.surface);
-    Correspondence<Dim> truth;
-    if (!options_.input.correspondence.empty())
-      truth = read_correspondence<Dim>(options_.input.correspondence, reference_.original.vertices.size());
+    const InputOptions& input = options_.input;
+    const Correspondence<Dim> truth =
+        input.correspondence.empty()
+            ? generated_correspondence<Dim>(input.reference, input.template_file)
+            : read_correspondence<Dim>(input.correspondence, reference_.original.vertices.size());
     summary_.distance_before = two_sided_distance(reference_.surface, d2);
 
     recorder_.phase("matching");
@@ -101,7 +105,9 @@ class Run {
         deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2);
     summary_.levels.push_back(s);
     summary_.run.level_seconds.push_back(level.seconds);
-    picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level), true);
+    if (options_.pictures == Pictures::all)
+      picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level),
+              true);
   }
 
   void picture(const Surface<Dim>& deformed, const LevelState<Dim>& state, const SignedDistance<Dim>& d2,
@@ -125,7 +131,11 @@ class Run {
     const Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, d2);
-    picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png", false);
+    if (options_.pictures != Pictures::none) {
+      picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png", false);
+      if constexpr (Dim == 3)
+        write_grid_picture(result.grid, reference_.surface, template_.surface, "", folder_.path_of("pictures/grid.png"));
+    }
 
     const auto cells = cell_fields(result.grid, result.phi, result.reference.distance, result.levels.back().start.sigma);
     const Deformation<Dim> deformation{std::move(result.grid), std::move(result.phi), placement_};
@@ -140,7 +150,8 @@ class Run {
       summary_.correspondence_error = correspondence_error(truth, moved.vertices) / diagonal;
     }
     write_history(recorder_.history, folder_.path_of("history.csv"));
-    write_plot(energy_plot(recorder_.history), folder_.path_of("pictures/energy.png"));
+    if (options_.pictures != Pictures::none)
+      write_plot(energy_plot(recorder_.history), folder_.path_of("pictures/energy.png"));
     write_file(folder_.path_of("config.yaml"), to_yaml(with_absolute_paths(options_)));
   }
 

@@ -82,6 +82,7 @@ LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   s.stop_reason = enum_name(r.last.reason);
   s.stop_message = r.last.message;
   s.folds = r.folds;
+  s.band = r.band;
   return s;
 }
 

@@ -38,7 +38,8 @@ void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
 
 template <int Dim>
 CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const Octree<Dim>& grid, const ExperimentOptions& options) const {
-  const auto compute = reads_shape_operators(options.energy) ? compute_shape_operator_pair<Dim> : compute_coefficient_pair<Dim>;
+  const auto compute =
+      reads_shape_operators(options.energy) ? compute_shape_operator_pair<Dim> : compute_coefficient_pair<Dim>;
   return compute(grid, conforming(grid, distances_[0]), conforming(grid, distances_[1]), options.coefficients);
 }
 

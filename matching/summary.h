@@ -2,6 +2,7 @@
 /// \file
 /// summary.json: did it really match, and what did it cost?
 
+#include "energies/band_report.h"
 #include "energies/folds.h"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct LevelSummary {
   std::string stop_reason, stop_message;  ///< of the last substep; the message is in the method's or library's words
   std::vector<std::string> fallbacks;     ///< of all substeps: which method gave up, why, and which went on
   FoldReport folds;
+  BandReport band;
   std::optional<TwoSidedDistance> distance;
 };
 

@@ -30,7 +30,8 @@ void check_formulas(unsigned seed) {
   std::mt19937 random(seed);
   const Lame<double> lame{0.7, 1.3};
   for (int i = 0; i < 20; ++i) {
-    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
+    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
+                   n2 = random_matrix<Dim, 1>(random).normalized();
     const Mat<Dim> dphi = random_matrix<Dim>(random), p1 = projection<Dim>(n1);
     const Mat<Dim> at2 = random_symmetric<Dim>(random, -1, 2), at1 = random_symmetric<Dim>(random, -1, 2);
     const auto y = target_point<Dim>(0.8 * n2, at2);  // n2 need not come as a unit vector
@@ -67,15 +68,18 @@ TEST(Comparison, CauchyGreenMembraneIsNotRankOneConvex) {
   EXPECT_NEAR(wf(0), 0, 1e-15);
   EXPECT_NEAR(wf(1), 0, 1e-15);
   EXPECT_NEAR(wf(0.5), 0.5, 1e-15);
-  // The program's W in the place of F: zero at both ends, W(diag(1/2, 1)) = 5/8 + 1/16 + 3/2 e^(1/2) - 11/4 between.
+  // The program's W in the place of F: zero at both ends, W(diag(1/2, 1)) = 5/8 + 1/16 + 3/2 e^(1/2) - 11/4
+  // between.
   const auto naive = [&](double l) {
-    return CauchyGreenMembrane<2>::density(target_point<2>(e2), small(on_segment(l)), reference_point<2>(e2), unit);
+    return CauchyGreenMembrane<2>::density(target_point<2>(e2), small(on_segment(l)), reference_point<2>(e2),
+                                           unit);
   };
   EXPECT_NEAR(naive(0), 0, 1e-14);
   EXPECT_NEAR(naive(1), 0, 1e-14);
   EXPECT_NEAR(naive(0.5), 0.625 + 0.0625 + 1.5 * std::exp(0.5) - 2.75, 1e-14);
   EXPECT_NEAR(CauchyGreenMembrane<2>::density(target_point<2>(e2), small<double, 2>(Mat<2>::Identity()),
-                                              reference_point<2>(e2), unit), 0, 1e-14);
+                                              reference_point<2>(e2), unit),
+              0, 1e-14);
 }
 
 // The terms of the model are convex along every rank-one line; so is W with P2 left out, as long as n2 stays.
@@ -84,7 +88,8 @@ void check_rank_one_convexity(unsigned seed) {
   std::mt19937 random(seed);
   int naive_fails = 0, quadratic_fails = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
+    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
+                   n2 = random_matrix<Dim, 1>(random).normalized();
     const Mat<Dim> p1 = projection<Dim>(n1), p2 = projection<Dim>(n2);
     const Mat<Dim> root = p2 * random_symmetric<Dim>(random, 0.5, 2) * p2 + n2 * n2.transpose();
     const auto y = target_point<Dim>(n2, root);
@@ -93,14 +98,17 @@ void check_rank_one_convexity(unsigned seed) {
     const Mat<Dim> a = random_matrix<Dim>(random);
     const Mat<Dim> line = random_matrix<Dim, 1>(random) * random_matrix<Dim, 1>(random).transpose();
     const auto excess = [&](auto&& density) {
-      return density(small<double, Dim>(a)) - 0.5 * (density(small<double, Dim>(a - line)) + density(small<double, Dim>(a + line)));
+      return density(small<double, Dim>(a)) -
+             0.5 * (density(small<double, Dim>(a - line)) + density(small<double, Dim>(a + line)));
     };
     EXPECT_LE(excess([&](const auto& m) { return Membrane<Dim>::density(y, m, x, unit); }), 1e-12);
     EXPECT_LE(excess([&](const auto& m) { return Bending<Dim>::density(y, m, x, unit); }), 1e-11);
     EXPECT_LE(excess([&](const auto& m) { return MembraneWithoutP2<Dim>::density(y, m, x, unit); }), 1e-12);
     EXPECT_LE(excess([&](const auto& m) { return BendingWithoutP2<Dim>::density(y, m, x, unit); }), 1e-11);
-    naive_fails += excess([&](const auto& m) { return CauchyGreenMembrane<Dim>::density(y, m, x, unit); }) > 1e-3;
-    quadratic_fails += excess([&](const auto& m) { return QuadraticBending<Dim>::density(curved, m, flat, unit); }) > 1e-3;
+    naive_fails +=
+        excess([&](const auto& m) { return CauchyGreenMembrane<Dim>::density(y, m, x, unit); }) > 1e-3;
+    quadratic_fails +=
+        excess([&](const auto& m) { return QuadraticBending<Dim>::density(curved, m, flat, unit); }) > 1e-3;
   }
   EXPECT_GT(naive_fails, 10);
   EXPECT_GT(quadratic_fails, 10);
@@ -111,7 +119,8 @@ TEST(Comparison, ConvexityOnRandomRankOneLines) {
   check_rank_one_convexity<3>(4);
 }
 
-// Section 3.2: S1 = S2 = P(e_n), the segment from I - 3/4 e1 e1^T to I - 1/2 e1 e1^T; ((1 - t)^2 - 1)^2 there.
+// Section 3.2: S1 = S2 = P(e_n), the segment from I - 3/4 e1 e1^T to I - 1/2 e1 e1^T; ((1 - t)^2 - 1)^2
+// there.
 TEST(Comparison, QuadraticBendingIsNotConvexOnThePapersSegment) {
   const Vec<3> e3 = Vec<3>::UnitZ();
   const auto density = [&](double t) {

@@ -1,7 +1,8 @@
 // The oscillating maps of the circle [eq:varphik]: R = 0.95, k = 6, 20, 50, as in the paper's figure.
 //
-// In polar coordinates r' = R sin(k xi) and r theta' = (1 - R^2 sin^2(k xi))^(1/2). The paper's r0, the mean of the
-// second, closes the curve in the limit of large k; for finite k a start r that is smaller by about R/k does.
+// In polar coordinates r' = R sin(k xi) and r theta' = (1 - R^2 sin^2(k xi))^(1/2). The paper's r0, the mean
+// of the second, closes the curve in the limit of large k; for finite k a start r that is smaller by about
+// R/k does.
 
 #include "energies/integrands.h"
 #include "tests/energies/random_matrices.h"
@@ -46,8 +47,8 @@ double mean_speed() {
   return sum;
 }
 
-// Density of a membrane term where the reference has its tangent along the first axis and the template, a circle
-// about the origin, its normal along e_r: the derivative is given in the frame (e_theta, e_r).
+// Density of a membrane term where the reference has its tangent along the first axis and the template, a
+// circle about the origin, its normal along e_r: the derivative is given in the frame (e_theta, e_r).
 template <class Membrane>
 double density(double along, double out) {
   const Vec<2> normal(0, 1);

@@ -114,6 +114,24 @@ TEST(DolphinPair, BendingKeepsCrossSectionsAndTheLengthOfTheSpine) {
   EXPECT_NEAR(direction(0.1).dot(direction(0.92)), std::cos(60 * c) * std::cos(30 * c), 1e-6);
 }
 
+TEST(DolphinPair, TurnsAboutTheUprightAxisThroughTheMiddle) {
+  const auto at_rest = std::get<KnownPositions<3>>(known_positions("dolphin", "straight", "straight"));
+  const auto turned = std::get<KnownPositions<3>>(known_positions("dolphin", "straight", "turned"));
+  const auto reversed = std::get<KnownPositions<3>>(known_positions("dolphin", "straight", "reversed"));
+  ASSERT_EQ(at_rest.size(), turned.size());
+  ASSERT_GT(at_rest.size(), 1000u);
+  const auto original = std::get<OriginalShape<3>>(generate_shape("dolphin", "turned"));
+  const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
+  for (std::size_t i = 0; i < at_rest.size(); ++i) {
+    const Vec<3> x = at_rest[i].position.array() - 0.5, y = turned[i].position.array() - 0.5;
+    EXPECT_LT((y - Vec<3>(c * x.x() - s * x.y(), s * x.x() + c * x.y(), x.z())).norm(), 1e-12);
+    const Vec<3> z = reversed[i].position.array() - 0.5;
+    EXPECT_LT((z - Vec<3>(-x.x(), -x.y(), x.z())).norm(), 1e-12);
+    // The same vertices as those of the shape itself.
+    EXPECT_LT((original.vertices[turned[i].vertex] - turned[i].position).norm(), 1e-12);
+  }
+}
+
 TEST(Pairs, UnknownNameIsAnError) { EXPECT_THROW(generated_pair("cow"), InputError); }
 
 }  // namespace

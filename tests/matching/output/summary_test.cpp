@@ -33,6 +33,7 @@ MatchSummary some_summary() {
   level.energy_minimised = {{"volume", 2}, {"match", 1.0 / 7}};
   level.energy_reported = {{"match", std::numeric_limits<double>::infinity()}};
   level.folds.min_determinant = std::nan("");
+  level.band = {7.5, 0.25};
   level.stop_reason = "relative_decrease";
   s.levels = {level, level};
   s.levels[1].distance = s.distance;
@@ -55,6 +56,8 @@ TEST(SummaryTest, ParsesBackToTheSameText) {
   EXPECT_EQ(back.n_flipped_facets, 0u);
   EXPECT_EQ(back.levels[0].energy_minimised, s.levels[0].energy_minimised);  // in their order
   EXPECT_TRUE(std::isnan(back.levels[0].folds.min_determinant));
+  EXPECT_EQ(back.levels[0].band.normal_angle, 7.5);
+  EXPECT_EQ(back.levels[0].band.folded_share, 0.25);
   EXPECT_TRUE(std::isnan(back.levels[0].energy_reported[0].second));
   EXPECT_EQ(back.run.peak_memory_bytes, s.run.peak_memory_bytes);
   EXPECT_EQ(back.reference.notes, s.reference.notes);

@@ -1,0 +1,73 @@
+#include "energies/band_report.h"
+
+#include "base/parallel.h"
+#include "energies/element_batch.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace shellmatch {
+
+namespace {
+
+struct Sums {
+  double weight = 0, angle = 0, folded = 0;
+  Sums& operator+=(const Sums& o) {
+    weight += o.weight;
+    angle += o.angle;
+    folded += o.folded;
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+BandReport report_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
+                       const ShapeTable<Dim>& shape, const TargetField<Dim>& target,
+                       std::span<const Vec<Dim>> phi) {
+  using autodiff::Pack;
+  const auto batches = band.batches();
+  const Sums total = parallel_sum(batches.size(), 32, Sums{}, [&](const Chunk& chunk) {
+    Sums sums;
+    ElementBatch<Dim> batch;
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
+      for (std::size_t q = 0; q < shape.points.size(); ++q) {
+        const auto& point = band.point(b, q);
+        std::array<Pack, Dim> place;
+        std::array<Pack, Dim * Dim> jacobian;
+        batch.position(shape.points[q], place);
+        batch.jacobian(shape.points[q], jacobian.data());
+        for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+          const double weight = point.weight[lane];
+          if (!(weight > 0)) continue;
+          SmallMat<double, Dim> dphi;
+          for (int i = 0; i < Dim * Dim; ++i) dphi.v[i] = jacobian[i][lane];
+          SmallVec<double, Dim> n1, y;
+          for (int k = 0; k < Dim; ++k) {
+            n1[k] = point.reference[1 + k][lane];
+            y[k] = place[k][lane];
+          }
+          const SmallVec<double, Dim> n2 = target.at(y).n2, carried = times(cofactor(dphi), n1);
+          const double lengths = std::sqrt(dot(n2, n2) * dot(carried, carried));
+          // Where either vanishes there is no angle; count it as a right one.
+          const double cosine = lengths > 0 ? std::clamp(dot(n2, carried) / lengths, -1.0, 1.0) : 0.0;
+          sums.weight += weight;
+          sums.angle += weight * std::acos(cosine) * 180 / std::numbers::pi;
+          sums.folded += determinant(dphi) > 0 ? 0.0 : weight;
+        }
+      }
+    }
+    return sums;
+  });
+  if (!(total.weight > 0)) return {};
+  return {total.angle / total.weight, total.folded / total.weight};
+}
+
+template BandReport report_band<2>(std::span<const Element<2>>, const Band<2>&, const ShapeTable<2>&,
+                                   const TargetField<2>&, std::span<const Vec<2>>);
+template BandReport report_band<3>(std::span<const Element<3>>, const Band<3>&, const ShapeTable<3>&,
+                                   const TargetField<3>&, std::span<const Vec<3>>);
+
+}  // namespace shellmatch

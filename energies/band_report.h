@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// How the deformed band lies in the template: what oscillations show in.
+
+#include "energies/band.h"
+#include "energies/target_field.h"
+
+#include <span>
+
+namespace shellmatch {
+
+/// Means over the band, weighted by eta_sigma(d1).
+struct BandReport {
+  double normal_angle = 0;  ///< degrees between n2(phi) and the transported normal cof(Dphi) n1
+  double folded_share = 0;  ///< share of the band where det Dphi <= 0
+};
+
+/// At the quadrature points of the band. phi: positions of all nodes.
+template <int Dim>
+BandReport report_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
+                       const ShapeTable<Dim>& shape, const TargetField<Dim>& target,
+                       std::span<const Vec<Dim>> phi);
+
+}  // namespace shellmatch

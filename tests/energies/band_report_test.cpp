@@ -1,0 +1,68 @@
+// What the band report says of maps for which it is known.
+
+#include "energies/band_report.h"
+#include "tests/energies/exact_shapes.h"
+#include "tests/energies/matching_problem.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+
+template <class T>
+struct BandReports : ::testing::Test {};
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(BandReports, Dimensions);
+
+template <int Dim>
+BandReport report(const std::function<Vec<Dim>(const Vec<Dim>&)>& map) {
+  const Octree<Dim> grid(Dim == 2 ? 6 : 5);
+  const auto fields = exact_fields<Dim>(grid, sphere<Dim>(0.3));
+  const Problem<Dim> p(grid, fields, fields);
+  const auto phi = at_nodes<Dim>(grid, map);
+  return report_band<Dim>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi);
+}
+
+TYPED_TEST(BandReports, IdenticalShapesHaveNoAngleAndARotationOfTheSphereNeither) {
+  constexpr int Dim = TypeParam::value;
+  const BandReport same = report<Dim>([](const Vec<Dim>& x) { return x; });
+  EXPECT_LT(same.normal_angle, 1e-4);
+  EXPECT_EQ(same.folded_share, 0);
+  const double c = std::cos(0.5), s = std::sin(0.5);
+  const BandReport turned = report<Dim>([=](const Vec<Dim>& x) {
+    Vec<Dim> y = x - centre<Dim>();
+    y.template head<2>() = Vec<2>(c * y[0] - s * y[1], s * y[0] + c * y[1]);
+    return Vec<Dim>(y + centre<Dim>());
+  });
+  EXPECT_LT(turned.normal_angle, 0.3);
+  EXPECT_EQ(turned.folded_share, 0);
+}
+
+TYPED_TEST(BandReports, AMirrorImageIsFoldedThroughout) {
+  constexpr int Dim = TypeParam::value;
+  const BandReport mirrored = report<Dim>([](const Vec<Dim>& x) {
+    Vec<Dim> y = x;
+    y[0] = 1 - x[0];
+    return y;
+  });
+  EXPECT_NEAR(mirrored.folded_share, 1, 1e-12);
+  // cof of the reflection turns normals to the opposite of the mirrored sphere's.
+  EXPECT_NEAR(mirrored.normal_angle, 180, 0.5);
+}
+
+// A = I + t e1 e2^T turns the normal n = (cos a, sin a) by -t cos^2 a to first order, and moves the place so
+// that n2 turns by -t sin^2 a: what is left is t |cos 2a|, whose mean is 2 t / pi.
+TEST(BandReports2d, AShearOfTheCircle) {
+  const double t = 0.02;
+  const BandReport sheared =
+      report<2>([=](const Vec<2>& x) { return Vec<2>(x[0] + t * (x[1] - 0.5), x[1]); });
+  EXPECT_NEAR(sheared.normal_angle, t * 2 / std::numbers::pi * 180 / std::numbers::pi, 0.06);
+}
+
+}  // namespace
+}  // namespace shellmatch
