@@ -23,12 +23,18 @@ struct Commands {
   CurvatureCommand curvature;
   CheckGradientCommand check_gradient;
   ConfigCommand config;
+  StudyCommand study;
 };
 
-void set_verbosity(RunSettings& settings, Verbosity verbosity) {
-  if (settings.verbosity != Verbosity::normal && settings.verbosity != verbosity)
+void set_verbosity(Verbosity& present, Verbosity verbosity) {
+  if (present != Verbosity::normal && present != verbosity)
     throw_input_error("--quiet and --verbose exclude each other");
-  settings.verbosity = verbosity;
+  present = verbosity;
+}
+
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const char* more) {
+  command.add_flag_function("-q,--quiet", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::quiet); }, "errors only");
+  command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::verbose); }, more);
 }
 
 // What all commands that read an experiment have in common.
@@ -45,10 +51,7 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
       ->type_name("KEY.SUB=VALUE")
       ->allow_extra_args(false);
   command.add_flag("--force", settings.force, force_meaning);
-  command.add_flag_function("-q,--quiet", [&](std::int64_t) { set_verbosity(settings, Verbosity::quiet); },
-                            "errors only");
-  command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(settings, Verbosity::verbose); },
-                            verbose_meaning);
+  add_verbosity(command, settings.verbosity, verbose_meaning);
 }
 
 void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
@@ -62,6 +65,24 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, cons
   CLI::App* command = app.add_subcommand(name, meaning);
   command->footer(footer);
   return command;
+}
+
+void describe_study(CLI::App& app, StudyCommand& study) {
+  CLI::App* command = add_command(app, "study", help_text::study, help_text::study_footer);
+  command->add_option("STUDY", study.study, "the YAML file")->required()->type_name("");
+  command->add_option("-o,--output", study.output, "output folder; without it out/NAME for NAME.yaml")->type_name("DIR");
+  command->add_option("-j,--jobs", study.jobs, "runs at the same time (1)")->type_name("N");
+  command->add_option("--set", study.assignments, "an option of an experiment for all runs, or limits.seconds and the like; repeatable")
+      ->type_name("KEY.SUB=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--retry", study.retry, "run again what has a result but did not finish");
+  command->add_flag("--list", study.list, "print the names of the runs; with -v also threads, seconds and MB of each");
+  command->add_option("--only", study.only, "this run alone, without tables; repeatable")
+      ->type_name("RUN")
+      ->allow_extra_args(false);
+  command->add_flag("--collect", study.collect, "run nothing: tables and plots from the results that there are");
+  command->add_option("--program", study.program, "another build of shellmatch to run")->type_name("FILE");
+  add_verbosity(*command, study.verbosity, "more, where there is more");
 }
 
 void describe(CLI::App& app, Commands& commands) {
@@ -80,6 +101,8 @@ void describe(CLI::App& app, Commands& commands) {
       add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
   run->add_option("CONFIG", commands.run.config, "the YAML file")->required()->type_name("");
   add_run_settings(*run, commands.run.settings, "output folder; without it out/NAME for NAME.yaml");
+
+  describe_study(app, commands.study);
 
   CLI::App* generate = add_command(app, "generate", help_text::generate, help_text::generate_footer);
   generate->add_option("SHAPE", commands.generate.shape, "name, or name/variant")->type_name("");
@@ -200,6 +223,7 @@ Command parse_command_line(const std::vector<std::string>& words) {
     return commands.match;
   }
   if (name == "run") return commands.run;
+  if (name == "study") return commands.study;
   if (name == "generate") {
     if (commands.generate.shape.empty() && !commands.generate.list)
       throw_input_error("generate: say which shape; `shellmatch generate --list` lists them");

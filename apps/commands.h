@@ -68,13 +68,22 @@ struct ConfigCommand {
   bool markdown = false;
 };
 
+struct StudyCommand {
+  std::string study, output;
+  std::vector<std::string> assignments;  ///< of --set: options of an experiment, for all runs
+  std::vector<std::string> only;         ///< names of runs; empty for all
+  std::string jobs, program;
+  bool list = false, collect = false, retry = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
 /// A text that was asked for: help or version.
 struct PrintCommand {
   std::string text;
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, ConfigCommand, PrintCommand>;
+                             CheckGradientCommand, ConfigCommand, StudyCommand, PrintCommand>;
 
 /// A check was made and did not pass: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -91,6 +100,7 @@ void execute(const InspectCommand& command);
 void execute(const CurvatureCommand& command);
 void execute(const CheckGradientCommand& command);
 void execute(const ConfigCommand& command);
+void execute(const StudyCommand& command);
 void execute(const PrintCommand& command);
 
 }  // namespace shellmatch

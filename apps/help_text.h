@@ -99,4 +99,17 @@ inline constexpr const char* config_footer = R"(Examples:
   shellmatch config --profile paper
   shellmatch config --markdown)";
 
+inline constexpr const char* study = "Run a comparison study that a YAML file describes: problems x solvers x metrics x parameters.";
+
+inline constexpr const char* study_footer = R"(Each run is a process of its own with limits of time and memory: a run that crashes, hangs or takes too much costs
+its own row of the table only. The same command again goes on where it was stopped; runs that have a result of the
+same configuration are not run again. docs/studies.md describes the file and the output folder.
+
+Examples:
+  shellmatch study configs/studies/small.yaml                 (out/small; takes seconds)
+  shellmatch study configs/studies/solvers.yaml --jobs 4      (timings are marked as taken in parallel)
+  shellmatch study configs/studies/solvers.yaml --set cascade.max_level=5 --set limits.seconds=600
+  shellmatch study STUDY.yaml --list
+  shellmatch study STUDY.yaml --only RUN -o DIR; shellmatch study STUDY.yaml --collect -o DIR)";
+
 }  // namespace shellmatch::help_text

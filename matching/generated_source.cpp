@@ -18,6 +18,12 @@ std::pair<std::string, std::string> split_variant(const std::string& text) {
                                     : std::pair(text.substr(0, slash), text.substr(slash + 1));
 }
 
+void check_generated_source(const std::string& source) {
+  const auto [name, variant] = split_variant(source.substr(prefix.size()));
+  constexpr double coarse = 0.05;  // the longest edges that there are
+  generate_shape(name, variant, coarse);
+}
+
 std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::string& source) {
   const auto [name, variant] = split_variant(source.substr(prefix.size()));
   return generate_shape(name, variant);

@@ -19,6 +19,10 @@ bool is_generated_source(const std::string& source);
 /// "NAME" or "NAME/VARIANT" in two; the variant is empty where it is not given.
 std::pair<std::string, std::string> split_variant(const std::string& text);
 
+/// Does nothing where there is such a shape; quick. \pre is_generated_source(source).
+/// \throws InputError naming the shapes or variants that there are
+void check_generated_source(const std::string& source);
+
 /// The built-in shape with its default parameters and edge length. \pre is_generated_source(source).
 /// \throws InputError naming the shapes or variants that there are
 std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::string& source);

@@ -55,7 +55,48 @@ std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node&
   return values;
 }
 
+// `budget` counts down with every value: aliases may stand for more than any memory holds, or for themselves.
+YamlValue copy_of(const YAML::Node& node, const std::string& name, int& budget, int depth = 0) {
+  YamlValue value;
+  value.line = node.Mark().line + 1;
+  if (--budget < 0 || depth > 50)
+    throw_input_error("{}:{}: the document unfolds to too many values", name, value.line);
+  if (const std::string& tag = node.Tag(); !tag.empty() && tag != "?" && tag != "!")
+    throw_input_error("{}:{}: the tag {} is not allowed", name, value.line, tag);
+  if (node.IsScalar()) {
+    value.kind = YamlValue::Kind::scalar;
+    value.text = node.Scalar();
+    value.quoted = node.Tag() == "!";
+  } else if (node.IsSequence()) {
+    value.kind = YamlValue::Kind::list;
+    for (const YAML::Node& item : node) value.items.push_back(copy_of(item, name, budget, depth + 1));
+  } else if (node.IsMap()) {
+    value.kind = YamlValue::Kind::map;
+    for (const auto& entry : node) {
+      const int line = entry.first.Mark().line + 1;
+      if (!entry.first.IsScalar()) throw_input_error("{}:{}: a key must be a word", name, line);
+      const std::string& key = entry.first.Scalar();
+      for (const auto& [other, earlier] : value.entries)
+        if (other == key)
+          throw_input_error("{}:{}: {} stands in line {} already; keep one of them", name, line, key, earlier.line);
+      YamlValue copy = copy_of(entry.second, name, budget, depth + 1);
+      copy.line = line;
+      value.entries.emplace_back(key, std::move(copy));
+    }
+  }
+  return value;
+}
+
 }  // namespace
+
+std::string YamlValue::flow_text() const {
+  if (kind == Kind::nothing) return "";
+  if (kind == Kind::scalar) return quoted ? scalar_text(text, OptionKind::text) : text;
+  std::string joined;
+  for (const YamlValue& item : items) joined += (joined.empty() ? "" : ", ") + item.flow_text();
+  for (const auto& [key, value] : entries) joined += (joined.empty() ? "" : ", ") + key + ": " + value.flow_text();
+  return kind == Kind::list ? "[" + joined + "]" : "{" + joined + "}";
+}
 
 struct YamlDocument::Content {
   std::string name;
@@ -175,6 +216,11 @@ YamlDocument YamlDocument::from_text(const std::string& text, const std::string&
 }
 
 std::string YamlDocument::place(const std::string& path) const { return content_->place(path); }
+
+YamlValue YamlDocument::tree() const {
+  int budget = 20000;
+  return copy_of(content_->top, content_->name, budget);
+}
 
 void YamlDocument::fill_one(const OptionNode& root, const std::string& key) {
   for (const auto& entry : content_->top)

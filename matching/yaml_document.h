@@ -6,9 +6,24 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
+
+/// A value of a YAML document as it stands there, without types.
+struct YamlValue {
+  enum class Kind { nothing, scalar, list, map };
+  Kind kind = Kind::nothing;
+  std::string text;     ///< of a scalar
+  bool quoted = false;  ///< the scalar stood in quotes
+  int line = 0;         ///< counted from 1
+  std::vector<YamlValue> items;                            ///< of a list
+  std::vector<std::pair<std::string, YamlValue>> entries;  ///< of a map, in their order; no key stands twice
+
+  /// The same value on one line, as parse_value reads it: "0.5", "[1, 2]", "\"5\"".
+  std::string flow_text() const;
+};
 
 /// A document whose top is a map. Every message begins with its name and the line.
 class YamlDocument {
@@ -28,6 +43,9 @@ class YamlDocument {
   /// Sets every option that the document names. \throws InputError at the first unknown or double key, missing
   /// value, wrong type or value out of range.
   void fill(const OptionNode& root);
+
+  /// The whole document. \throws InputError where a key stands twice or is no word, and at tags
+  YamlValue tree() const;
 
   /// "name:12: path" for an option that the document set, "name: path" for another one.
   std::string place(const std::string& path) const;

@@ -141,6 +141,19 @@ Override parse_override(const std::string& assignment) {
   return {assignment.substr(0, equals), assignment.substr(equals + 1), "--set " + assignment};
 }
 
+Override beside_file(Override change, const std::string& file) {
+  ExperimentOptions options;
+  const std::array<std::string*, 3> paths = paths_of(options.input);
+  const OptionNode root = option_tree(options);
+  const OptionNode* option = find_option(root, change.key);
+  if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;
+  // The option is one of those paths if setting it changes one of them.
+  option->set({std::string("?")});
+  for (const std::string* path : paths)
+    if (*path == "?") change.value = beside(file, change.value);
+  return change;
+}
+
 ExperimentOptions read_experiment(const std::string& path, const std::vector<Override>& overrides) {
   YamlDocument document = YamlDocument::from_file(path);
   return resolve(&document, path, overrides);

@@ -21,6 +21,10 @@ struct Override {
 /// "key.sub=value" as in `--set`. \throws InputError without a key or an equals sign
 Override parse_override(const std::string& assignment);
 
+/// `change` as it is meant where it stands in `file`: a relative path of a shape or another input is taken
+/// relative to that file; anything else stays.
+Override beside_file(Override change, const std::string& file);
+
 /// Reads an experiment. What is set later wins: defaults of the profile, then the file, then `overrides` in
 /// their order; the profile itself is the last override of `profile`, else the file's, else default.
 /// Relative paths of shapes and other inputs in the file are relative to the file, those in overrides to the working folder;

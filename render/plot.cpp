@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace shellmatch {
 
@@ -46,6 +47,17 @@ struct Axis {
   }
 };
 
+// Of the pattern of a series' line.
+std::vector<double> dashes_of(const Series& s) {
+  static const std::vector<double> patterns[] = {{}, {7, 4}, {2, 3}, {9, 3, 2, 3}, {14, 5}, {5, 3, 1, 3, 1, 3}};
+  return patterns[s.dashes == 0 && s.dashed ? 1 : std::clamp(s.dashes, 0, 5)];
+}
+
+Color color_of(const Plot& plot, std::size_t k) {
+  const int chosen = plot.series[k].color;
+  return series_color(chosen < 0 ? static_cast<int>(k) : chosen);
+}
+
 bool point_shows(const Axis& x, const Axis& y, const Series& s, std::size_t i) {
   return x.shows(s.x[i]) && y.shows(s.y[i]);
 }
@@ -53,9 +65,7 @@ bool point_shows(const Axis& x, const Axis& y, const Series& s, std::size_t i) {
 void draw_series(const Series& s, const Color& color, const Axis& x, const Axis& y, Canvas& canvas) {
   std::vector<Vec<2>> run;
   const auto flush = [&] {
-    if (s.line && run.size() > 1)
-      canvas.polyline(run, false,
-                      {color, 1.8, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
+    if (s.line && run.size() > 1) canvas.polyline(run, false, {color, 1.8, 1, dashes_of(s)});
     if (s.points || !s.line || run.size() == 1)
       for (const Vec<2>& p : run) canvas.disc(p, s.point_radius, color);
     run.clear();
@@ -75,10 +85,9 @@ void draw_legend(const Plot& plot, double left, double top, Canvas& canvas) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const Series& s = plot.series[k];
     if (s.name.empty()) continue;
-    const Color color = series_color(static_cast<int>(k));
+    const Color color = color_of(plot, k);
     if (s.line)
-      canvas.polyline(std::array{Vec<2>(left, y), Vec<2>(left + 26, y)}, false,
-                      {color, 2.4, 1, s.dashed ? std::vector<double>{7, 4} : std::vector<double>{}});
+      canvas.polyline(std::array{Vec<2>(left, y), Vec<2>(left + 26, y)}, false, {color, 2.4, 1, dashes_of(s)});
     if (s.points || !s.line) canvas.disc({left + 13, y}, 3.2, color);
     canvas.text(s.name, {left + 34, y}, {.size = font, .color = grey, .anchor_y = 0.5});
     y += 1.6 * font;
@@ -99,7 +108,9 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
         y.add(s.y[i]);
       }
   }
-  const double left = 84, right = canvas.width() - 24 - legend, top = plot.title.empty() ? 22 : 50,
+  double names = 0;
+  for (const std::string& row : plot.rows) names = std::max(names, canvas.text_width(row, {.size = font}));
+  const double left = std::max(84.0, names + 24), right = canvas.width() - 24 - legend, top = plot.title.empty() ? 22 : 50,
                bottom = canvas.height() - 62;
   canvas.text(plot.title, {0.5 * (left + right), 26},
               {.size = 1.25 * font, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
@@ -110,7 +121,15 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
   }
   x.finish(0.02);
   y.finish(0.05);
+  if (!plot.rows.empty()) y.min = -0.6, y.max = static_cast<double>(plot.rows.size()) - 0.4;
   x.from = left, x.to = right, y.from = bottom, y.to = top;
+  std::vector<Tick> y_ticks;
+  if (plot.rows.empty()) {
+    y_ticks = y.ticks(6);
+  } else {
+    std::swap(y.from, y.to);  // the first on top
+    for (std::size_t k = 0; k < plot.rows.size(); ++k) y_ticks.push_back({static_cast<double>(k), plot.rows[k]});
+  }
 
   for (const Tick& t : x.ticks(8)) {
     const double p = x.pixel(t.value);
@@ -118,7 +137,7 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
                     {t.label.empty() ? faint : light_grey, 1, 1, {}});
     canvas.text(t.label, {p, bottom + 10}, {.size = font, .color = grey, .anchor_x = 0.5, .anchor_y = 1});
   }
-  for (const Tick& t : y.ticks(6)) {
+  for (const Tick& t : y_ticks) {
     const double p = y.pixel(t.value);
     canvas.polyline(std::array{Vec<2>(left, p), Vec<2>(right, p)}, false,
                     {t.label.empty() ? faint : light_grey, 1, 1, {}});
@@ -130,7 +149,7 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
       canvas.polyline(std::array{Vec<2>(x.pixel(m), top), Vec<2>(x.pixel(m), bottom)}, false,
                       {grey, 1, 0.6, {2, 4}});
   for (std::size_t k = 0; k < plot.series.size(); ++k)
-    draw_series(plot.series[k], series_color(static_cast<int>(k)), x, y, canvas);
+    draw_series(plot.series[k], color_of(plot, k), x, y, canvas);
   canvas.unclip();
   canvas.polyline(
       std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,

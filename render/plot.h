@@ -16,12 +16,15 @@ struct Series {
   bool dashed = false, points = false;
   bool line = true;         ///< false shows the points alone
   double point_radius = 3;  ///< pixels
+  int color = -1;           ///< of series_color(); -1 takes the place among the series
+  int dashes = 0;           ///< 1 to 5: patterns told apart; 0 is solid unless `dashed`
 };
 
 struct Plot {
   std::string title, x_label, y_label;
   bool log_x = false, log_y = false;
   std::vector<Series> series = {};
+  std::vector<std::string> rows = {};  ///< where given: the names at y = 0, 1, ... from the top, in place of numbers
   std::vector<double> marks = {};  ///< upright thin lines at these x, where a level begins for instance
   int width = 900, height = 560;   ///< pixels
 };

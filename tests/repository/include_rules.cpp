@@ -50,9 +50,10 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"solvers", {"solvers", "base"}},
       {"render", {"render", "geometry", "grid", "base"}},
       {"matching", {"matching", "base", "geometry", "grid", "energies", "solvers", "render"}},
-      {"apps", {"apps", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
+      {"studies", {"studies", "base", "solvers", "render", "matching"}},
+      {"apps", {"apps", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies"}},
       {"bench", {"bench", "tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
-      {"tests", {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "apps"}}};
+      {"tests", {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies", "apps"}}};
   return table;
 }
 
@@ -74,7 +75,7 @@ const std::vector<Door>& door_table() {
       {"VTK", {"vtk"}, {"*/vtk_*.cpp"}},
       {"NLopt", {"nlopt"}, {"solvers/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/yaml_*.cpp"}},
-      {"nlohmann json", {"nlohmann/"}, {"matching/*json*.cpp"}},
+      {"nlohmann json", {"nlohmann/"}, {"matching/*json*.cpp", "studies/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/*.cpp"}},
       {"Cairo", {"cairo"}, {"render/*.cpp"}},
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},

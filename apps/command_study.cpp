@@ -1,0 +1,115 @@
+// `study`: many runs from one file, and what they amount to.
+
+#include "apps/commands.h"
+#include "apps/interrupt.h"
+#include "base/error.h"
+#include "studies/collect.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace shellmatch {
+
+namespace {
+
+class StudyProgress final : public StudyObserver {
+ public:
+  explicit StudyProgress(bool quiet) : quiet_(quiet) {}
+  void run_started(const StudyRun& run) override { say(fmt::format("{} ...", run.name)); }
+  void run_ended(const StudyRun& run, const RunResult& result) override {
+    say(fmt::format("{}: {} after {:.1f} s{}{}", run.name, status_name(result.status), result.seconds,
+                    result.message.empty() ? "" : ": ", result.message));
+  }
+  bool stop_requested() override { return interrupt_requested(); }
+  void say(const std::string& text) const {
+    if (!quiet_) std::fputs(fmt::format("shellmatch: {}\n", text).c_str(), stderr);
+  }
+
+ private:
+  bool quiet_;
+};
+
+int number_of_jobs(const std::string& text) {
+  int jobs = 1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
+  if (!text.empty() && (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > 1024))
+    throw_input_error("--jobs {}: expected the number of runs at the same time, 1 to 1024", text);
+  return jobs;
+}
+
+// The runs of these names, in their order; all where there is no name.
+std::vector<StudyRun> chosen(const std::vector<StudyRun>& runs, const std::vector<std::string>& only) {
+  if (only.empty()) return runs;
+  std::vector<std::string> names;
+  for (const StudyRun& run : runs) names.push_back(run.name);
+  std::vector<StudyRun> list;
+  for (const std::string& name : only) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      const std::string near = nearest_word(name, names);
+      throw_input_error("--only {}: the study has no such run; {}--list lists them", name,
+                        near.empty() ? "" : fmt::format("did you mean {}? ", near));
+    }
+    list.push_back(runs[static_cast<std::size_t>(found - names.begin())]);
+  }
+  return list;
+}
+
+// An executable other than this one, as a path that execv takes.
+std::string checked_program(const std::string& program) {
+  if (program.empty()) return "";
+  const std::string path = std::filesystem::absolute(program).string();
+  if (std::filesystem::is_directory(path) || access(path.c_str(), X_OK) != 0)
+    throw_input_error("--program {}: is no program that can be executed", program);
+  return path;
+}
+
+std::string contents_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void list(const Study& study, const std::vector<StudyRun>& runs, bool verbose) {
+  for (const StudyRun& run : runs) {
+    std::cout << run.name;
+    if (verbose)
+      std::cout << fmt::format("\t{}\t{:g}\t{:g}", run.options.threads, study.options.limits.seconds,
+                               study.options.limits.memory_mb);
+    std::cout << "\n";
+  }
+}
+
+}  // namespace
+
+void execute(const StudyCommand& command) {
+  std::vector<Override> overrides;
+  for (const std::string& assignment : command.assignments) overrides.push_back(parse_override(assignment));
+  const Study study = read_study(command.study, std::move(overrides));
+  const std::vector<StudyRun> all = runs_of(study), runs = chosen(all, command.only);
+  const StudySettings settings{checked_program(command.program), number_of_jobs(command.jobs), command.retry};
+  if (command.list) return list(study, runs, command.verbosity == Verbosity::verbose);
+
+  const std::string output =
+      command.output.empty() ? "out/" + std::filesystem::path(command.study).stem().string() : command.output;
+  const StudyFolder folder(output, command.only.empty());
+  replace_file(folder.path() + "/study.yaml", contents_of(command.study));
+  catch_interrupts();
+  StudyProgress progress(command.verbosity == Verbosity::quiet);
+  if (!command.collect && !run_study(study, runs, folder, settings, progress))
+    throw Interrupted(fmt::format(
+        "stopped on request; the same command goes on where it was (results so far: {})", output));
+  if (command.only.empty()) {
+    collect_study(study, all, folder);
+    progress.say(fmt::format("written: {}/summary.md", output));
+  }
+}
+
+}  // namespace shellmatch

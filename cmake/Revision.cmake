@@ -1,0 +1,14 @@
+# Run at every build: writes the file OUTPUT with the revision of the sources in SOURCE_DIR, only where it has changed.
+execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY ${SOURCE_DIR}
+  OUTPUT_VARIABLE revision ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed)
+if(failed)
+  set(revision "")
+endif()
+set(text "#include \"studies/revision.h\"\n\nstd::string shellmatch::build_revision() { return \"${revision}\"; }\n")
+set(old "")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} old)
+endif()
+if(NOT text STREQUAL old)
+  file(WRITE ${OUTPUT} "${text}")
+endif()

@@ -1,0 +1,119 @@
+#pragma once
+/// \file
+/// A comparison study: problems x solvers x metrics x parameters x repeats, as it is described and as the
+/// list of its runs.
+
+#include "base/options.h"
+#include "matching/options.h"
+#include "matching/yaml_options.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+/// What one run may cost. A run that asks for more is ended; that is its result.
+struct RunLimits {
+  double seconds = 600, grace_seconds = 5, memory_mb = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("seconds", self.seconds,
+          {.unit = "seconds", .min = 0, .meaning = "wall time of one run; 0 means none"});
+    visit("grace_seconds", self.grace_seconds,
+          {.unit = "seconds",
+           .min = 0,
+           .max = 3600,
+           .meaning = "a run that is out of time is first asked to stop and write what it has reached; so "
+                      "much later it is killed"});
+    visit("memory_mb", self.memory_mb,
+          {.unit = "MB",
+           .min = 0,
+           .meaning = "resident memory of one run with its child processes; 0 means none"});
+  }
+};
+
+/// Stands for a section whose keys are names of the user's own.
+struct FreeSection {
+  template <class Self, class Visitor>
+  static void describe(Self&, Visitor&) {}
+};
+
+/// The keys of a study's file.
+struct StudyOptions {
+  int version = 1;
+  std::string title;
+  int repeats = 1;
+  RunLimits limits;
+  FreeSection set, problems, solvers, metrics, parameters;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("version", self.version, {.min = 1, .meaning = "of the form of this file; 1"});
+    visit("title", self.title, {.meaning = "heading of the summary"});
+    visit("repeats", self.repeats,
+          {.unit = "runs",
+           .min = 1,
+           .max = 1000,
+           .meaning = "how often each combination runs: evaluations repeat to the bit, seconds do not"});
+    visit("limits", self.limits, {.meaning = "what one run may cost"});
+    visit("set", self.set, {.meaning = "options of an experiment for all runs"});
+    visit("problems", self.problems, {.meaning = "name: {base: FILE.yaml, set: options of an experiment}"});
+    visit("solvers", self.solvers, {.meaning = "name: options below `solver`; or a list of methods"});
+    visit("metrics", self.metrics, {.meaning = "list of values of solver.metric"});
+    visit("parameters", self.parameters, {.meaning = "option of an experiment: list of its values"});
+  }
+};
+
+/// A name and what it stands for.
+struct StudyChoice {
+  std::string name;
+  std::string base;               ///< YAML file of an experiment; empty for none
+  std::vector<Override> changes;  ///< in their order
+};
+
+/// One axis of the product: an option and its values.
+struct StudyParameter {
+  std::string key;
+  std::vector<Override> values;
+};
+
+/// A study as its file describes it. Later wins: base, set, problem, solver, metric, parameters, overrides.
+struct Study {
+  std::string file;
+  StudyOptions options;
+  std::vector<Override> common;  ///< `set`
+  std::vector<StudyChoice> problems, solvers;
+  std::vector<Override> metrics;  ///< of solver.metric; empty leaves it to the solvers
+  std::vector<StudyParameter> parameters;
+  std::vector<Override> overrides;  ///< from the command line
+};
+
+/// \param overrides options of an experiment for all runs, or keys of the study such as limits.seconds
+/// \throws InputError naming file, line and key: unknown keys, another version, nothing to run
+Study read_study(const std::string& path, std::vector<Override> overrides = {});
+
+/// One run of a study, with everything resolved.
+struct StudyRun {
+  std::string name;  ///< "leaf-newton-energy.delta=0.5-r1": a file name, no other run has it
+  std::string problem, solver;
+  std::string metric;  ///< as resolved; "own" for a method that brings its own
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< key and value in YAML's notation
+  int repeat = 1;                                               ///< counted from 1
+  ExperimentOptions options;
+  std::string config;       ///< the same as YAML, with absolute paths
+  std::string fingerprint;  ///< of `options` and the contents of their input files, wherever those lie
+  std::string energy_key;   ///< runs with the same one minimise the same function on the finest level
+
+  /// Of the solver in the given metric: "lbfgs (l2)".
+  std::string method() const { return metric == "own" ? solver : solver + " (" + metric + ")"; }
+};
+
+/// `text` as (part of) a file's name: what is neither letter, digit nor one of ._+-=, becomes '_'.
+std::string safe_file_name(std::string text);
+
+/// The product, problems slowest and repeats fastest. A method that brings its own metric runs once, not in
+/// every metric. \throws InputError where an option cannot be used, an input is missing or two runs would
+/// have one name
+std::vector<StudyRun> runs_of(const Study& study);
+
+}  // namespace shellmatch
