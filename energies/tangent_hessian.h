@@ -95,21 +95,25 @@ std::array<std::array<Pack, (Dim - 1) * (Dim - 1)>, (Dim - 1) * (Dim - 1)> tange
   }
 }
 
-/// Factor L with L L^T = h, h positive semidefinite; pivots below rounding are raised to it.
+/// Factor L with L L^T = h, h positive semidefinite but for rounding. A column whose pivot is below 1e-8 of the
+/// trace is left out: what is left of it is at most 1e-4 of the trace by Cauchy and Schwarz, and divided by such a
+/// pivot rounding would come out as stiffness.
 template <int M>
 std::array<std::array<Pack, M>, M> cholesky(const std::array<std::array<Pack, M>, M>& h) {
   Pack trace{};
   for (int i = 0; i < M; ++i) trace += h[i][i];
-  const Pack floor = 1e-14 * trace + 1e-300;
+  const Pack floor = 1e-8 * trace + 1e-300;
   std::array<std::array<Pack, M>, M> l{};
   for (int j = 0; j < M; ++j) {
     Pack d = h[j][j];
     for (int s = 0; s < j; ++s) d -= l[j][s] * l[j][s];
-    l[j][j] = autodiff::root_of(autodiff::max_of(d, floor));
+    const Pack root = autodiff::root_of(autodiff::max_of(d, floor));
+    const Pack inverse = d > floor ? 1.0 / root : Pack{};
+    l[j][j] = d * inverse;
     for (int i = j + 1; i < M; ++i) {
       Pack v = h[i][j];
       for (int s = 0; s < j; ++s) v -= l[i][s] * l[j][s];
-      l[i][j] = v / l[j][j];
+      l[i][j] = v * inverse;
     }
   }
   return l;

@@ -77,6 +77,26 @@ TEST(TangentHessian, IsThePositivePartOfTheSecondDerivativeInTheTangentPlane) {
   }
 }
 
+// Semidefinite matrices of every rank, with the rounding of those who made them.
+TEST(TangentHessian, FactorOfASemidefiniteMatrix) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> u(-1, 1);
+  using Square = Eigen::Matrix<double, 7, 7>;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Eigen::MatrixXd j = Eigen::MatrixXd::NullaryExpr(7, 1 + trial % 7, [&] { return u(random); });
+    const Square noise = Square::NullaryExpr([&] { return 1e-10 * u(random); });
+    const Square h = j * j.transpose() + noise + noise.transpose();
+    std::array<std::array<Pack, 7>, 7> packed;
+    for (int i = 0; i < 7; ++i)
+      for (int k = 0; k < 7; ++k) packed[i][k] = Pack{} + h(i, k);
+    const auto l = cholesky<7>(packed);
+    Square factor;
+    for (int i = 0; i < 7; ++i)
+      for (int k = 0; k < 7; ++k) factor(i, k) = l[i][k][trial % 8];
+    EXPECT_LT((factor * factor.transpose() - h).norm(), 2e-4 * h.norm()) << trial;
+  }
+}
+
 template <int Dim>
 void check_tangent_basis() {
   std::mt19937 random(3);

@@ -50,8 +50,8 @@ class StudyTableTest : public testing::Test {
     summary.run.level_seconds = {1};
     write_summary(summary, (place / "output/summary.json").string());
     write_history({{"match"},
-                   {{3, 1, 1.0, {0, 2 * energy, {2 * energy}, 0, 0, 1, 1, 0.5}},
-                    {3, 1, 1.0, {1, energy, {energy}, 0, 0, 2, 2, 1}}}},
+                   {{3, 1, 1.0, {0, 2 * energy, {2 * energy}, 0, 0, 0, 1, 1, 0.5, ""}},
+                    {3, 1, 1.0, {1, energy, {energy}, 0, 0, 0, 2, 2, 1, ""}}}},
                   (place / "output/history.csv").string());
   }
 

@@ -67,8 +67,8 @@ TEST_P(EveryShape, IsClosedOutwardAndSound) {
   std::visit(
       [](const auto& original) {
         const auto box = bounding_box(original.vertices);
-        EXPECT_GE(box.min.minCoeff(), 0.1);
-        EXPECT_LE(box.max.maxCoeff(), 0.9);
+        EXPECT_GE(box.min.minCoeff(), 0.08);
+        EXPECT_LE(box.max.maxCoeff(), 0.92);
       },
       shape);
 }

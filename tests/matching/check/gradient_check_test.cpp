@@ -110,7 +110,7 @@ TYPED_TEST(GradientCheck, PassesWhatIsRight) {
       for (const double order : t.directions[0].orders) EXPECT_NEAR(order, 2, 0.1) << told(report);
       EXPECT_GT(t.ceres.n_elements, 0);
       EXPECT_GT(t.n_differenced, 0u);
-      ASSERT_TRUE(t.hessian.has_value());
+      ASSERT_TRUE(t.hessian.has_value()) << t.name << told(report);
     }
   }
 }
