@@ -7,6 +7,7 @@
 #include <ceres/gradient_problem_solver.h>
 #include <glog/logging.h>
 
+#include <exception>
 #include <limits>
 
 namespace shellmatch {
@@ -145,7 +146,12 @@ MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<doub
   const ceres::GradientProblem problem(new CeresFunction(run, n));
   ceres::GradientProblemSolver::Summary report;
   std::vector<double> solution = x;
-  ceres::Solve(library, problem, solution.data(), &report);
+  // What the objective throws is held back by `run`: what arrives here is Ceres' own.
+  try {
+    ceres::Solve(library, problem, solution.data(), &report);
+  } catch (const std::exception& error) {
+    return run.finish(x, StopReason::library, "Ceres threw: " + one_line(error.what()));
+  }
   return run.finish(x, StopReason::library, "Ceres: " + one_line(report.message));
 }
 

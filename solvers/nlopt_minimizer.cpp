@@ -104,7 +104,7 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
   std::vector<double> point(n);
   while (!run.halted() && n_starts <= options_.max_restarts) {
     const Opt opt(nlopt_create(algorithm(method_), static_cast<unsigned>(n)));
-    SHELLMATCH_CHECK(opt != nullptr, "NLopt could not be set up");
+    if (opt == nullptr) return run.finish(x, StopReason::library, "NLopt: out of memory");
     Context context{.run = run, .opt = opt.get(), .max_stalled = options_.max_stalled_evaluations};
     nlopt_set_min_objective(opt.get(), evaluate, &context);
     if (options_.vector_storage > 0)

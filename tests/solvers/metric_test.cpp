@@ -208,7 +208,9 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
                     .max_seconds = 20};
     const auto problem = testing::weighted_bowl(18);
     std::vector<double> x = problem->start();
-    const auto summary = minimize_in_metric(*make_minimizer(options), metric, *problem, x, options.stop);
+    const auto minimizer = make_minimizer(options);
+    const auto summary =
+        minimize_in_metric(*minimizer, minimizer->uses_metric() ? metric : Metric::euclidean, *problem, x, options.stop);
     // The lightest unknowns weigh 8^-5: without the mass their coordinates are known less well. The chains of h1 know
     // nothing of the masses, and Ceres' methods without memory creep there.
     const bool creeps = (options.name == "ceres_steepest_descent" || options.name == "ceres_ncg") &&
@@ -221,7 +223,7 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, InEveryMetric, ::testing::ValuesIn(testing::first_order_minimizers()),
+INSTANTIATE_TEST_SUITE_P(Methods, InEveryMetric, ::testing::ValuesIn(minimizer_names()),
                          test_name);
 
 }  // namespace

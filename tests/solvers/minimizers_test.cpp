@@ -1,66 +1,27 @@
 // Every method on every published problem, through the one interface.
-#include "base/error.h"
 #include "solvers/options.h"
-#include "tests/support/test_problems.h"
+#include "tests/support/published_trials.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
-#include <utility>
 
 namespace shellmatch {
 namespace {
 
-using testing::more_garbow_hillstrom;
-
-// What a method cannot be asked for, and why. A pair that works after all makes the test fail, so that the
-// table stays true.
-const std::map<std::pair<std::string, std::string>, std::string> expected_failures = {
-    {{"nlopt_mma", "wood"}, "ends at the stationary point of value 7.877 (a saddle)"},
-    {{"nlopt_ccsaq", "wood"}, "ends at the stationary point of value 7.877 (a saddle)"},
-    {{"nlopt_slsqp", "extended_rosenbrock_1000"}, "above max_slsqp_size"},
-    {{"nlopt_slsqp", "extended_powell_1000"}, "above max_slsqp_size"},
-    {{"ceres_bfgs", "extended_rosenbrock_1000"}, "above max_bfgs_size, here 500 to keep the test short"},
-    {{"ceres_bfgs", "extended_powell_1000"}, "above max_bfgs_size, here 500 to keep the test short"},
-};
-
-// First-order models without memory creep along valleys; they are asked for fewer digits.
-bool slow(const std::string& method) {
-  return method == "ceres_steepest_descent" || method == "nlopt_mma" || method == "nlopt_ccsaq";
-}
-
 class EveryMinimizer : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryMinimizer, SolvesThePublishedProblems) {
-  SolverOptions options;
-  options.name = GetParam();
-  options.ceres.max_bfgs_size = 500;
-  options.stop = {.max_iterations = 20000,
-                  .relative_decrease = 0,
-                  .decrease_window = 10,
-                  .gradient_norm = 1e-10,
-                  .max_seconds = 20};
-  for (const auto& problem : more_garbow_hillstrom()) {
-    SCOPED_TRACE(options.name + " on " + problem->name());
-    std::vector<double> x = problem->start();
-    std::string wrong;
-    MinimizerSummary summary;
-    try {
-      summary = make_minimizer(options)->minimize(*problem, x, options.stop);
-      // The extended problems are sums of n / 4 copies and more.
-      const double scale = std::max(1.0, static_cast<double>(problem->size()) / 4);
-      wrong = problem->check(summary.final_value, x, (slow(options.name) ? 1e-6 : 1e-8) * scale);
-    } catch (const InputError& error) {
-      wrong = error.what();
-    }
-    const auto expected = expected_failures.find({options.name, problem->name()});
-    if (expected == expected_failures.end())
-      EXPECT_EQ(wrong, "") << summary.message << " after " << summary.iterations << " iterations";
+  for (const auto& problem : testing::more_garbow_hillstrom()) {
+    SCOPED_TRACE(GetParam() + " on " + problem->name());
+    const testing::Trial trial = testing::try_method(GetParam(), *problem);
+    const std::string expected = testing::expected_failure(GetParam(), problem->name());
+    if (expected.empty())
+      EXPECT_EQ(trial.wrong, "") << trial.summary.message << " after " << trial.summary.iterations << " iterations";
     else
-      EXPECT_NE(wrong, "") << "works now, though it was expected to fail: " << expected->second;
+      EXPECT_NE(trial.wrong, "") << "works now, though it was expected to fail: " << expected;
   }
 }
 
@@ -89,7 +50,7 @@ TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
                   .gradient_norm = 0,
                   .max_seconds = 0};
   // An objective that counts for itself what it is asked.
-  struct Counting final : Objective {
+  struct Counting final : testing::UnitModel {
     std::unique_ptr<testing::TestProblem> inner = testing::weighted_bowl(60);
     long values = 0, gradients = 0;
     std::size_t size() const override { return inner->size(); }
@@ -133,7 +94,7 @@ TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(testing::first_order_minimizers()),
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(minimizer_names()),
                          test_name);
 
 // The variants of the paper's method that options reach, its letter among them.

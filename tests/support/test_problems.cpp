@@ -1,7 +1,5 @@
 #include "tests/support/test_problems.h"
 
-#include "solvers/options.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -22,8 +20,13 @@ using Derivatives = std::initializer_list<std::pair<std::size_t, double>>;
 struct Accumulator {
   double value = 0;
   std::span<double> gradient;
+  TestProblem::Entries* jacobian = nullptr;
+  int n_residuals = 0;
   void add(double r, Derivatives derivatives) {
     value += r * r;
+    if (jacobian != nullptr)
+      for (const auto& [i, d] : derivatives) jacobian->emplace_back(n_residuals, static_cast<int>(i), d);
+    ++n_residuals;
     if (gradient.empty()) return;
     for (const auto& [i, d] : derivatives) gradient[i] += 2 * r * d;
   }
@@ -44,10 +47,16 @@ class SumOfSquares : public TestProblem {
   double coordinate_tolerance() const override { return tolerance_; }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
     std::fill(gradient.begin(), gradient.end(), 0.0);
-    Accumulator sum{0, gradient};
+    Accumulator sum{.gradient = gradient};
     add_residuals(x, sum);
     value = sum.value;
     return std::isfinite(value);
+  }
+  Entries jacobian(std::span<const double> x) const override {
+    Entries entries;
+    Accumulator sum{.gradient = {}, .jacobian = &entries};
+    add_residuals(x, sum);
+    return entries;
   }
 
  protected:
@@ -144,6 +153,15 @@ class Trigonometric final : public TestProblem {
     return std::vector<double>(n_, 1.0 / static_cast<double>(n_));
   }
   std::vector<double> minima() const override { return {0.0, 2.79506e-5}; }  // the local one is for n = 10
+  Entries jacobian(std::span<const double> x) const override {
+    Entries entries;
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) {
+        const double own = i == j ? static_cast<double>(i + 1) * std::sin(x[i]) - std::cos(x[i]) : 0.0;
+        entries.emplace_back(static_cast<int>(i), static_cast<int>(j), std::sin(x[j]) + own);
+      }
+    return entries;
+  }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
     double cosines = 0;
     for (const double t : x) cosines += std::cos(t);
@@ -204,6 +222,17 @@ class LogBarrier final : public TestProblem {
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] = x[i] - b(i) - mu_ * a(i) / t;
     return true;
   }
+  Entries jacobian(std::span<const double> x) const override {
+    double t = 0;
+    for (std::size_t i = 0; i < n_; ++i) t += a(i) * x[i];
+    Entries entries;
+    const int n = static_cast<int>(n_);
+    for (int i = 0; i < n; ++i) {
+      entries.emplace_back(i, i, std::sqrt(0.5));
+      entries.emplace_back(n, i, std::sqrt(0.5 * mu_) * a(static_cast<std::size_t>(i)) / t);
+    }
+    return entries;
+  }
 
  private:
   double a(std::size_t i) const { return 1 + static_cast<double>(i % 3); }
@@ -226,6 +255,14 @@ class WeightedBowl final : public TestProblem {
     return x;
   }
   std::span<const double> lumped_mass() const override { return mass_; }
+  Entries jacobian(std::span<const double> x) const override {
+    Entries entries;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double e = x[i] - centre(i);
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), std::sqrt(0.5 * mass_[i] * (1 + 3 * e * e)));
+    }
+    return entries;
+  }
   // Three components for each node of a chain: h1 couples neighbours by a second difference, h1_band more tightly and
   // with a mass of its own. No chain for a number of unknowns that is no multiple of three.
   Eigen::SparseMatrix<double> metric_matrix(Metric metric) const override {
@@ -263,6 +300,26 @@ class WeightedBowl final : public TestProblem {
 
 }  // namespace
 
+void TestProblem::prepare_second_derivative(std::span<const double> x) {
+  const Entries entries = jacobian(x);
+  int n_rows = 0;
+  for (const auto& e : entries) n_rows = std::max(n_rows, e.row() + 1);
+  Eigen::SparseMatrix<double> j(n_rows, static_cast<int>(size()));
+  j.setFromTriplets(entries.begin(), entries.end());
+  hessian_ = 2 * Eigen::SparseMatrix<double>(j.transpose()) * j;
+}
+
+void TestProblem::apply_second_derivative(std::span<const double> x, std::span<double> y) const {
+  using Vector = Eigen::VectorXd;
+  const auto n = static_cast<Eigen::Index>(size());
+  Eigen::Map<Vector>(y.data(), n) = hessian_ * Eigen::Map<const Vector>(x.data(), n);
+}
+
+void TestProblem::precondition(std::span<const double> r, std::span<double> z) const {
+  const Eigen::VectorXd diagonal = hessian_.diagonal();
+  for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / (diagonal[static_cast<Eigen::Index>(i)] + 1e-12);
+}
+
 std::string TestProblem::check(double value, const std::vector<double>& x, double value_tolerance) const {
   const auto known = minima();
   double nearest = known.front();
@@ -290,12 +347,6 @@ std::vector<std::unique_ptr<TestProblem>> more_garbow_hillstrom() {
     problems.push_back(std::make_unique<PowellSingular>(n));
   }
   return problems;
-}
-
-std::vector<std::string> first_order_minimizers() {
-  std::vector<std::string> names = minimizer_names();
-  std::erase(names, "newton");
-  return names;
 }
 
 std::unique_ptr<TestProblem> extended_rosenbrock(std::size_t n) { return std::make_unique<Rosenbrock>(n); }
