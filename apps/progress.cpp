@@ -1,6 +1,7 @@
 #include "apps/progress.h"
 
 #include "apps/interrupt.h"
+#include "matching/gradient_report.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -91,6 +92,12 @@ bool Progress::iterated(const LevelStart& start, const IterationRecord& record) 
                         record.iteration, record.value, now(), left ? ", " + time_left_text(*left) : ""));
   }
   return true;
+}
+
+void Progress::gradient_checked(const LevelStart& start, const GradientReport& report) {
+  if (report.passed() && verbosity_ != Verbosity::verbose && terminal_) return;
+  line(fmt::format("{}, iteration {}: derivatives {}", place(start, max_level_), report.iteration,
+                   report.passed() ? "checked" : "WRONG: " + report.failed_terms()));
 }
 
 void Progress::level_finished(const LevelStart& start, const MinimizerSummary& summary) {

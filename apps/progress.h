@@ -25,6 +25,7 @@ class Progress final : public Observer {
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
   /// Nothing more will be rewritten: what follows goes elsewhere.
   void finished() { clear(); }
+  void gradient_checked(const LevelStart& start, const GradientReport& report) override;
   void level_finished(const LevelStart& start, const MinimizerSummary& summary) override;
 
  private:

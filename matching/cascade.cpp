@@ -2,6 +2,7 @@
 
 #include "grid/mass.h"
 #include "grid/prolongation.h"
+#include "matching/gradient_check.h"
 #include "matching/level_energy.h"
 #include "matching/level_metric.h"
 #include "matching/level_problem.h"
@@ -66,7 +67,11 @@ class Level {
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       observer.level_started(start);
       result.last = minimize_with_fallback(
-          solver, problem, x, stop, [&](const IterationRecord& r) { return observer.iterated(start, r); },
+          solver, problem, x, stop,
+          [&](const IterationRecord& r) {
+            check(r.iteration, start, problem.last_positions(), weights, observer);
+            return observer.iterated(start, r);
+          },
           [&](const std::string& change) {
             result.fallbacks.push_back(fmt::format("level {}, step {}: {}", level, start.substep, change));
             observer.note(result.fallbacks.back());
@@ -91,6 +96,25 @@ class Level {
   }
 
  private:
+  // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
+  // the minimiser may still need.
+  void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+             Observer& observer) {
+    const CheckGradientOptions& o = options_.check_gradient;
+    if (o.every == 0 || iteration % o.every != 0) return;
+    // A method may have looked at a place that it did not go to.
+    TermValues values;
+    if (!level_.energy.evaluate(phi, weights, values, {})) return;
+    GradientReport report = check_gradient<Dim>(
+        level_, CheckedEnergy<Dim>(level_), options_.energy, phi, weights,
+        {.n_directions = o.directions, .seed = 1, .most_differenced = 200, .n_ceres_elements = 2, .newton_model = false});
+    report.substep = start.substep;
+    report.iteration = iteration;
+    report.nu = start.nu;
+    report.volume_weight = start.volume_weight;
+    observer.gradient_checked(start, report);
+  }
+
   std::vector<double> lumped_mass_of(std::span<const Index> nodes) const {
     const std::vector<double> all = lumped_mass(grid_);
     std::vector<double> mass;

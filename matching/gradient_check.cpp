@@ -61,7 +61,7 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   const ElementOracle<Dim> oracle(level.energy, level.unknowns, level.target, options);
   const CheckPlace<Dim> place{level, oracle, phi, settings};
   const bool has_newton_model =
-      options.membrane == MembraneModel::thin_shell && options.bending == BendingModel::thin_shell;
+      settings.newton_model && options.membrane == MembraneModel::thin_shell && options.bending == BendingModel::thin_shell;
   for (int t = 0; t <= n_terms; ++t) {
     const std::string name(t < n_terms ? term_names[t] : "sum");
     if (next) next(name);

@@ -36,6 +36,7 @@ struct GradientCheckSettings {
   unsigned seed = 1;
   std::size_t most_differenced = 2000;  ///< elements of a term that are compared with differences
   int n_ceres_elements = 4;             ///< elements of a term that Ceres' checker is given
+  bool newton_model = true;             ///< assemble and check it; without, the model is left as it is
 };
 
 /// Checks at phi (a position for each node, hanging nodes consistent). `weights` as in the minimisation. Calls

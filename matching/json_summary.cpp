@@ -60,6 +60,14 @@ void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, GradientCheckSummary>
+void describe(S& s, Member&& member) {
+  member("level", s.level), member("substep", s.substep), member("iteration", s.iteration);
+  member("passed", s.passed), member("failed_terms", s.failed_terms), member("worst_order", s.worst_order);
+  member("worst_functor_error", s.worst_functor_error);
+}
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
 void describe(S& s, Member&& member) {
   member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
@@ -91,7 +99,7 @@ void describe(S& s, Member&& member) {
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);
   member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets);
-  member("levels", s.levels), member("run", s.run);
+  member("levels", s.levels), member("gradient_checks", s.gradient_checks), member("run", s.run);
 }
 
 template <class T>

@@ -40,6 +40,8 @@ class LevelProblem final : public SecondOrderObjective {
 
   /// The unknowns of the nodal positions.
   std::vector<double> unknowns_of(const std::vector<Vec<Dim>>& phi) const;
+  /// The nodal positions that were evaluated last.
+  const std::vector<Vec<Dim>>& last_positions() const { return phi_; }
   /// The nodal positions of the unknowns.
   std::vector<Vec<Dim>> positions(std::span<const double> x) const;
 

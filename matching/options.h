@@ -5,6 +5,7 @@
 #include "base/options.h"
 #include "energies/options.h"
 #include "grid/options.h"
+#include "matching/check_options.h"
 #include "solvers/options.h"
 
 #include <string>
@@ -78,6 +79,7 @@ struct ExperimentOptions {
   EnergyOptions energy;
   CoefficientOptions coefficients;
   SolverOptions solver;
+  CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::all;
   int threads = 0;
   template <class Self, class Visitor>
@@ -89,6 +91,7 @@ struct ExperimentOptions {
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
     visit("solver", self.solver, {.meaning = "the minimiser"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
+    visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
     visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
   }
 };

@@ -7,6 +7,7 @@
 #include "matching/cascade.h"
 #include "matching/generated_source.h"
 #include "matching/grid_picture.h"
+#include "matching/gradient_report.h"
 #include "matching/history_file.h"
 #include "matching/level_picture.h"
 #include "matching/output_folder.h"
@@ -38,10 +39,22 @@ class Recorder final : public Observer {
     history.rows.push_back({start.level, start.substep, start.nu, record});
     return next_.iterated(start, record);
   }
+  void gradient_checked(const LevelStart& start, const GradientReport& report) override {
+    GradientCheckSummary s{start.level, start.substep, report.iteration, report.passed(), report.failed_terms()};
+    for (const TermCheck& t : report.terms) {
+      s.worst_functor_error = std::max(s.worst_functor_error, t.gradient_error);
+      for (const DirectionCheck& d : t.directions)
+        for (const double order : d.orders)
+          if (std::abs(order - 2) > std::abs(s.worst_order - 2)) s.worst_order = order;
+    }
+    gradient_checks.push_back(std::move(s));
+    next_.gradient_checked(start, report);
+  }
   void level_finished(const LevelStart& start, const MinimizerSummary& summary) override {
     next_.level_finished(start, summary);
   }
   History history;
+  std::vector<GradientCheckSummary> gradient_checks;
 
  private:
   Observer& next_;
@@ -164,6 +177,7 @@ class Run {
     s.template_shape = shape_summary(template_);
     s.placement = {std::string(enum_name(options_.input.placement)), placement_.scale,
                    {placement_.offset.begin(), placement_.offset.end()}};
+    if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     s.run.compiler = compiler_name();
     s.run.threads = n_threads();
     s.run.seconds = seconds + seconds_["reading"];

@@ -10,6 +10,8 @@
 
 namespace shellmatch {
 
+struct GradientReport;
+
 /// One minimisation of the cascade, as it begins.
 struct LevelStart {
   int level = 0;
@@ -30,6 +32,8 @@ class Observer {
   virtual void level_started(const LevelStart& /*start*/) {}
   /// After every accepted step. Return false to stop cleanly.
   virtual bool iterated(const LevelStart& /*start*/, const IterationRecord& /*record*/) { return true; }
+  /// Derivatives were checked after an iteration (check_gradient.every); before iterated() of that iteration.
+  virtual void gradient_checked(const LevelStart& /*start*/, const GradientReport& /*report*/) {}
   virtual void level_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
 };
 

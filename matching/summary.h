@@ -72,6 +72,15 @@ struct RunFigures {
   std::uint64_t peak_memory_bytes = 0;
 };
 
+/// One check of derivatives on the way.
+struct GradientCheckSummary {
+  int level = 0, substep = 0, iteration = 0;
+  bool passed = false;
+  std::string failed_terms;      ///< with commas
+  double worst_order = 2;        ///< order of a Taylor remainder that is furthest from 2
+  double worst_functor_error = 0;  ///< of gradients against the element functors, relative
+};
+
 struct MatchSummary {
   std::string version, profile;
   int dimension = 0;
@@ -89,6 +98,8 @@ struct MatchSummary {
   /// Facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;
   std::vector<LevelSummary> levels;  ///< from coarse to fine
+  /// Where they were asked for.
+  std::optional<std::vector<GradientCheckSummary>> gradient_checks;
   RunFigures run;
 };
 

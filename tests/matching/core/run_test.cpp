@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "matching/deformation_file.h"
+#include "matching/gradient_report.h"
 #include "matching/run_matching.h"
 #include "matching/run_report.h"
 #include "matching/summary.h"
@@ -62,6 +63,41 @@ TEST_F(RunTest, TheSummaryIsTheSameForAnyNumberOfThreads) {
     s.run = {};
     if (threads == 1) first = summary_json(s);
     else EXPECT_EQ(summary_json(s), first);
+  }
+}
+
+TEST_F(RunTest, DerivativesAreCheckedOnTheWayAndChangeNothing) {
+  struct Listener final : Observer {
+    int n = 0;
+    void gradient_checked(const LevelStart&, const GradientReport& report) override {
+      ++n;
+      EXPECT_TRUE(report.passed()) << gradient_report_text(report);
+    }
+  };
+  std::string unchecked;
+  for (const int every : {0, 3}) {
+    ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 4);
+    o.check_gradient.every = every;
+    const fs::path out = folder / ("every" + std::to_string(every));
+    Listener listener;
+    run_matching(o, out, false, listener);
+    MatchSummary s = read_summary(out / "summary.json");
+    EXPECT_EQ(s.gradient_checks.has_value(), every > 0);
+    if (every > 0) {
+      ASSERT_EQ(static_cast<int>(s.gradient_checks->size()), listener.n);
+      // Four minimisations, each checked at its start, and some at their third iteration.
+      EXPECT_GT(listener.n, 4);
+      for (const GradientCheckSummary& c : *s.gradient_checks) {
+        EXPECT_TRUE(c.passed);
+        EXPECT_EQ(c.iteration % 3, 0);
+        EXPECT_NEAR(c.worst_order, 2, 0.1);
+        EXPECT_NE(c.worst_order, 2);
+      }
+    }
+    s.gradient_checks.reset();
+    s.run = {};
+    if (every == 0) unchecked = summary_json(s);
+    else EXPECT_EQ(summary_json(s), unchecked);
   }
 }
 
