@@ -8,8 +8,6 @@ namespace shellmatch {
 namespace {
 
 TEST_F(StudyProgram, SnakemakeGivesTheSameTable) {
-  if (std::system("command -v snakemake >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "snakemake is not installed (scripts/install-dependencies --workflow)";
   const std::string study = write("study.yaml", small_study);
   ASSERT_EQ(run_program({"study", study, "-o", path("direct"), "-q"}).exit_code, 0);
   const std::string command =
