@@ -34,7 +34,7 @@ void execute(const CheckGradientCommand& command) {
   if (!command.json.empty()) check_report_file(command.json, command.settings.force);
   const ExperimentOptions options = read_run_options(command.config, command.settings);
 
-  catch_interrupts();
+  stop_loops_on_interrupts();
   Progress progress(command.settings.verbosity, options.cascade.max_level);
   GradientReport report = run_gradient_check(options, request, progress);
   report.source = command.config;

@@ -5,6 +5,7 @@
 #include "apps/interrupt.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/placement.h"
 #include "matching/curvature_report.h"
 #include "matching/generated_source.h"
@@ -52,7 +53,7 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
                   folder.final_path());
   const auto comparison =
       compare_curvatures<Dim>(shape, formula_of<Dim>(shape.source), options, fit, [&](const CurvatureLevel& l) {
-        if (interrupt_requested()) throw Interrupted("stopped on request; nothing was written");
+        stop_if_wanted();
         if (!quiet) std::cerr << fmt::format("level {}: {} nodes\n", l.level, l.n_nodes);
       });
   const CurvatureSubject subject{shape.source, fit, options.coefficients};
@@ -71,7 +72,7 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
 }  // namespace
 
 void execute(const CurvatureCommand& command) {
-  catch_interrupts();
+  stop_loops_on_interrupts();
   std::vector<Override> overrides = {{"input.reference", command.shape, "SHAPE"},
                                      {"input.template", command.shape, "SHAPE"}};
   for (Override& change : overrides_of(command.settings)) overrides.push_back(std::move(change));

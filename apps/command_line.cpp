@@ -54,11 +54,16 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
   add_verbosity(command, settings.verbosity, verbose_meaning);
 }
 
-void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
+void add_output_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
   command.add_option("-o,--output", settings.output, output_meaning)->type_name("DIR");
   command.add_option("--levels", settings.levels, "coarsest and finest level; cells have side 2^-level")
       ->type_name("MIN:MAX");
   add_experiment_settings(command, settings, "replace the output folder of an earlier run", "every iteration");
+}
+
+void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
+  add_output_settings(command, settings, output_meaning);
+  command.add_flag("--restart", settings.restart, "begin anew where the same command was stopped before");
 }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, const std::string& footer) {
@@ -128,7 +133,7 @@ void describe(CLI::App& app, Commands& commands) {
 
   CLI::App* curvature = add_command(app, "curvature", help_text::curvature, help_text::curvature_footer);
   curvature->add_option("SHAPE", commands.curvature.shape, "the shape")->required()->type_name("");
-  add_run_settings(*curvature, commands.curvature.settings, "output folder (required)");
+  add_output_settings(*curvature, commands.curvature.settings, "output folder (required)");
   curvature->add_option("--degree", commands.curvature.degree, "of the polynomials fitted to a mesh, 2 to 4; 2 if not given")
       ->type_name("N");
   curvature->add_option("--rings", commands.curvature.rings,

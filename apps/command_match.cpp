@@ -15,10 +15,9 @@ namespace shellmatch {
 namespace {
 
 void match(const ExperimentOptions& options, const std::string& output, const RunSettings& settings) {
-  catch_interrupts();
+  stop_loops_on_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
-  run_matching(options, output, settings.force, progress);
-  if (interrupt_requested()) throw Interrupted(fmt::format("stopped on request; what was reached is in {}", output));
+  run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);
   progress.note(fmt::format("written: {}", output));
 }
 

@@ -3,6 +3,7 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "base/error.h"
+#include "base/stop.h"
 #include "studies/collect.h"
 
 #include <unistd.h>
@@ -104,7 +105,7 @@ void execute(const StudyCommand& command) {
   catch_interrupts();
   StudyProgress progress(command.verbosity == Verbosity::quiet);
   if (!command.collect && !run_study(study, runs, folder, settings, progress))
-    throw Interrupted(fmt::format(
+    throw Stopped(fmt::format(
         "stopped on request; the same command goes on where it was (results so far: {})", output));
   if (command.only.empty()) {
     collect_study(study, all, folder);

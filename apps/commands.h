@@ -20,7 +20,7 @@ struct RunSettings {
   std::string levels, placement, profile, threads;
   std::vector<std::string> assignments;  ///< of --set, in their order
   Verbosity verbosity = Verbosity::normal;
-  bool force = false;
+  bool force = false, restart = false;
 };
 
 struct MatchCommand {

@@ -16,7 +16,7 @@ inline constexpr const char* program_footer = R"(Examples:
 `shellmatch COMMAND --help` tells more about each command.
 
 Exit codes: 0 done; 1 a check did not pass; 2 the command line or an input cannot be used; 3 the machine does not give what is
-needed (memory, disk, permission); 70 an error of the program; 130 stopped by Ctrl-C.)";
+needed (memory, disk, permission); 70 an error of the program; 130 stopped by Ctrl-C, 143 by SIGTERM.)";
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
@@ -43,7 +43,8 @@ inline constexpr const char* output_footer = R"(
 The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours), the deformation
 (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
 It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
-replaces it if it is the output of an earlier run, and never anything else.)";
+replaces it if it is the output of an earlier run, and never anything else. While a run works, finished levels are
+kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart begins anew.)";
 
 inline constexpr const char* generate = "Write one of the built-in shapes to a file.";
 

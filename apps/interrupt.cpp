@@ -1,14 +1,16 @@
 #include "apps/interrupt.h"
 
+#include "base/stop.h"
+
 #include <csignal>
 
 namespace shellmatch {
 
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+volatile std::sig_atomic_t requested = 0;  // the signal that has come
 
-extern "C" void note_interrupt(int) { requested = 1; }
+extern "C" void note_interrupt(int signal) { requested = signal; }
 
 }  // namespace
 
@@ -21,6 +23,13 @@ void catch_interrupts() {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
+void stop_loops_on_interrupts() {
+  catch_interrupts();
+  stop_loops_when(interrupt_requested);
+}
+
 bool interrupt_requested() { return requested != 0; }
+
+int interrupt_exit_code() { return 128 + (interrupt_requested() ? requested : SIGINT); }
 
 }  // namespace shellmatch

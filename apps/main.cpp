@@ -3,6 +3,7 @@
 #include "apps/command_line.h"
 #include "apps/interrupt.h"
 #include "base/error.h"
+#include "base/stop.h"
 
 #include <fmt/core.h>
 
@@ -17,7 +18,7 @@
 
 namespace {
 
-enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, internal_error = 70, interrupted = 130 };
+enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, internal_error = 70 };
 
 int fail(ExitCode code, const std::string& text) {
   std::fputs(fmt::format("shellmatch: error: {}\n", text).c_str(), stderr);
@@ -43,9 +44,9 @@ int main(int argc, char** argv) {
     return fail(environment_error, error.what());
   } catch (const std::bad_alloc&) {
     return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
-  } catch (const Interrupted& error) {
+  } catch (const Stopped& error) {
     std::fputs(fmt::format("shellmatch: {}\n", error.what()).c_str(), stderr);
-    return interrupted;
+    return interrupt_exit_code();
   } catch (const std::exception& error) {
     return fail(internal_error, error.what());
   }

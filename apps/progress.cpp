@@ -1,6 +1,6 @@
 #include "apps/progress.h"
 
-#include "apps/interrupt.h"
+#include "base/stop.h"
 #include "matching/gradient_report.h"
 
 #include <fmt/format.h>
@@ -12,10 +12,6 @@
 namespace shellmatch {
 
 namespace {
-
-void stop_if_asked() {
-  if (interrupt_requested()) throw Interrupted("stopped on request; nothing was written");
-}
 
 std::string place(const LevelStart& start, int max_level) {
   std::string text = fmt::format("level {}/{}", start.level, max_level);
@@ -64,13 +60,13 @@ void Progress::rewrite(const std::string& text) {
 void Progress::note(const std::string& text) { line(text); }
 
 void Progress::phase(const std::string& name) {
-  stop_if_asked();
+  stop_if_wanted();
   if (terminal_) rewrite(name);
   else if (verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));
 }
 
 void Progress::level_started(const LevelStart& start) {
-  stop_if_asked();
+  stop_if_wanted();
   time_left_.started(start.level, start.substep, start.n_substeps, start.n_nodes, now());
   const std::string text =
       fmt::format("{}: {} nodes, {} of them free, {} cells, nu {:.3g}, c_vol {:.3g}, sigma {:.3g}",
@@ -81,7 +77,7 @@ void Progress::level_started(const LevelStart& start) {
 }
 
 bool Progress::iterated(const LevelStart& start, const IterationRecord& record) {
-  if (interrupt_requested()) return false;
+  stop_if_wanted();
   if (verbosity_ == Verbosity::verbose) {
     line(fmt::format("{}, iteration {}: energy {:.6e}, terms {:.4e}, gradient {:.3e}, step {:.3e}, {} evaluations, {:.2f} s",
                      place(start, max_level_), record.iteration, record.value, fmt::join(record.terms, " "),

@@ -12,8 +12,8 @@
 namespace shellmatch {
 
 /// Writes to stderr: on a terminal one line that is rewritten, with energy and time left, and one that stays
-/// per finished level; elsewhere a line as each minimisation begins and ends. Stops the run when the user asks
-/// for it by Ctrl-C.
+/// per finished level; elsewhere a line as each minimisation begins and ends. Between phases and iterations it stops
+/// the run where that is wanted (base/stop.h).
 class Progress final : public Observer {
  public:
   Progress(Verbosity verbosity, int max_level);

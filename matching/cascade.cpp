@@ -1,5 +1,6 @@
 #include "matching/cascade.h"
 
+#include "base/error.h"
 #include "grid/mass.h"
 #include "grid/prolongation.h"
 #include "matching/gradient_check.h"
@@ -128,12 +129,28 @@ class Level {
   LevelEnergy<Dim> level_;
 };
 
+/// The map at the nodes of `grid`, whose numbers differ from those of the map's own grid.
+template <int Dim>
+std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>& grid) {
+  bool same = map.grid.n_nodes() == grid.n_nodes() && map.grid.leaves().size() == grid.leaves().size();
+  std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
+  for (Index i = 0; same && i < grid.n_nodes(); ++i) {
+    const Index there = map.grid.find_node(grid.node_coord(i));
+    same = there != no_index;
+    if (same) phi[i] = map.phi[there];
+  }
+  if (!same)
+    throw_input_error("the levels that were kept lie on another grid than the one that this machine makes of the shapes; "
+                      "begin anew with --restart");
+  return phi;
+}
+
 }  // namespace
 
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds) {
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before) {
   const CascadeOptions& schedule = options.cascade;
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
@@ -144,14 +161,27 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     PhaseClock clock(seconds);
     clock.start("distances");
     shapes.compute_distances(grid);
-    clock.start("coefficients");
-    auto coefficients = shapes.coefficients(grid, options);
-    clock.start("set-up");
-    Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
-    clock.start("minimisation");
-    result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
-    clock.start("output");
-    if (finished) finished(result.levels.back(), {grid, result.phi, coefficients.reference, coefficients.target});
+    // Grids of levels that were finished before are made again, not read: nodes get the numbers that they had, by
+    // which sums are ordered.
+    const bool is_finished = before && level <= before->level;
+    CoefficientPair<Dim> coefficients;
+    if (!is_finished || level == schedule.max_level) {
+      clock.start("coefficients");
+      coefficients = shapes.coefficients(grid, options);
+    }
+    if (is_finished) {
+      if (level == before->level) {
+        result.phi = renumbered(before->map, grid);
+        before.reset();
+      }
+    } else {
+      clock.start("set-up");
+      Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
+      clock.start("minimisation");
+      result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+      clock.start("output");
+      if (finished) finished(result.levels.back(), {grid, result.phi, coefficients.reference, coefficients.target});
+    }
     if (level == schedule.max_level || result.interrupted) {
       result.reference = std::move(coefficients.reference);
       result.target = std::move(coefficients.target);
@@ -167,8 +197,10 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 }
 
 template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
-                                         Observer&, const LevelCallback<2>&, PhaseSeconds&);
+                                         Observer&, const LevelCallback<2>&, PhaseSeconds&,
+                                         std::optional<FinishedLevel<2>>);
 template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
-                                         Observer&, const LevelCallback<3>&, PhaseSeconds&);
+                                         Observer&, const LevelCallback<3>&, PhaseSeconds&,
+                                         std::optional<FinishedLevel<3>>);
 
 }  // namespace shellmatch

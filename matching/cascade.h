@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,12 +50,19 @@ struct LevelState {
   const CoefficientFields<Dim>& target;
 };
 
+/// The end of a level that was finished by an earlier run.
+template <int Dim>
+struct FinishedLevel {
+  int level = 0;
+  Deformation<Dim> map;
+};
+
 template <int Dim>
 struct CascadeResult {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;
   CoefficientFields<Dim> reference, target;  ///< on the finest grid
-  std::vector<LevelResult> levels;
+  std::vector<LevelResult> levels;           ///< of this call, without those that were finished before
   bool interrupted = false;
 };
 
@@ -62,11 +70,13 @@ struct CascadeResult {
 template <int Dim>
 using LevelCallback = std::function<void(const LevelResult&, const LevelState<Dim>&)>;
 
-/// Runs the cascade from the identity. The shapes lie in the unit domain.
+/// Runs the cascade from the identity, or goes on after the level `before`: with the same shapes and options the result
+/// is then the same to the bit. The shapes lie in the unit domain.
+/// \throws InputError if the map `before` does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds);
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {});
 
 /// nu and c_vol of a level's minimisations, in their order.
 struct ScheduleStep {

@@ -37,6 +37,12 @@ void write_deformation(const std::string& path, const Deformation<Dim>& deformat
                        const std::vector<NodalField>& nodal_fields = {},
                        const std::vector<CellField>& cell_fields = {});
 
+/// The same of a map that is still being worked on.
+template <int Dim>
+void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                       const Similarity<Dim>& placement, const std::vector<NodalField>& nodal_fields = {},
+                       const std::vector<CellField>& cell_fields = {});
+
 /// Reads a map back: the same leaves, node positions and placement, and phi to the bit. The numbers of nodes
 /// and cells may differ from those of the grid that was written.
 /// \param path the file, or an output folder that holds it

@@ -1,38 +1,30 @@
 #include "base/error.h"
+#include "matching/json_members.h"
 #include "matching/output_folder.h"
 #include "matching/summary.h"
 
-#include <nlohmann/json.hpp>
-
 #include <fstream>
-#include <limits>
-#include <type_traits>
 
 namespace shellmatch {
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-// One description of every struct serves writing and reading: `member` is called with each key and member.
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, OneSidedDistance>
-void describe(S& s, Member&& member) { member("mean", s.mean), member("p95", s.p95), member("max", s.max); }
+static void describe(S& s, Member&& member) { member("mean", s.mean), member("p95", s.p95), member("max", s.max); }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, TwoSidedDistance>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("deformed_to_template", s.deformed_to_template),
       member("template_to_deformed", s.template_to_deformed);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, DistortionSummary>
-void describe(S& s, Member&& member) { member("mean", s.mean), member("min", s.min), member("max", s.max); }
+static void describe(S& s, Member&& member) { member("mean", s.mean), member("min", s.min), member("max", s.max); }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, FoldReport>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("min_determinant", s.min_determinant), member("determinant_lower_bound", s.lower_bound);
   member("folded_cells", s.n_folded_cells), member("uncertified_cells", s.n_uncertified_cells);
   member("folded_volume", s.folded_volume);
@@ -40,13 +32,13 @@ void describe(S& s, Member&& member) {
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, BandReport>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("normal_angle", s.normal_angle), member("folded_share", s.folded_share);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("level", s.level), member("sigma", s.sigma), member("nu", s.nu),
       member("volume_weight", s.volume_weight);
   member("substeps", s.n_substeps), member("nodes", s.n_nodes), member("free_nodes", s.n_free_nodes);
@@ -61,7 +53,7 @@ void describe(S& s, Member&& member) {
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, GradientCheckSummary>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("level", s.level), member("substep", s.substep), member("iteration", s.iteration);
   member("passed", s.passed), member("failed_terms", s.failed_terms), member("worst_order", s.worst_order);
   member("worst_functor_error", s.worst_functor_error);
@@ -69,28 +61,28 @@ void describe(S& s, Member&& member) {
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
       member("notes", s.notes);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, PlacementSummary>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("kind", s.kind), member("scale", s.scale), member("offset", s.offset);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, RunFigures>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("compiler", s.compiler), member("threads", s.threads), member("seconds", s.seconds);
   member("phase_seconds", s.phase_seconds), member("level_seconds", s.level_seconds);
-  member("peak_memory_bytes", s.peak_memory_bytes);
+  member("peak_memory_bytes", s.peak_memory_bytes), member("resumed_after", s.resumed_after);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, MatchSummary>
-void describe(S& s, Member&& member) {
+static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
   member("interrupted", s.interrupted), member("reference", s.reference),
       member("template", s.template_shape);
@@ -102,70 +94,8 @@ void describe(S& s, Member&& member) {
   member("levels", s.levels), member("gradient_checks", s.gradient_checks), member("run", s.run);
 }
 
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-template <class T>
-concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
-
-template <class T>
-Json to_json(const T& value) {
-  if constexpr (Plain<T>) {
-    return value;  // the library writes numbers that are not finite as null
-  } else if constexpr (std::is_same_v<T, NamedValues>) {
-    Json object = Json::object();
-    for (const auto& [name, number] : value) object[name] = number;
-    return object;
-  } else if constexpr (IsVector<T>::value) {
-    Json array = Json::array();
-    for (const auto& entry : value) array.push_back(to_json(entry));
-    return array;
-  } else {
-    Json object = Json::object();
-    describe(value, [&object]<class M>(const char* key, const M& member) {
-      if constexpr (IsOptional<M>::value) {
-        if (member) object[key] = to_json(*member);
-      } else {
-        object[key] = to_json(member);
-      }
-    });
-    return object;
-  }
-}
-
-template <class T>
-void from_json(const Json& json, T& value) {
-  if constexpr (std::is_same_v<T, double>) {
-    value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-  } else if constexpr (Plain<T>) {
-    value = json.get<T>();
-  } else if constexpr (std::is_same_v<T, NamedValues>) {
-    value.clear();
-    for (const auto& [name, number] : json.items()) from_json(number, value.emplace_back(name, 0.0).second);
-  } else if constexpr (IsVector<T>::value) {
-    value.clear();
-    for (const Json& entry : json) from_json(entry, value.emplace_back());
-  } else {
-    describe(value, [&json]<class M>(const char* key, M& member) {
-      if constexpr (IsOptional<M>::value) {
-        if (json.contains(key)) from_json(json.at(key), member.emplace());
-      } else {
-        from_json(json.at(key), member);
-      }
-    });
-  }
-}
-
-}  // namespace
-
 std::string summary_json(const MatchSummary& summary) {
-  // Names of files may hold any bytes; those that are no UTF-8 are replaced.
-  return to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json_of(summary));
 }
 
 void write_summary(const MatchSummary& summary, const std::string& path) {
@@ -177,7 +107,7 @@ MatchSummary read_summary(const std::string& path) {
   if (!in) throw_input_error("{}: cannot be read; give the summary.json of an output folder", path);
   MatchSummary summary;
   try {
-    from_json(Json::parse(in), summary);
+    set_from_json(Json::parse(in), summary);
   } catch (const Json::exception& e) {
     throw_input_error("{}: no summary of a run, or damaged ({})", path, e.what());
   }

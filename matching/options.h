@@ -71,6 +71,17 @@ struct CascadeOptions {
   }
 };
 
+/// What a run keeps while it works, for the case that it is stopped.
+struct ResumeOptions {
+  bool enabled = true;
+  double min_seconds = 10;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("enabled", self.enabled, {.meaning = "keep every finished level in NAME.unfinished beside the output folder NAME, so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+    visit("min_seconds", self.min_seconds, {.unit = "seconds", .min = 0, .meaning = "a finished level is kept where so much time has passed since the last one that was: short runs leave no trace"});
+  }
+};
+
 /// Everything, as one YAML document.
 struct ExperimentOptions {
   Profile profile = Profile::standard;
@@ -81,6 +92,7 @@ struct ExperimentOptions {
   SolverOptions solver;
   CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::all;
+  ResumeOptions resume;
   int threads = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -91,6 +103,7 @@ struct ExperimentOptions {
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
     visit("solver", self.solver, {.meaning = "the minimiser"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
+    visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
     visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
   }

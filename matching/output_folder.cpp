@@ -69,6 +69,26 @@ void check_place(const fs::path& path, bool force) {
         path.string());
 }
 
+std::string lock_of(const fs::path& place) {
+  return (place.parent_path() / fmt::format(".{}.lock", place.filename().string())).string();
+}
+
+std::string partial_prefix(const fs::path& place) { return fmt::format(".{}.partial-", place.filename().string()); }
+
+constexpr std::string_view set_aside = ".old";  // ends the name of an output folder that is being replaced
+
+// Of a run that was killed between the two steps of a replacement, the earlier result is all that there is: it stays.
+void remove_partial_folders(const fs::path& place) {
+  std::error_code error;
+  const std::string begin = partial_prefix(place);
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place.parent_path(), error))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with(begin) && (!name.ends_with(set_aside) || is_filled(place)))
+      found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove_all(path, error);
+}
+
 // Delayed writing may find out here only that the disk is full.
 void synchronise(const std::string& path, int flags) {
   Descriptor file(path, flags);
@@ -97,11 +117,15 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
     remove_created_parents();
     cannot_write(parent.string(), error.value());
   }
-  // Two runs of one process may write to the same parent: count up until the name is free.
+  if (::access(parent.c_str(), W_OK) != 0) cannot_write(parent.string(), errno);
+  lock_.emplace(lock_of(place), FileLock::Kind::exclusive);
+  if (lock_->state() == FileLock::State::taken)
+    throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
+  if (lock_->state() == FileLock::State::held) remove_partial_folders(place);
+  // What is left where there are no locks: count up until the name is free.
   for (int attempt = 0; partial_.empty(); ++attempt) {
     const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
-    const fs::path hidden =
-        parent / fmt::format(".{}.partial-{}{}", place.filename().string(), ::getpid(), suffix);
+    const fs::path hidden = partial_folder_name(final_) + suffix;
     if (fs::create_directory(hidden, error)) partial_ = hidden.string();
     if (error || attempt > 1000) {
       remove_created_parents();
@@ -114,6 +138,7 @@ OutputFolder::~OutputFolder() {
   if (committed_) return;
   std::error_code ignored;
   fs::remove_all(partial_, ignored);
+  lock_.reset();
   remove_created_parents();
 }
 
@@ -156,7 +181,7 @@ void OutputFolder::commit() {
       fs::remove_all(partial_, error);
       return;
     }
-    const std::string old = partial_ + ".old";
+    const std::string old = partial_ + std::string(set_aside);
     fs::rename(final_, old, error);
     if (error) cannot_write(final_, error.value());
     fs::rename(partial_, final_, error);
@@ -189,6 +214,16 @@ bool OutputFolder::keep_partial() {
   for (const fs::path& path : empty) fs::remove(path, error);
   if (any) commit();
   return any;
+}
+
+std::string partial_folder_name(const std::string& path) {
+  const fs::path place = path;
+  return (place.parent_path() / fmt::format("{}{}", partial_prefix(place), ::getpid())).string();
+}
+
+void remove_leftovers(const std::string& path) {
+  const FileLock lock(lock_of(path), FileLock::Kind::exclusive);
+  if (lock.state() == FileLock::State::held) remove_partial_folders(path);
 }
 
 void write_file(const std::string& path, std::string_view contents) {

@@ -2,20 +2,25 @@
 /// \file
 /// The folder that a run writes: all of it appears at once, or nothing.
 
+#include "matching/file_lock.h"
+
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace shellmatch {
 
 /// Files are written into a hidden folder beside the final one, on the same file system, and the folder is
-/// renamed when all of it is there. A run that fails leaves what was there before, and nothing else; a run
-/// that is killed may leave the hidden folder, `.NAME.partial-PID`, which may be deleted.
+/// renamed when all of it is there. A run that fails leaves what was there before, and nothing else. A run that is
+/// killed leaves the hidden folder, `.NAME.partial-PID`, and a lock, `.NAME.lock`, which tells that nobody works on
+/// it any more: the next one of that name removes both.
 class OutputFolder {
  public:
   /// \param path the final folder; its parents are created where they are missing
   /// \param force replace a folder that an earlier run wrote; it stays untouched until commit()
   /// \throws InputError if `path` is a file, or a folder that is not empty and `force` is false, or one that
-  ///   does not look like the output of a run (nobody's home folder is replaced by mistake);
+  ///   does not look like the output of a run (nobody's home folder is replaced by mistake), or if another
+  ///   process is writing to that name;
   ///   EnvironmentError if nothing can be written there
   OutputFolder(const std::string& path, bool force);
   /// Without commit() before, removes the hidden folder and the parents that were created.
@@ -43,7 +48,16 @@ class OutputFolder {
 
   std::string final_, partial_, first_created_parent_;
   bool force_, committed_ = false;
+  std::optional<FileLock> lock_;
 };
+
+/// The hidden name beside the output folder `path` under which it is worked on: the absolute path of
+/// `.NAME.partial-PID`.
+std::string partial_folder_name(const std::string& path);
+
+/// Removes what killed runs have left of the output folder `path`, hidden beside it, unless a run is at work there.
+/// \throws EnvironmentError if nothing can be written beside it
+void remove_leftovers(const std::string& path);
 
 /// Writes a whole file. \throws EnvironmentError naming the file: disk full, no permission.
 void write_file(const std::string& path, std::string_view contents);

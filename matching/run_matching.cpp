@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/surface_distance.h"
 #include "geometry/write_shape.h"
 #include "matching/cascade.h"
@@ -9,6 +10,7 @@
 #include "matching/grid_picture.h"
 #include "matching/gradient_report.h"
 #include "matching/history_file.h"
+#include "matching/kept_levels.h"
 #include "matching/level_picture.h"
 #include "matching/output_folder.h"
 #include "matching/phase_clock.h"
@@ -19,7 +21,9 @@
 #include "matching/yaml_options.h"
 #include "render/plot.h"
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <variant>
 
 namespace shellmatch {
@@ -34,7 +38,10 @@ class Recorder final : public Observer {
   }
   void note(const std::string& text) override { next_.note(text); }
   void phase(const std::string& name) override { next_.phase(name); }
-  void level_started(const LevelStart& start) override { next_.level_started(start); }
+  void level_started(const LevelStart& start) override {
+    level = start.level;
+    next_.level_started(start);
+  }
   bool iterated(const LevelStart& start, const IterationRecord& record) override {
     history.rows.push_back({start.level, start.substep, start.nu, record});
     return next_.iterated(start, record);
@@ -55,6 +62,7 @@ class Recorder final : public Observer {
   }
   History history;
   std::vector<GradientCheckSummary> gradient_checks;
+  int level = 0;  // the one that was started last; 0 is none
 
  private:
   Observer& next_;
@@ -81,10 +89,19 @@ class Run {
         shapes_(std::move(shapes)),
         folder_(folder),
         recorder_(observer),
-        seconds_(std::move(seconds)) {}
+        seconds_(std::move(seconds)),
+        seconds_before_(seconds_["reading"]) {}
 
-  void go() {
-    const auto begin = std::chrono::steady_clock::now();
+  void go(bool restart) {
+    try {
+      match(restart);
+    } catch (const Stopped&) {
+      throw Stopped(stopped_text());
+    }
+  }
+
+ private:
+  void match(bool restart) {
     placement_ = shapes_.place(options_);
     check_size<Dim>(measure(reference_.surface) + measure(template_.surface), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
@@ -96,21 +113,98 @@ class Run {
             : read_correspondence<Dim>(input.correspondence, reference_.original.vertices.size());
     summary_.distance_before = two_sided_distance(reference_.surface, d2);
 
+    std::optional<FinishedLevel<Dim>> before;
+    if (options_.resume.enabled) {
+      keeper_.emplace(folder_.final_path(), run_identity(options_, reference_.surface, template_.surface));
+      if (keeper_->is_foreign()) {
+        recorder_.note(fmt::format("{}: no run has written this, and it is left alone: levels are not kept for the case "
+                                   "that this run is stopped", keeper_->path()));
+        keeper_.reset();
+      } else if (!restart) {
+        before = take_up();
+      }
+    }
     recorder_.phase("matching");
     auto result = run_cascade<Dim>(d1, d2, options_, recorder_,
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state, d2); },
-                                   seconds_);
+                                   seconds_, std::move(before));
     summary_.interrupted = result.interrupted;
+    writing_ = true;
     recorder_.phase("writing");
     PhaseClock clock(seconds_);
     clock.start("output");
     write(result, d2, truth);
     clock.stop();
-    finish_summary(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    write_summary(complete_summary(), folder_.path_of("summary.json"));
     folder_.commit();
+    if (keeper_ && !result.interrupted) keeper_->remove();
   }
 
- private:
+  // Goes on where an earlier run was, if there is one and it is the same experiment.
+  std::optional<FinishedLevel<Dim>> take_up() {
+    if (const std::string obstacle = keeper_->obstacle(); !obstacle.empty()) {
+      recorder_.note(fmt::format("{}: {}; the run begins anew and replaces that folder once it keeps a level",
+                                 keeper_->path(), obstacle));
+      return std::nullopt;
+    }
+    auto kept = keeper_->read<Dim>();
+    if (!kept) return std::nullopt;
+    MatchSummary& s = kept->summary;
+    kept_level_ = s.levels.back().level;
+    recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", kept_level_, keeper_->path(),
+                               s.run.seconds));
+    recorder_.history = std::move(kept->history);
+    recorder_.gradient_checks = s.gradient_checks.value_or(std::vector<GradientCheckSummary>{});
+    summary_.levels = std::move(s.levels);
+    summary_.run = std::move(s.run);
+    for (const auto& [phase, t] : summary_.run.phase_seconds) seconds_[phase] += t;
+    seconds_before_ += summary_.run.seconds;
+    summary_.run.resumed_after = summary_.run.resumed_after.value_or(std::vector<int>{});
+    summary_.run.resumed_after->push_back(kept_level_);
+    keeper_->copy_pictures(folder_.path_of("pictures"));
+    return FinishedLevel<Dim>{kept_level_, std::move(kept->deformation)};
+  }
+
+  // A run that cannot keep a level goes on all the same: it may never be stopped.
+  void keep(const LevelResult& level, const LevelState<Dim>& state) {
+    if (!keeper_ || level.last.reason == StopReason::interrupted) return;
+    const double begin = seconds();
+    if (begin - last_kept_ < options_.resume.min_seconds) return;
+    MatchSummary s = complete_summary();
+    s.interrupted = true;
+    s.distance = s.levels.back().distance;
+    try {
+      keeper_->keep<Dim>({state.grid, state.phi, placement_, recorder_.history, s}, folder_.path_of("pictures"));
+      kept_level_ = level.start.level;
+    } catch (const InputError& error) {
+      cannot_keep(level.start.level, error.what());
+    } catch (const EnvironmentError& error) {
+      cannot_keep(level.start.level, error.what());
+    }
+    last_kept_ = seconds();
+    seconds_["keeping"] += last_kept_ - begin;
+    seconds_["output"] -= last_kept_ - begin;  // whose clock is running
+  }
+
+  void cannot_keep(int level, const std::string& why) {
+    recorder_.note(fmt::format("level {} is not kept for the case that the run is stopped: {}", level, why));
+  }
+
+  std::string stopped_text() const {
+    const std::string where = writing_               ? "while the result was written"
+                              : recorder_.level == 0 ? "before the first level"
+                                                     : fmt::format("in level {} of {}", recorder_.level,
+                                                                   options_.cascade.max_level);
+    if (kept_level_ == 0) return fmt::format("stopped {}; nothing was written", where);
+    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, kept_level_,
+                       keeper_->path());
+  }
+
+  // Of this process, since the shapes were read.
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
   void finish_level(const LevelResult& level, const LevelState<Dim>& state, const SignedDistance<Dim>& d2) {
     LevelSummary s = level_summary(level, recorder_.history.rows.empty() ? IterationRecord{} : recorder_.history.rows.back().record);
     const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
@@ -121,6 +215,7 @@ class Run {
     if (options_.pictures == Pictures::all)
       picture(deformed, state, d2, fmt::format("level {}", level.start.level), level_picture_name(level.start.level),
               true);
+    keep(level, state);
   }
 
   void picture(const Surface<Dim>& deformed, const LevelState<Dim>& state, const SignedDistance<Dim>& d2,
@@ -150,7 +245,7 @@ class Run {
         write_grid_picture(result.grid, reference_.surface, template_.surface, "", folder_.path_of("pictures/grid.png"));
     }
 
-    const auto cells = cell_fields(result.grid, result.phi, result.reference.distance, result.levels.back().start.sigma);
+    const auto cells = cell_fields(result.grid, result.phi, result.reference.distance, summary_.levels.back().sigma);
     const Deformation<Dim> deformation{std::move(result.grid), std::move(result.phi), placement_};
     const OriginalShape<Dim> moved = deformed_original(reference_.original, deformation, d2);
     if constexpr (Dim == 3) write_ply(folder_.path_of("deformed.ply"), moved);
@@ -168,8 +263,9 @@ class Run {
     write_file(folder_.path_of("config.yaml"), to_yaml(with_absolute_paths(options_)));
   }
 
-  void finish_summary(double seconds) {
-    MatchSummary& s = summary_;
+  // With all that is known so far.
+  MatchSummary complete_summary() const {
+    MatchSummary s = summary_;
     s.version = program_version();
     s.profile = enum_name(options_.profile);
     s.dimension = Dim;
@@ -180,10 +276,10 @@ class Run {
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     s.run.compiler = compiler_name();
     s.run.threads = n_threads();
-    s.run.seconds = seconds + seconds_["reading"];
-    for (const auto& [phase, t] : seconds_) s.run.phase_seconds.emplace_back(phase, t);
-    s.run.peak_memory_bytes = peak_memory_bytes();
-    write_summary(s, folder_.path_of("summary.json"));
+    s.run.seconds = seconds() + seconds_before_;
+    s.run.phase_seconds = {seconds_.begin(), seconds_.end()};
+    s.run.peak_memory_bytes = std::max(s.run.peak_memory_bytes, peak_memory_bytes());
+    return s;
   }
 
   const ExperimentOptions& options_;
@@ -192,13 +288,20 @@ class Run {
   OutputFolder& folder_;
   Recorder recorder_;
   PhaseSeconds seconds_;
+  double seconds_before_;  // for reading and by earlier runs that this one goes on from
   Similarity<Dim> placement_;
   MatchSummary summary_;
+  std::optional<LevelKeeper> keeper_;
+  int kept_level_ = 0;  // 0 is none
+  double last_kept_ = 0;
+  bool writing_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
 
-void run_matching(const ExperimentOptions& options, const std::string& output_folder, bool force, Observer& observer) {
+void run_matching(const ExperimentOptions& options, const std::string& output_folder, const EarlierRuns& earlier,
+                  Observer& observer) {
   set_n_threads(options.threads);
   PhaseSeconds seconds;
   PhaseClock clock(seconds);
@@ -206,9 +309,9 @@ void run_matching(const ExperimentOptions& options, const std::string& output_fo
   clock.start("reading");
   AnyShapePair shapes = open_shape_pair(options.input, observer);
   clock.stop();
-  OutputFolder folder(output_folder, force);
+  OutputFolder folder(output_folder, earlier.force);
   std::visit([&]<int Dim>(ShapePair<Dim>& pair) {
-    Run<Dim>(options, std::move(pair), folder, observer, seconds).go();
+    Run<Dim>(options, std::move(pair), folder, observer, seconds).go(earlier.restart);
   }, shapes);
 }
 

@@ -37,9 +37,18 @@ class Observer {
   virtual void level_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
 };
 
-/// Reads and places the shapes, runs the cascade and writes the output folder, all of it or nothing.
-/// \param force replace an output folder that an earlier run wrote
-/// \throws InputError, EnvironmentError
-void run_matching(const ExperimentOptions& options, const std::string& output_folder, bool force, Observer& observer);
+/// What to do with what earlier runs of the same output folder have left.
+struct EarlierRuns {
+  bool force = false;    ///< replace the output folder that one has written
+  bool restart = false;  ///< begin anew even where one that was stopped could be continued
+};
+
+/// Reads and places the shapes, runs the cascade and writes the output folder, all of it or nothing. With
+/// options.resume it keeps finished levels beside that folder and goes on after those that an earlier run of the same
+/// experiment has kept (matching/kept_levels.h).
+/// \throws InputError, EnvironmentError, and Stopped (base/stop.h) where that was wanted: its text says which level was
+///   reached and where it is kept
+void run_matching(const ExperimentOptions& options, const std::string& output_folder, const EarlierRuns& earlier,
+                  Observer& observer);
 
 }  // namespace shellmatch

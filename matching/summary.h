@@ -70,6 +70,8 @@ struct RunFigures {
   NamedValues phase_seconds;
   std::vector<double> level_seconds;  ///< one for each level
   std::uint64_t peak_memory_bytes = 0;
+  /// The levels after which a run that was stopped was taken up again; seconds are then those of all parts.
+  std::optional<std::vector<int>> resumed_after;
 };
 
 /// One check of derivatives on the way.

@@ -197,9 +197,15 @@ template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
-  const Octree<Dim>& grid = deformation.grid;
+  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, nodal_fields, cell_fields);
+}
+
+template <int Dim>
+void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                       const Similarity<Dim>& placement, const std::vector<NodalField>& nodal_fields,
+                       const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
-  SHELLMATCH_CHECK(deformation.phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
+  SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
   vtkNew<vtkUnstructuredGrid> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -211,9 +217,9 @@ void write_deformation(const std::string& path, const Deformation<Dim>& deformat
   data->SetPoints(points);
   add_cells(grid, *data);
   data->GetPointData()->AddArray(
-      vector_array("phi", Dim, n, [&](Index i, int k) { return deformation.phi[i][k]; }));
+      vector_array("phi", Dim, n, [&](Index i, int k) { return phi[i][k]; }));
   data->GetPointData()->AddArray(vector_array("displacement", Dim, n, [&](Index i, int k) {
-    return deformation.phi[i][k] - grid.node_position(i)[k];
+    return phi[i][k] - grid.node_position(i)[k];
   }));
   for (const NodalField& field : nodal_fields) {
     const int m = field.n_components;
@@ -227,7 +233,7 @@ void write_deformation(const std::string& path, const Deformation<Dim>& deformat
     data->GetCellData()->AddArray(vector_array(field.name, 1, static_cast<Index>(field.values.size()),
                                                [&](Index i, int) { return field.values[i]; }));
   }
-  add_facts(deformation.placement, *data->GetFieldData());
+  add_facts(placement, *data->GetFieldData());
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const Messages messages;
@@ -285,11 +291,14 @@ int deformation_dimension(const std::string& path) {
   return dimension_of(*read_grid(file), file);
 }
 
-template void write_deformation<2>(const std::string&, const Deformation<2>&, const std::vector<NodalField>&,
-                                   const std::vector<CellField>&);
-template void write_deformation<3>(const std::string&, const Deformation<3>&, const std::vector<NodalField>&,
-                                   const std::vector<CellField>&);
-template Deformation<2> read_deformation<2>(const std::string&);
-template Deformation<3> read_deformation<3>(const std::string&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
+  template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
+                                       const std::vector<NodalField>&, const std::vector<CellField>&);       \
+  template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
+                                       const Similarity<Dim>&, const std::vector<NodalField>&,               \
+                                       const std::vector<CellField>&);                                       \
+  template Deformation<Dim> read_deformation<Dim>(const std::string&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
 
 }  // namespace shellmatch

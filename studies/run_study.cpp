@@ -7,14 +7,8 @@
 #include "studies/child_process.h"
 #include "studies/machine.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -38,15 +32,6 @@ std::string last_words(const std::string& log) {
     if (!line.empty()) last = line;
   const std::string prefix = "shellmatch: ";
   return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
-}
-
-// Removes the hidden folders that a killed process has left of the output folder `name`.
-void remove_leftovers(const fs::path& parent, const std::string& name) {
-  std::error_code error;
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error))
-    if (entry.path().filename().string().starts_with("." + name + ".partial-")) found.push_back(entry.path());
-  for (const fs::path& path : found) fs::remove_all(path, error);
 }
 
 // What a process that exited without an error has left.
@@ -92,7 +77,7 @@ class ActiveRun {
     result_.seconds = end->seconds;
     result_.peak_memory_bytes = end->peak_memory_bytes;
     judge(end->end);
-    remove_leftovers(fs::path(folder_.path_of("log.txt")).parent_path(), "output");
+    remove_leftovers(folder_.path_of("output"));
     write_run_result(result_, folder_.path_of("result.json"));
     folder_.commit();
     return true;
@@ -151,33 +136,32 @@ bool is_known_entry(const std::string& name) {
   return name.starts_with(".");
 }
 
-}  // namespace
-
-StudyFolder::StudyFolder(const std::string& path, bool whole_study)
-    : path_(fs::absolute(path).lexically_normal().string()) {
+// The folder, absolute and with all that a study needs in it, unless it is somebody else's.
+std::string prepared(const std::string& path) {
+  const std::string absolute = fs::absolute(path).lexically_normal().string();
   std::error_code error;
-  if (fs::exists(path_, error) && !fs::is_directory(path_, error))
+  if (fs::exists(absolute, error) && !fs::is_directory(absolute, error))
     throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
                       path);
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_, error))
+  for (const fs::directory_entry& entry : fs::directory_iterator(absolute, error))
     if (const std::string name = entry.path().filename().string(); !is_known_entry(name))
       throw_input_error("{}: holds {}, which no study has written; choose another folder with -o", path,
                         name);
-  fs::create_directories(fs::path(path_) / "runs", error);
+  fs::create_directories(fs::path(absolute) / "runs", error);
   if (error) throw_environment_error("{}: cannot be written: {}", path, error.message());
-  const std::string lock = path_ + "/.lock";
-  lock_ = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) throw_environment_error("{}: cannot be written: {}", lock, std::strerror(errno));
-  // Some network file systems know no locks: there the user has to see to it.
-  if (flock(lock_, (whole_study ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(lock_);
+  return absolute;
+}
+
+}  // namespace
+
+StudyFolder::StudyFolder(const std::string& path, bool whole_study)
+    : path_(prepared(path)),
+      lock_(path_ + "/.lock", whole_study ? FileLock::Kind::exclusive : FileLock::Kind::shared) {
+  if (lock_.state() == FileLock::State::taken)
     throw_input_error(
         "{}: another process works on a study there; wait for its end or choose another folder with -o",
         path);
-  }
 }
-
-StudyFolder::~StudyFolder() { close(lock_); }
 
 RunResult StudyFolder::result_of(const StudyRun& run) const {
   const auto result = read_run_result(run_folder(run) + "/result.json");
@@ -200,7 +184,6 @@ bool run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
       const fs::path place = folder.run_folder(run);
       std::error_code error;
       fs::remove_all(place, error);  // the result of another configuration, or a folder without one
-      remove_leftovers(place.parent_path(), run.name);
       RunResult result;
       result.fingerprint = run.fingerprint;
       result.limit_seconds = limits.seconds;

@@ -2,6 +2,7 @@
 /// \file
 /// Runs a study: every run in a process and a folder of its own, those that have a result already left out.
 
+#include "matching/file_lock.h"
 #include "studies/run_result.h"
 #include "studies/study.h"
 
@@ -36,7 +37,6 @@ class StudyFolder {
   /// anything else or if another process works there, EnvironmentError if it
   ///   cannot be written
   StudyFolder(const std::string& path, bool whole_study);
-  ~StudyFolder();
   StudyFolder(const StudyFolder&) = delete;
   StudyFolder& operator=(const StudyFolder&) = delete;
 
@@ -48,7 +48,7 @@ class StudyFolder {
 
  private:
   std::string path_;
-  int lock_ = -1;
+  FileLock lock_;
 };
 
 /// Runs those of `runs` that have no result yet, in their order. A time-out or want of memory counts as a

@@ -114,6 +114,8 @@ class Product {
       if (source->empty())
         throw_input_error("{}: input.{} is missing; set it, or name a base file that does", where, key);
 
+    // A run of a study is one piece of work from the beginning, or its times tell nothing.
+    run.options.resume = {.enabled = false};
     const SolverOptions& solver = run.options.solver;
     const bool own = !make_minimizer(solver)->uses_metric() && solver.levels.entries.empty();
     run.metric = own ? "own" : std::string(enum_name(solver.metric));

@@ -74,7 +74,7 @@ TEST_F(Cli, EveryCommandHelps) {
     // The first page of the manual names it too.
     expect_contains(run_program({"--help"}).out, fmt::format("\n  {} ", command));
   }
-  for (const char* option : {"-o", "--levels", "--placement", "--profile", "--threads", "--set", "-q", "-v", "--force"})
+  for (const char* option : {"-o", "--levels", "--placement", "--profile", "--threads", "--set", "-q", "-v", "--force", "--restart"})
     for (const char* command : {"match", "run"}) expect_contains(run_program({command, "--help"}).out, option);
 }
 

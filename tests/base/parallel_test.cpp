@@ -1,5 +1,7 @@
 #include "base/parallel.h"
 
+#include "base/stop.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +21,10 @@ namespace {
 
 class Parallel : public ::testing::Test {
  protected:
-  void TearDown() override { set_n_threads(0); }
+  void TearDown() override {
+    set_n_threads(0);
+    stop_loops_when(nullptr);
+  }
 };
 
 // Terms of very different size and sign: the order in which they are added shows in the last bits.
@@ -89,6 +94,26 @@ TEST_F(Parallel, ExceptionsPassThroughWithAnyNumberOfThreads) {
     };
     EXPECT_THROW(parallel_for(10'000, body, 16), std::runtime_error) << threads << " threads";
   }
+}
+
+std::atomic<bool> stop_is_wanted = false;
+
+// Within a loop too: one chunk may take long, but not all that are left.
+TEST_F(Parallel, LoopsEndWhereAStopIsWanted) {
+  stop_loops_when([] { return stop_is_wanted.load(); });
+  for (const int threads : {1, 2}) {
+    set_n_threads(threads);
+    std::atomic<std::size_t> done = 0;
+    stop_is_wanted = false;
+    EXPECT_NO_THROW(parallel_for(1000, [&](std::size_t) { ++done; }, 1));
+    EXPECT_EQ(done, 1000u);
+    done = 0;
+    EXPECT_THROW(parallel_for(1000, [&](std::size_t) { stop_is_wanted = ++done >= 10; }, 1), Stopped);
+    EXPECT_LT(done, 20u) << threads << " threads";
+    EXPECT_THROW(parallel_for(1, [](std::size_t) {}), Stopped);
+  }
+  stop_loops_when(nullptr);
+  EXPECT_NO_THROW(parallel_for(1, [](std::size_t) {}));
 }
 
 TEST_F(Parallel, SaysHowManyThreadsItUses) {

@@ -37,7 +37,7 @@ struct RunTest : ::testing::Test {
 TEST_F(RunTest, WritesEveryFileAndMatches) {
   Observer quiet;
   const std::string out = folder / "out";
-  run_matching(options("generate:circle", "generate:ellipse/long", 7), out, false, quiet);
+  run_matching(options("generate:circle", "generate:ellipse/long", 7), out, {}, quiet);
   for (const char* name : {"deformed.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
                            "pictures/result.png", "pictures/energy.png", "pictures/level_07.png"})
     EXPECT_TRUE(fs::exists(fs::path(out) / name)) << name;
@@ -58,7 +58,7 @@ TEST_F(RunTest, TheSummaryIsTheSameForAnyNumberOfThreads) {
     ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 6);
     o.threads = threads;
     const fs::path out = folder / std::to_string(threads);
-    run_matching(o, out, false, quiet);
+    run_matching(o, out, {}, quiet);
     MatchSummary s = read_summary(out / "summary.json");
     s.run = {};
     if (threads == 1) first = summary_json(s);
@@ -80,7 +80,7 @@ TEST_F(RunTest, DerivativesAreCheckedOnTheWayAndChangeNothing) {
     o.check_gradient.every = every;
     const fs::path out = folder / ("every" + std::to_string(every));
     Listener listener;
-    run_matching(o, out, false, listener);
+    run_matching(o, out, {}, listener);
     MatchSummary s = read_summary(out / "summary.json");
     EXPECT_EQ(s.gradient_checks.has_value(), every > 0);
     if (every > 0) {
@@ -103,7 +103,7 @@ TEST_F(RunTest, DerivativesAreCheckedOnTheWayAndChangeNothing) {
 
 TEST_F(RunTest, IdenticalShapesStayWhereTheyAre) {
   Observer quiet;
-  run_matching(options("generate:circle", "generate:circle", 6), folder / "same", false, quiet);
+  run_matching(options("generate:circle", "generate:circle", 6), folder / "same", {}, quiet);
   const MatchSummary s = read_summary(folder / "same" / "summary.json");
   EXPECT_LT(s.distance->deformed_to_template.max, 1e-4);
   EXPECT_GT(s.levels.back().folds.lower_bound, 0.9);
@@ -111,7 +111,7 @@ TEST_F(RunTest, IdenticalShapesStayWhereTheyAre) {
 
 TEST_F(RunTest, DifferentDimensionsAreRefusedAndNothingIsLeft) {
   Observer quiet;
-  EXPECT_THROW(run_matching(options("generate:circle", "generate:sphere", 4), folder / "x", false, quiet), InputError);
+  EXPECT_THROW(run_matching(options("generate:circle", "generate:sphere", 4), folder / "x", {}, quiet), InputError);
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
@@ -119,7 +119,7 @@ TEST_F(RunTest, AnInterruptedRunIsWrittenWholeAndSaysSo) {
   struct Stop final : Observer {
     bool iterated(const LevelStart& start, const IterationRecord&) override { return start.level < 5; }
   } stop;
-  run_matching(options("generate:circle", "generate:ellipse/long", 7), folder / "part", false, stop);
+  run_matching(options("generate:circle", "generate:ellipse/long", 7), folder / "part", {}, stop);
   const MatchSummary s = read_summary(folder / "part" / "summary.json");
   EXPECT_TRUE(s.interrupted);
   EXPECT_EQ(s.levels.back().level, 5);

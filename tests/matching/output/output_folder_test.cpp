@@ -102,14 +102,43 @@ TEST(OutputFolderTest, ALinkStaysAndWhatItLeadsToIsReplaced) {
 TEST(OutputFolderTest, WhoComesSecondDoesNotOverwrite) {
   const TemporaryFolder tmp;
   {
-    OutputFolder first(tmp / "run", false), second(tmp / "run", false);
+    OutputFolder first(tmp / "run", false);
     write_file(first.path_of("summary.json"), "first");
-    write_file(second.path_of("summary.json"), "second");
-    first.commit();
-    EXPECT_THROW(second.commit(), InputError);
+    const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", false); });
+    EXPECT_NE(message.find("another run is writing there"), std::string::npos) << message;
+    std::filesystem::create_directories(tmp / "run");
+    put(tmp / "run/summary.json", "of a program that asks for no lock");
+    EXPECT_THROW(first.commit(), InputError);
   }
   EXPECT_EQ(tmp.entries(), (Names{"run", "run/summary.json"}));
-  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "first");
+  EXPECT_EQ(contents_of(tmp / "run/summary.json"), "of a program that asks for no lock");
+}
+
+// What a kill leaves: the lock's file without a lock, and the hidden folder.
+TEST(OutputFolderTest, LeftoversOfKilledRunsGoAndThoseOfLivingOnesStay) {
+  const TemporaryFolder tmp;
+  const auto leave = [&] {
+    put(tmp / ".run.lock", "");
+    std::filesystem::create_directories(tmp / ".run.partial-1/pictures");
+    put(tmp / ".run.partial-1/pictures/a.png", "a");
+    std::filesystem::create_directories(tmp / ".run.partial-2.old");
+    std::filesystem::create_directories(tmp / ".runner.partial-1");
+  };
+  leave();
+  { OutputFolder out(tmp / "run", false); }
+  // An earlier result that was about to be replaced is all that there is: it stays.
+  EXPECT_EQ(tmp.entries(), (Names{".run.partial-2.old", ".runner.partial-1"}));
+  leave();
+  {
+    OutputFolder living(tmp / "run", false);
+    write_file(living.path_of("a"), "a");
+    remove_leftovers(tmp / "run");
+    EXPECT_THROW(OutputFolder(tmp / "run", false), InputError);
+    living.commit();
+  }
+  EXPECT_EQ(tmp.entries(), (Names{".run.partial-2.old", ".runner.partial-1", "run", "run/a"}));
+  remove_leftovers(tmp / "run");
+  EXPECT_EQ(tmp.entries(), (Names{".runner.partial-1", "run", "run/a"}));
 }
 
 TEST(OutputFolderTest, PlacesThatCannotBeWrittenAreEnvironmentErrors) {

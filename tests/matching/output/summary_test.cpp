@@ -37,7 +37,7 @@ MatchSummary some_summary() {
   level.stop_reason = "relative_decrease";
   s.levels = {level, level};
   s.levels[1].distance = s.distance;
-  s.run = {"gcc 12", 2, 12.5, {{"reading", 0.5}, {"level", 12}}, {1.5, 11}, std::uint64_t{1} << 40};
+  s.run = {"gcc 12", 2, 12.5, {{"reading", 0.5}, {"level", 12}}, {1.5, 11}, std::uint64_t{1} << 40, {}};
   return s;
 }
 
@@ -61,12 +61,13 @@ TEST(SummaryTest, ParsesBackToTheSameText) {
   EXPECT_TRUE(std::isnan(back.levels[0].energy_reported[0].second));
   EXPECT_EQ(back.run.peak_memory_bytes, s.run.peak_memory_bytes);
   EXPECT_EQ(back.reference.notes, s.reference.notes);
+  EXPECT_FALSE(back.run.resumed_after);
 }
 
 TEST(SummaryTest, WhatDiffersBetweenRunsIsUnderOneKeyAtTheEnd) {
   const MatchSummary a = some_summary();
   MatchSummary b = a;
-  b.run = {"clang 15", 1, 99, {{"reading", 7}}, {3, 4}, 5};
+  b.run = {"clang 15", 1, 99, {{"reading", 7}}, {3, 4}, 5, std::vector<int>{3, 6}};
   const std::string ja = summary_json(a), jb = summary_json(b);
   EXPECT_NE(ja, jb);
   const std::size_t run = ja.find("\n  \"run\": {");

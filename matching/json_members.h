@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// Structs as JSON objects: one description of a struct serves writing and reading. It is a function template
+/// describe(s, member) in the file that needs it, which calls member(key, s.value) for each of them. Shared by the
+/// sources that write JSON; shows the library's types.
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+using Json = nlohmann::ordered_json;
+
+namespace json_detail {
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+}  // namespace json_detail
+
+/// Optional members without a value are left out; numbers with names become an object.
+template <class T>
+Json json_of(const T& value) {
+  if constexpr (json_detail::Plain<T>) {
+    return value;  // the library writes numbers that are not finite as null
+  } else if constexpr (std::is_same_v<T, json_detail::NamedNumbers>) {
+    Json object = Json::object();
+    for (const auto& [name, number] : value) object[name] = number;
+    return object;
+  } else if constexpr (json_detail::IsVector<T>::value) {
+    Json array = Json::array();
+    for (const auto& entry : value) array.push_back(json_of(entry));
+    return array;
+  } else {
+    Json object = Json::object();
+    describe(value, [&object]<class M>(const char* key, const M& member) {
+      if constexpr (json_detail::IsOptional<M>::value) {
+        if (member) object[key] = json_of(*member);
+      } else {
+        object[key] = json_of(member);
+      }
+    });
+    return object;
+  }
+}
+
+/// The other way; null becomes NaN. \throws Json::exception for a key that is missing and a value of another type
+template <class T>
+void set_from_json(const Json& json, T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+  } else if constexpr (json_detail::Plain<T>) {
+    value = json.get<T>();
+  } else if constexpr (std::is_same_v<T, json_detail::NamedNumbers>) {
+    value.clear();
+    for (const auto& [name, number] : json.items()) set_from_json(number, value.emplace_back(name, 0.0).second);
+  } else if constexpr (json_detail::IsVector<T>::value) {
+    value.clear();
+    for (const Json& entry : json) set_from_json(entry, value.emplace_back());
+  } else {
+    describe(value, [&json]<class M>(const char* key, M& member) {
+      if constexpr (json_detail::IsOptional<M>::value) {
+        if (json.contains(key)) set_from_json(json.at(key), member.emplace());
+      } else {
+        set_from_json(json.at(key), member);
+      }
+    });
+  }
+}
+
+/// Texts such as names of files may hold any bytes; those that are no UTF-8 are replaced.
+inline std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace shellmatch
