@@ -65,4 +65,8 @@ struct ElementBatch {
   }
 };
 
+/// Smallest Bernstein coefficient of det Dphi on each of the eight (energies/fold_barrier.h).
+template <int Dim>
+autodiff::Pack least_determinant(const ElementBatch<Dim>& batch);
+
 }  // namespace shellmatch

@@ -38,29 +38,33 @@ Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : g
   std::vector<const HangingNode<Dim>*> hanging_of(static_cast<std::size_t>(grid.n_nodes()), nullptr);
   for (const auto& h : grid.hanging_nodes()) hanging_of[h.node] = &h;
 
+  first_carrier_.reserve(hanging_of.size() + 1);
+  for (Index node = 0; node < grid.n_nodes(); ++node) {
+    first_carrier_.push_back(carriers_.size());
+    if (const auto* h = hanging_of[node]) {
+      for (int p = 0; p < h->n_parents; ++p)
+        if (const Index u = unknown_of[h->parents[p]]; u != no_index)
+          carriers_.push_back({u, 1.0F / static_cast<float>(h->n_parents)});
+    } else if (unknown_of[node] != no_index) {
+      carriers_.push_back({unknown_of[node], 1.0F});
+    }
+  }
+  first_carrier_.push_back(carriers_.size());
+
   elements_.reserve(grid.leaves().size());
   for (const Index leaf : grid.leaves()) elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side()});
-
-  const auto for_each_entry = [&](auto&& visit) {
+  const auto for_each_place = [&](auto&& visit) {
     for (std::size_t e = 0; e < elements_.size(); ++e)
-      for (int c = 0; c < n_corners<Dim>; ++c) {
-        const Index place = static_cast<Index>(e) * n_corners<Dim> + c;
-        const Index node = elements_[e].nodes[c];
-        if (const auto* h = hanging_of[node]) {
-          for (int p = 0; p < h->n_parents; ++p)
-            if (unknown_of[h->parents[p]] != no_index)
-              visit(unknown_of[h->parents[p]], Entry{place, 1.0F / static_cast<float>(h->n_parents)});
-        } else if (unknown_of[node] != no_index) {
-          visit(unknown_of[node], Entry{place, 1.0F});
-        }
-      }
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (const Carrier& carrier : carriers_of(elements_[e].nodes[c]))
+          visit(carrier.unknown, Place{static_cast<Index>(e) * n_corners<Dim> + c, carrier.weight});
   };
   first_.assign(nodes_.size() + 1, 0);
-  for_each_entry([&](Index u, const Entry&) { ++first_[u + 1]; });
+  for_each_place([&](Index u, const Place&) { ++first_[u + 1]; });
   for (std::size_t i = 0; i < nodes_.size(); ++i) first_[i + 1] += first_[i];
-  entries_.resize(first_.back());
+  places_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for_each_entry([&](Index u, const Entry& e) { entries_[next[u]++] = e; });
+  for_each_place([&](Index u, const Place& p) { places_[next[u]++] = p; });
 }
 
 template <int Dim>
@@ -91,9 +95,9 @@ void Unknowns<Dim>::sum_elements(std::span<const double> element_gradients, std:
   SHELLMATCH_CHECK(gradient.size() == size(), "size of the gradient");
   parallel_for(nodes_.size(), [&](std::size_t i) {
     std::array<double, Dim> sum{};
-    for (std::size_t e = first_[i]; e < first_[i + 1]; ++e) {
-      const double* g = element_gradients.data() + static_cast<std::size_t>(entries_[e].element_corner) * Dim;
-      const double w = static_cast<double>(entries_[e].weight);
+    for (const Place& place : places_of(i)) {
+      const double* g = element_gradients.data() + static_cast<std::size_t>(place.element_corner) * Dim;
+      const double w = static_cast<double>(place.weight);
       for (int k = 0; k < Dim; ++k) sum[k] += w * g[k];
     }
     for (int k = 0; k < Dim; ++k) gradient[Dim * i + k] = sum[k];

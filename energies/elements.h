@@ -44,6 +44,24 @@ class Unknowns {
   std::span<const Index> nodes() const { return nodes_; }
   std::span<const Element<Dim>> elements() const { return elements_; }  ///< in the order of grid.leaves()
 
+  /// Where unknown node i counts: at a corner of an element, itself or through a hanging node.
+  struct Place {
+    Index element_corner;  ///< element number times corners, plus corner
+    float weight;          ///< 1, or 1/2, 1/4 through a hanging node: exact in float
+  };
+  std::span<const Place> places_of(std::size_t i) const {
+    return {places_.data() + first_[i], first_[i + 1] - first_[i]};
+  }
+
+  /// The unknown nodes that carry a node of the grid: itself, the parents of a hanging one, none of a fixed one.
+  struct Carrier {
+    Index unknown;
+    float weight;
+  };
+  std::span<const Carrier> carriers_of(Index node) const {
+    return {carriers_.data() + first_carrier_[node], first_carrier_[node + 1] - first_carrier_[node]};
+  }
+
   /// Writes x into the nodal field and gives hanging nodes the mean of their parents; fixed nodes stay.
   void expand(std::span<const double> x, std::vector<Vec<Dim>>& nodal) const;
 
@@ -55,15 +73,13 @@ class Unknowns {
   void sum_elements(std::span<const double> element_gradients, std::span<double> gradient) const;
 
  private:
-  struct Entry {
-    Index element_corner;  ///< element number times corners, plus corner
-    float weight;          ///< 1, or 1/2, 1/4 through a hanging node: exact in float
-  };
   const Octree<Dim>* grid_;
   std::vector<Index> nodes_;
   std::vector<Element<Dim>> elements_;
-  std::vector<std::size_t> first_;  ///< entries of unknown node i: [first_[i], first_[i+1])
-  std::vector<Entry> entries_;
+  std::vector<std::size_t> first_;  ///< places of unknown node i: [first_[i], first_[i + 1])
+  std::vector<Place> places_;
+  std::vector<std::size_t> first_carrier_;  ///< the same by node of the grid
+  std::vector<Carrier> carriers_;
 };
 
 }  // namespace shellmatch

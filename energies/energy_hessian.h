@@ -8,8 +8,11 @@
 /// n2 and the template's curvature depend. Volume: the second derivative at the element's centre, by principal
 /// stretches. Barrier: Gauss-Newton.
 
+#include "energies/element_matrices.h"
 #include "energies/matching_energy.h"
+#include "energies/node_matrix.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +22,6 @@ template <int Dim>
 class EnergyHessian {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
-  static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
 
   /// energy and unknowns must outlive this object.
   EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TargetField<Dim>& target,
@@ -40,34 +42,23 @@ class EnergyHessian {
   /// z = D^{-1} r with the blocks of one node each on H's diagonal.
   void precondition(std::span<const double> r, std::span<double> z) const;
 
-  /// Entry (i, j), i <= j, of a packed element matrix.
-  static constexpr int packed(int i, int j) { return i * n_dofs - i * (i - 1) / 2 + (j - i); }
-
  private:
-  /// One entry of the matrices of eight elements. Single precision is ample for a model that is solved to a
-  /// tenth. Lanes are written one by one, by different threads.
-  struct alignas(32) Lanes {
-    float v[autodiff::pack_size];
-  };
-  using ElementMatrices = std::array<Lanes, n_packed>;
-
   void assemble_volume(std::span<const Vec<Dim>> phi, double weight);
   void assemble_barrier(std::span<const Vec<Dim>> phi, double weight);
   void assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights);
-  void assemble_blocks();
+  void invert_blocks();
   void keep_restraint();
-  void add_restraint(std::size_t element, double factor);
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
   const TargetField<Dim>* target_;
   EnergyOptions options_;
-  std::vector<ElementMatrices> matrices_;                 ///< element e: entry e / 8, lane e % 8
-  bool folds_cost_ = false;                               ///< is there a term that forbids them?
-  std::vector<float> restraint_;                          ///< factor on the Laplacian's matrix, by element
-  std::vector<Mat<Dim>> inverse_blocks_;                  ///< of each unknown node
-  mutable std::vector<Vec<Dim>> nodal_;                   ///< scratch of apply()
-  mutable std::vector<double> element_products_;
+  ElementMatrices<Dim> matrices_;
+  std::optional<NodeMatrix<Dim>> sum_;     ///< of them; its pattern is found when it is first wanted
+  bool folds_cost_ = false;                ///< is there a term that forbids them?
+  std::vector<float> restraint_;           ///< factor on the Laplacian's matrix, by element
+  std::vector<Mat<Dim>> inverse_blocks_;   ///< of each unknown node
+  std::vector<Vec<Dim>> nodal_;            ///< scratch of restrain()
 };
 
 }  // namespace shellmatch

@@ -16,6 +16,15 @@ using autodiff::Pack;
 using autodiff::pack_size;
 
 template <int Dim>
+Pack least_determinant(const ElementBatch<Dim>& batch) {
+  const auto b = bernstein_determinant<Dim>(batch.u.data());
+  Pack least = b[0];
+  for (const Pack& x : b) least = least < x ? least : x;
+  for (int k = 0; k < Dim; ++k) least *= batch.inverse_side;
+  return least;
+}
+
+template <int Dim>
 template <bool WithGradient>
 double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double weight) const {
   using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
@@ -51,6 +60,8 @@ double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double w
   });
 }
 
+template Pack least_determinant(const ElementBatch<2>&);
+template Pack least_determinant(const ElementBatch<3>&);
 template double MatchingEnergy<2>::barrier_term<true>(std::span<const Vec<2>>, double) const;
 template double MatchingEnergy<2>::barrier_term<false>(std::span<const Vec<2>>, double) const;
 template double MatchingEnergy<3>::barrier_term<true>(std::span<const Vec<3>>, double) const;

@@ -90,7 +90,7 @@ PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weigh
 
 template <int Dim>
 void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim;
+  constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim, n_packed = n_dofs * (n_dofs + 1) / 2;
   const auto elements = unknowns_->elements();
   const Band<Dim>& band = energy_->band();
   const auto& points = energy_->shape().points;
@@ -203,8 +203,9 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
       }
       for (int lane = 0; lane < members.n_elements; ++lane) {
         const auto e = static_cast<std::size_t>(members.element[lane]);
-        auto& to = matrices_[e / autodiff::pack_size];
-        for (int i = 0; i < n_packed; ++i) to[i].v[e % autodiff::pack_size] += static_cast<float>(k[i][lane]);
+        int at = 0;
+        for (int i = 0; i < n_dofs; ++i)
+          for (int j = i; j < n_dofs; ++j) matrices_.add(e, i, j, static_cast<float>(k[at++][lane]));
       }
     }
   });

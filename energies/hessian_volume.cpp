@@ -10,6 +10,9 @@
 
 namespace shellmatch {
 
+using autodiff::Pack;
+using autodiff::pack_size;
+
 namespace {
 
 /// Integral over the unit cell of dN_c/dxi_a dN_d/dxi_b, entry [c * Dim + a][d * Dim + b].
@@ -47,15 +50,13 @@ template <int Dim>
 void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double weight) {
   static const auto products = gradient_products<Dim>();
   const auto elements = unknowns_->elements();
-  using autodiff::Pack;
-  using autodiff::pack_size;
-  parallel_chunks(matrices_.size(), 64, [&](const Chunk& chunk) {
+  parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
     std::array<Pack, Dim * Dim * Dim * Dim> h;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       h.fill(Pack{});
-      for (int lane = 0; lane < pack_size; ++lane) {
+      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
+      for (int lane = 0; lane < n; ++lane) {
         const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
-        if (e >= elements.size()) continue;
         // The gradients of the shape functions bring side^-2, the volume side^Dim.
         const double scale = weight * std::pow(elements[e].side, Dim - 2);
         const auto m = centre_hessian<Dim>(elements[e], phi, options_);
@@ -69,8 +70,8 @@ void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double w
           for (int p = 0; p < Dim; ++p)
             for (int q = 0; q < Dim; ++q)
               sum += products[c * Dim + p][d * Dim + q] * h[(k * Dim + p) * Dim * Dim + l * Dim + q];
-          for (int lane = 0; lane < pack_size; ++lane)
-            matrices_[b][packed(i, j)].v[lane] = static_cast<float>(sum[lane]);
+          for (int lane = 0; lane < n; ++lane)
+            matrices_.set(b * pack_size + static_cast<std::size_t>(lane), i, j, static_cast<float>(sum[lane]));
         }
     }
   });
@@ -79,28 +80,29 @@ void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double w
 template <int Dim>
 void EnergyHessian<Dim>::assemble_barrier(std::span<const Vec<Dim>> phi, double weight) {
   const auto elements = unknowns_->elements();
-  parallel_chunks(elements.size(), 512, [&](const Chunk& chunk) {
-    using Jet = ceres::Jet<double, n_dofs>;
-    for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
-      std::array<double, n_dofs> x;
-      for (int c = 0; c < n_corners<Dim>; ++c)
-        for (int k = 0; k < Dim; ++k) x[c * Dim + k] = phi[elements[e].nodes[c]][k];
-      const double volume = std::pow(elements[e].side, Dim);
-      const double limit = options_.fold_threshold * volume;
-      const auto values = bernstein_determinant<Dim>(x.data());
-      if (*std::min_element(values.begin(), values.end()) >= limit) continue;
-      std::array<Jet, n_dofs> jets;
-      for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(x[i], i);
-      for (const Jet& b : bernstein_determinant<Dim>(jets.data())) {
-        const double t = b.a / limit;
-        if (t >= 1) continue;
-        // B(t) = (1-t)^3/t, B''(t) = 2 (1/t^3 - 1) > 0
-        const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
-        const Eigen::Matrix<double, n_dofs, 1> g = b.v / limit;
-        auto& to = matrices_[e / autodiff::pack_size];
-        for (int i = 0; i < n_dofs; ++i)
-          for (int j = i; j < n_dofs; ++j)
-            to[packed(i, j)].v[e % autodiff::pack_size] += static_cast<float>(curvature * g[i] * g[j]);
+  parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
+    ElementBatch<Dim> batch;
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
+      batch.load(elements, phi, [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); });
+      const Pack least = least_determinant(batch);
+      for (int lane = 0; lane < n; ++lane) {
+        if (least[lane] >= options_.fold_threshold) continue;
+        using Jet = ceres::Jet<double, n_dofs>;
+        std::array<Jet, n_dofs> jets;
+        for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(batch.u[i][lane], i);
+        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
+        const double volume = std::pow(elements[e].side, Dim);
+        const double limit = options_.fold_threshold * volume;
+        for (const Jet& determinant : bernstein_determinant<Dim>(jets.data())) {
+          const double t = determinant.a / limit;
+          if (t >= 1) continue;
+          // B(t) = (1-t)^3/t, B''(t) = 2 (1/t^3 - 1) > 0
+          const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
+          const Eigen::Matrix<double, n_dofs, 1> g = determinant.v / limit;
+          for (int i = 0; i < n_dofs; ++i)
+            for (int j = i; j < n_dofs; ++j) matrices_.add(e, i, j, static_cast<float>(curvature * g[i] * g[j]));
+        }
       }
     }
   });

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// Symmetric matrices of elements, one block of Dim x Dim entries for each pair of corners.
+
+#include "grid/octree.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+class ElementMatrices {
+ public:
+  static constexpr int n_dofs = n_corners<Dim> * Dim;
+  static constexpr int block_size = Dim * Dim;
+  /// Blocks (c, d) with c <= d, row after row; by columns within a block.
+  static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size;
+  /// Single precision is ample for a model that is solved to a tenth.
+  using Matrix = std::array<float, n_entries>;
+
+  /// Where block (c, d) begins, c <= d.
+  static constexpr int block(int c, int d) {
+    return (c * n_corners<Dim> - c * (c - 1) / 2 + (d - c)) * block_size;
+  }
+  /// Where entry (i, j) stands, i <= j; i = c * Dim + k is component k at corner c.
+  static constexpr int entry(int i, int j) {
+    return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim;
+  }
+
+  void resize(std::size_t n_elements) { matrices_.resize(n_elements); }
+  std::size_t size() const { return matrices_.size(); }
+  Matrix& operator[](std::size_t e) { return matrices_[e]; }
+  const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
+
+  /// Adds x to entry (i, j), i <= j, of element e, and to its mirror image within a block on the diagonal.
+  void add(std::size_t e, int i, int j, float x) {
+    matrices_[e][entry(i, j)] += x;
+    if (i != j && i / Dim == j / Dim) matrices_[e][entry(j, i)] += x;
+  }
+  void set(std::size_t e, int i, int j, float x) {
+    matrices_[e][entry(i, j)] = x;
+    if (i / Dim == j / Dim) matrices_[e][entry(j, i)] = x;
+  }
+
+ private:
+  std::vector<Matrix> matrices_;
+};
+
+}  // namespace shellmatch
