@@ -11,10 +11,12 @@ ExperimentOptions profile_defaults(Profile profile) {
   options.solver.stop.decrease_window = 2;
   options.solver.stop.max_iterations = 300;
   if (profile == Profile::paper) {
-    // Section 6: nu is divided by ten once per refinement, with nothing in between.
+    // Section 6: nu is divided by ten and c_vol by two once per refinement, with nothing in between.
     options.cascade.nu = 0.002;
     options.cascade.nu_factor = 0.1;
     options.cascade.nu_substeps = 1;
+    options.cascade.volume = 0.025;
+    options.cascade.volume_factor = 0.5;
     options.cascade.coarse_sigma_cells = options.cascade.sigma_cells;
     options.cascade.intermediate_decrease = 0;
     // Section 5: distances by fast marching, roots after Franca.

@@ -53,7 +53,7 @@ struct CascadeOptions {
   double nu = 0.0002, nu_factor = 0.2;
   int nu_substeps = 3;
   double intermediate_decrease = 1e-3;
-  double volume = 0.025, volume_factor = 0.5;
+  double volume = 0.2, volume_factor = 1;
   double sigma_cells = 2;
   double coarse_sigma_cells = 4;
   template <class Self, class Visitor>

@@ -78,7 +78,7 @@ TEST_F(StudyProgram, CtrlCStopsAndTheSameCommandGoesOn) {
 
 TEST_F(StudyProgram, WhatMisbehavesCostsItsOwnRow) {
   const std::string study = write("study.yaml", R"(version: 1
-limits: {seconds: 2, grace_seconds: 0.3, memory_mb: 300}
+limits: {seconds: 5, grace_seconds: 0.3, memory_mb: 300}
 set:
   threads: 1
   pictures: none
@@ -109,8 +109,8 @@ solvers: [lbfgs, ceres_ncg, ceres_lbfgs, nlopt_lbfgs, nlopt_mma, newton]
   row_is("nlopt_mma", "failed", "0", "");
   EXPECT_EQ(cell("newton", "status"), "finished");
   EXPECT_GT(std::stod(cell("newton", "energy")), 0);
-  EXPECT_GE(std::stod(cell("ceres_ncg", "seconds")), 2.3);
-  EXPECT_LT(std::stod(cell("ceres_ncg", "seconds")), 10);
+  EXPECT_GE(std::stod(cell("ceres_ncg", "seconds")), 5.3);
+  EXPECT_LT(std::stod(cell("ceres_ncg", "seconds")), 30);
   EXPECT_GT(std::stod(cell("ceres_lbfgs", "peak_memory_mb")), 250);
   EXPECT_LT(std::stod(cell("ceres_lbfgs", "peak_memory_mb")), 1200);
   EXPECT_EQ(cell("newton", "timings_taken"), "in parallel");
