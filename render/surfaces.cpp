@@ -55,10 +55,11 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
   if (options.ambient_occlusion)
     for (const std::size_t i : opaque_index) painted[i].compute_openness(solid, 0.2 * size);
 
+  const Vec<3> background(linear_from_srgb(options.background.r), linear_from_srgb(options.background.g),
+                          linear_from_srgb(options.background.b));
   const auto trace = [&](const Ray& ray) {
     std::vector<Sample> samples;
-    Vec<3> light(linear_from_srgb(options.background.r), linear_from_srgb(options.background.g),
-                 linear_from_srgb(options.background.b));
+    Vec<3> light = background;
     double solid_distance = std::numeric_limits<double>::infinity();
     if (const auto hit = solid.first_hit(ray)) {
       light = painted[opaque_index[hit->surface]].light(camera, ray, hit->facet, hit->u, hit->v);
