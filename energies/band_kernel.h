@@ -28,8 +28,9 @@ template <class Functor, int Dim, bool WithGradient>
   if constexpr (WithGradient) {
     std::array<autodiff::Pack, PointArrays<Dim>::n_active> adjoint;
     const autodiff::Pack v = Code::gradient(p.active.data(), p.passive.data(), seed, adjoint.data());
-    for (int i = 0; i < PointArrays<Dim>::n_active; ++i)
-      if (Code::reads_active(i)) p.adjoint[i] += adjoint[i];
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ([&] { if constexpr (Code::reads_active(static_cast<int>(I))) p.adjoint[I] += adjoint[I]; }(), ...);
+    }(std::make_index_sequence<PointArrays<Dim>::n_active>{});
     return v * seed;
   } else {
     return Code::value(p.active.data(), p.passive.data()) * seed;

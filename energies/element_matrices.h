@@ -15,8 +15,10 @@ class ElementMatrices {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
   static constexpr int block_size = Dim * Dim;
-  /// Blocks (c, d) with c <= d, row after row; by columns within a block.
-  static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size;
+  static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
+  /// Blocks (c, d) with c <= d, row after row; by columns within a block. And some more, so that the last block can
+  /// be read as a whole register.
+  static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size + 16 - block_size;
   /// Single precision is ample for a model that is solved to a tenth.
   using Matrix = std::array<float, n_entries>;
 
@@ -34,6 +36,15 @@ class ElementMatrices {
   Matrix& operator[](std::size_t e) { return matrices_[e]; }
   const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
 
+  /// Adds to all entries (i, j), i <= j, of element e: `x` row after row.
+  void add(std::size_t e, const std::array<float, n_packed>& x) {
+    Matrix& to = matrices_[e];
+    for (int at = 0; at < n_packed; ++at) to[places_[at]] += x[at];
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int k = 0; k < Dim; ++k)
+        for (int l = k + 1; l < Dim; ++l) to[block(c, c) + k * Dim + l] = to[block(c, c) + l * Dim + k];
+  }
+
   /// Adds x to entry (i, j), i <= j, of element e, and to its mirror image within a block on the diagonal.
   void add(std::size_t e, int i, int j, float x) {
     matrices_[e][entry(i, j)] += x;
@@ -45,6 +56,13 @@ class ElementMatrices {
   }
 
  private:
+  static constexpr auto places_ = [] {
+    std::array<int, n_packed> places{};
+    int at = 0;
+    for (int i = 0; i < n_dofs; ++i)
+      for (int j = i; j < n_dofs; ++j) places[at++] = entry(i, j);
+    return places;
+  }();
   std::vector<Matrix> matrices_;
 };
 

@@ -90,7 +90,7 @@ PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weigh
 
 template <int Dim>
 void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim, n_packed = n_dofs * (n_dofs + 1) / 2;
+  constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim, n_packed = ElementMatrices<Dim>::n_packed;
   const auto elements = unknowns_->elements();
   const Band<Dim>& band = energy_->band();
   const auto& points = energy_->shape().points;
@@ -99,22 +99,17 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
   parallel_chunks(band.batches().size(), 32, [&](const Chunk& chunk) {
     ElementBatch<Dim> batch;
     std::array<Pack, n_packed> k;
+    std::array<std::array<Pack, n_variables>, n_dofs> modes;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const auto& members = band.batches()[b];
       batch.load(elements, phi, [&](int lane) { return members.element[lane]; });
       k.fill(Pack{});
-      const auto add_square = [&](const std::array<Pack, n_dofs>& v) {
-        int at = 0;
-        for (int i = 0; i < n_dofs; ++i)
-          for (int j = i; j < n_dofs; ++j) k[at++] += v[i] * v[j];
-      };
       for (std::size_t q = 0; q < points.size(); ++q) {
         const auto& point = band.point(b, q);
         if (autodiff::sum_lanes(point.weight) == 0) continue;
         std::array<Pack, Dim> y;
         batch.position(points[q], y);
         const auto g = geometry_at<Dim>(*target_, point.weight, y);
-        std::array<Pack, n_dofs> v;
         // X = t2^T Dphi t1; membrane: W of X; bending: W of N X R, N and R the roots in the frames.
         std::array<Pack, Dim * Dim> dphi;
         batch.jacobian(points[q], dphi.data());
@@ -196,16 +191,24 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
             for (int a = 0; a < Dim; ++a) {
               Pack s = points[q].n[c] * root_weight * l[m + a][mode];
               for (int d = 0; d < Dim; ++d) s += points[q].dn[c][d] * direction[a][d];
-              v[c * Dim + a] = s;
+              modes[c * Dim + a][mode] = s;
             }
-          add_square(v);
+        }
+        // All modes of a point at once: the sums are read and written once, which is what this loop's time is.
+        int at = 0;
+        for (int i = 0; i < n_dofs; ++i) {
+          const auto row = modes[i];
+          for (int j = i; j < n_dofs; ++j) {
+            Pack sum = k[at];
+            for (int mode = 0; mode < n_variables; ++mode) sum += row[mode] * modes[j][mode];
+            k[at++] = sum;
+          }
         }
       }
       for (int lane = 0; lane < members.n_elements; ++lane) {
-        const auto e = static_cast<std::size_t>(members.element[lane]);
-        int at = 0;
-        for (int i = 0; i < n_dofs; ++i)
-          for (int j = i; j < n_dofs; ++j) matrices_.add(e, i, j, static_cast<float>(k[at++][lane]));
+        std::array<float, n_packed> of_element;
+        for (int i = 0; i < n_packed; ++i) of_element[i] = static_cast<float>(k[i][lane]);
+        matrices_.add(static_cast<std::size_t>(members.element[lane]), of_element);
       }
     }
   });

@@ -27,21 +27,25 @@ std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> gradi
   return g;
 }
 
-/// Second derivative of the density at the centre of an element.
+/// Dphi at the centre of an element.
 template <int Dim>
-Eigen::Matrix<double, Dim * Dim, Dim * Dim> centre_hessian(const Element<Dim>& element, std::span<const Vec<Dim>> phi,
-                                                           const EnergyOptions& options) {
+Mat<Dim> centre_jacobian(const Element<Dim>& element, std::span<const Vec<Dim>> phi) {
   Mat<Dim> j = Mat<Dim>::Zero();
   for (int c = 0; c < n_corners<Dim>; ++c)
     for (int k = 0; k < Dim; ++k)
       j.col(k) += ((c >> k) & 1 ? 1.0 : -1.0) * phi[element.nodes[c]] / (element.side * (1 << (Dim - 1)));
+  return j;
+}
+
+template <int Dim>
+autodiff::SecondOrder<Dim, Pack> density_of_stretches(const std::array<Pack, Dim>& s, const EnergyOptions& options) {
   const Lame<double> lame{options.lambda, options.mu};
   switch (options.volume) {
-    case VolumeDensity::full: return stretch_hessian<FullVolume<Dim>, Dim>(j, lame);
-    case VolumeDensity::symmetric_dirichlet: return stretch_hessian<SymmetricDirichletVolume<Dim>, Dim>(j, lame);
+    case VolumeDensity::full: return density_of_stretches<FullVolume<Dim>, Dim>(s, lame);
+    case VolumeDensity::symmetric_dirichlet: return density_of_stretches<SymmetricDirichletVolume<Dim>, Dim>(s, lame);
     case VolumeDensity::simplified: break;
   }
-  return stretch_hessian<SimplifiedVolume<Dim>, Dim>(j, lame);
+  return density_of_stretches<SimplifiedVolume<Dim>, Dim>(s, lame);
 }
 
 }  // namespace
@@ -55,11 +59,17 @@ void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double w
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       h.fill(Pack{});
       const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
+      std::array<Stretches<Dim>, pack_size> stretches;
+      std::array<Pack, Dim> s;
+      for (int lane = 0; lane < pack_size; ++lane) {
+        stretches[lane] = principal_stretches<Dim>(centre_jacobian<Dim>(elements[b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1))], phi));
+        for (int k = 0; k < Dim; ++k) s[k][lane] = stretches[lane].s[k];
+      }
+      const auto psi = density_of_stretches<Dim>(s, options_);
       for (int lane = 0; lane < n; ++lane) {
-        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
         // The gradients of the shape functions bring side^-2, the volume side^Dim.
-        const double scale = weight * std::pow(elements[e].side, Dim - 2);
-        const auto m = centre_hessian<Dim>(elements[e], phi, options_);
+        const double scale = weight * std::pow(elements[b * pack_size + static_cast<std::size_t>(lane)].side, Dim - 2);
+        const auto m = projected_hessian<Dim>(stretches[lane], psi, lane);
         for (int i = 0; i < Dim * Dim; ++i)
           for (int j = 0; j < Dim * Dim; ++j) h[i * Dim * Dim + j][lane] = scale * m(i, j);
       }

@@ -28,6 +28,13 @@ struct BlockColumn<3> {
   typedef double Doubles __attribute__((vector_size(32)));
 };
 
+// A block and what follows it, and where its transpose finds its entries.
+typedef float WideBlock __attribute__((vector_size(64)));
+typedef int WideIndex __attribute__((vector_size(64)));
+template <int Dim>
+constexpr WideIndex transposed =
+    Dim == 2 ? WideIndex{0, 2, 1, 3} : WideIndex{0, 3, 6, 1, 4, 7, 2, 5, 8};
+
 template <int Dim>
 typename BlockColumn<Dim>::Doubles read_column(const float* from) {
   typename BlockColumn<Dim>::Floats f;
@@ -68,33 +75,28 @@ void NodeMatrix<Dim>::assemble(const ElementMatrices<Dim>& elements) {
   parallel_chunks(n, rows_per_chunk, [&](const Chunk& chunk) {
     static thread_local std::vector<Index> place;  // of a column within the row at work
     place.resize(std::max(place.size(), n));
-    std::vector<std::array<double, block_size>> row;
+    std::vector<WideBlock> row;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const std::size_t n_blocks = first_[i + 1] - first_[i];
       for (std::size_t j = 0; j < n_blocks; ++j) place[columns_[first_[i] + j]] = static_cast<Index>(j);
-      row.assign(n_blocks, {});
+      row.assign(n_blocks, WideBlock{});
       for (const auto& at : unknowns_->places_of(i)) {
         const auto e = static_cast<std::size_t>(at.element_corner) / n_corners<Dim>;
         const int c = static_cast<int>(at.element_corner % n_corners<Dim>);
         const auto& matrix = elements[e];
         for (int d = 0; d < n_corners<Dim>; ++d) {
-          std::array<float, block_size> block;
-          const float* from = matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d));
-          if (c <= d) {
-            for (int m = 0; m < block_size; ++m) block[m] = from[m];
-          } else {
-            for (int m = 0; m < block_size; ++m) block[m] = from[m % Dim * Dim + m / Dim];
-          }
-          for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d])) {
-            const double weight = static_cast<double>(at.weight * carrier.weight);
-            auto& to = row[place[carrier.unknown]];
-            for (int m = 0; m < block_size; ++m) to[m] += weight * static_cast<double>(block[m]);
-          }
+          WideBlock block;
+          std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)), sizeof block);
+          if (c > d) block = __builtin_shuffle(block, transposed<Dim>);
+          for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d]))
+            row[place[carrier.unknown]] += at.weight * carrier.weight * block;
         }
       }
       float* to = values_.data() + first_[i] * block_size;
-      for (const auto& block : row)
-        for (const double x : block) *to++ = static_cast<float>(x);
+      for (const WideBlock& block : row) {
+        std::memcpy(to, &block, block_size * sizeof(float));
+        to += block_size;
+      }
     }
   });
 }

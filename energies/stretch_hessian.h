@@ -19,10 +19,15 @@
 
 namespace shellmatch {
 
-/// Second derivative by the entries of A in row order, its negative modes removed.
-/// VolumeTerm: SimplifiedVolume, FullVolume, SymmetricDirichletVolume.
-template <class VolumeTerm, int Dim>
-Eigen::Matrix<double, Dim * Dim, Dim * Dim> stretch_hessian(const Mat<Dim>& a, const Lame<double>& lame) {
+/// A = U diag(s) V^T.
+template <int Dim>
+struct Stretches {
+  Mat<Dim> u, v;
+  Vec<Dim> s;  ///< the first is the smallest and carries the sign of det A
+};
+
+template <int Dim>
+Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
   // Singular vectors from A^T A; the decomposition need not be accurate where stretches coincide, as any
   // basis serves there.
   Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen;
@@ -40,18 +45,35 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> stretch_hessian(const Mat<Dim>& a, c
   if constexpr (Dim == 3) u.col(0) = u.col(1).cross(u.col(2));
   else u.col(0) = Vec<2>(u(1, 1), -u(0, 1));
   s[0] = u.col(0).dot(a * v.col(0));
+  return {u, v, s};
+}
 
-  using Scalar = autodiff::SecondOrder<Dim>;
+/// psi with its derivatives by the stretches; V is double, or Pack for eight matrices at once.
+/// VolumeTerm: SimplifiedVolume, FullVolume, SymmetricDirichletVolume.
+template <class VolumeTerm, int Dim, class V>
+autodiff::SecondOrder<Dim, V> density_of_stretches(const std::array<V, Dim>& s, const Lame<double>& lame) {
+  using Scalar = autodiff::SecondOrder<Dim, V>;
   SmallMat<Scalar, Dim> diagonal;
-  for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar(s[i], i);
-  const Scalar psi = VolumeTerm::template density<Scalar, double>(diagonal, lame);
-  const Vec<Dim> first = psi.g;
-  const Mat<Dim> second = psi.h;
+  for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);
+  return VolumeTerm::template density<Scalar, double>(diagonal, lame);
+}
 
+/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight matrices, given
+/// by its lane of psi.
+template <int Dim>
+Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(const Stretches<Dim>& a,
+                                                              const autodiff::SecondOrder<Dim, autodiff::Pack>& psi,
+                                                              int lane) {
+  Vec<Dim> first;
+  Mat<Dim> second;
+  for (int i = 0; i < Dim; ++i) {
+    first[i] = psi.g[i][lane];
+    for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j)[lane];
+  }
   Eigen::Matrix<double, Dim * Dim, Dim * Dim> h = Eigen::Matrix<double, Dim * Dim, Dim * Dim>::Zero();
   const auto add = [&](const Mat<Dim>& mode, double value) {
     if (!(value > 0)) return;
-    const Mat<Dim> q = u * mode * v.transpose();
+    const Mat<Dim> q = a.u * mode * a.v.transpose();
     Eigen::Matrix<double, Dim * Dim, 1> flat;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) flat[i * Dim + j] = q(i, j);
@@ -62,7 +84,7 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> stretch_hessian(const Mat<Dim>& a, c
       Mat<Dim> twist = Mat<Dim>::Zero(), flip = Mat<Dim>::Zero();
       twist(i, j) = flip(i, j) = flip(j, i) = std::sqrt(0.5);
       twist(j, i) = -twist(i, j);
-      const double sum = s[i] + s[j], gap = s[i] - s[j];
+      const double sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
       if (std::abs(sum) > 1e-9) add(twist, (first[i] + first[j]) / sum);
       add(flip, std::abs(gap) > 1e-4 ? (first[i] - first[j]) / gap
                                      : 0.5 * (second(i, i) + second(j, j)) - second(i, j));

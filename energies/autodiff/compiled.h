@@ -105,8 +105,8 @@ class Compiled {
  public:
   static constexpr std::size_t n_operations = n_;
 
-  /// Does the functor read this active input at all?
-  static constexpr bool reads_active(int input) {
+  /// Does the functor read this active input at all? To be asked at compile time: the answer takes a look at all nodes.
+  static consteval bool reads_active(int input) {
     for (const Node& n : nodes_)
       if (n.op == Op::active && n.a == input) return true;
     return false;

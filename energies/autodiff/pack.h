@@ -3,6 +3,8 @@
 /// Eight doubles that are worked on together: one AVX-512 register, two AVX2 registers, or what the compiler
 /// makes of them elsewhere. Eight quadrature points go through a kernel at once.
 
+#include <Eigen/Core>
+
 #include <cmath>
 
 namespace shellmatch::autodiff {
@@ -22,16 +24,21 @@ inline Pack where_greater(Pack x, Pack y, Pack d) { return x > y ? d : Pack{}; }
 
 inline double root_of(double x) { return std::sqrt(x); }
 inline double exp_of(double x) { return std::exp(x); }
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 means its own intrinsics, which begin with x = x
+// The compiler may not call a vector unit's root for std::sqrt, which can set errno; Eigen does, and has an
+// exponential for vectors, accurate to the last bit or two.
 inline Pack root_of(Pack x) {
-  Pack r{};
-  for (int i = 0; i < pack_size; ++i) r[i] = std::sqrt(x[i]);
-  return r;
+  Eigen::Map<Eigen::Array<double, pack_size, 1>, Eigen::Aligned64> lanes(reinterpret_cast<double*>(&x));
+  lanes = lanes.sqrt().eval();
+  return x;
 }
 inline Pack exp_of(Pack x) {
-  Pack r{};
-  for (int i = 0; i < pack_size; ++i) r[i] = std::exp(x[i]);
-  return r;
+  Eigen::Map<Eigen::Array<double, pack_size, 1>, Eigen::Aligned64> lanes(reinterpret_cast<double*>(&x));
+  lanes = lanes.exp().eval();
+  return x;
 }
+#pragma GCC diagnostic pop
 
 inline double sum_lanes(Pack x) {
   return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));

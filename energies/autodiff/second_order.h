@@ -1,56 +1,70 @@
 #pragma once
 /// \file
 /// A scalar that carries its first and second derivatives by N variables, for the few places where a small
-/// Hessian is wanted at a point: one evaluation of the functor gives it.
+/// Hessian is wanted at a point: one evaluation of the functor gives it. `V` is double or Pack.
 
-#include <Eigen/Core>
+#include "energies/autodiff/pack.h"
 
-#include <cmath>
+#include <array>
 
 namespace shellmatch::autodiff {
 
-template <int N>
+template <int N, class V = double>
 struct SecondOrder {
-  double v = 0;
-  Eigen::Matrix<double, N, 1> g = Eigen::Matrix<double, N, 1>::Zero();
-  Eigen::Matrix<double, N, N> h = Eigen::Matrix<double, N, N>::Zero();
+  V v{};
+  std::array<V, N> g{};
+  std::array<V, N*(N + 1) / 2> upper{};  ///< of the symmetric second derivative, row after row
 
   SecondOrder() = default;
-  SecondOrder(double c) : v(c) {}  // NOLINT(google-explicit-constructor): constants mix with variables
+  SecondOrder(double c) : v(V{} + c) {}  // NOLINT(google-explicit-constructor): constants mix with variables
   /// Variable number i.
-  SecondOrder(double c, int i) : v(c) { g[i] = 1; }
-
-  /// f(x), given f, f' and f'' at x.v.
-  static SecondOrder chain(const SecondOrder& x, double f, double f1, double f2) {
-    SecondOrder r(f);
-    r.g = f1 * x.g;
-    r.h = f1 * x.h + f2 * x.g * x.g.transpose();
+  static SecondOrder variable(V c, int i) {
+    SecondOrder r;
+    r.v = c;
+    r.g[i] = V{} + 1.0;
     return r;
   }
-  friend SecondOrder operator-(const SecondOrder& x) { return chain(x, -x.v, -1, 0); }
+  /// Second derivative by variables i and j.
+  V h(int i, int j) const { return i <= j ? upper[i * N - i * (i - 1) / 2 + j - i] : h(j, i); }
+
+  /// f(x), given f, f' and f'' at x.v.
+  static SecondOrder chain(const SecondOrder& x, V f, V f1, V f2) {
+    SecondOrder r;
+    r.v = f;
+    for (int i = 0, at = 0; i < N; ++i) {
+      r.g[i] = f1 * x.g[i];
+      for (int j = i; j < N; ++j, ++at) r.upper[at] = f1 * x.upper[at] + f2 * (x.g[i] * x.g[j]);
+    }
+    return r;
+  }
+  friend SecondOrder operator-(const SecondOrder& x) { return chain(x, -x.v, V{} - 1.0, V{}); }
   friend SecondOrder operator+(SecondOrder x, const SecondOrder& y) {
     x.v += y.v;
-    x.g += y.g;
-    x.h += y.h;
+    for (int i = 0; i < N; ++i) x.g[i] += y.g[i];
+    for (std::size_t i = 0; i < x.upper.size(); ++i) x.upper[i] += y.upper[i];
     return x;
   }
   friend SecondOrder operator-(const SecondOrder& x, const SecondOrder& y) { return x + (-y); }
   friend SecondOrder operator*(const SecondOrder& x, const SecondOrder& y) {
-    SecondOrder r(x.v * y.v);
-    r.g = x.v * y.g + y.v * x.g;
-    r.h = x.v * y.h + y.v * x.h + x.g * y.g.transpose() + y.g * x.g.transpose();
+    SecondOrder r;
+    r.v = x.v * y.v;
+    for (int i = 0, at = 0; i < N; ++i) {
+      r.g[i] = x.v * y.g[i] + y.v * x.g[i];
+      for (int j = i; j < N; ++j, ++at)
+        r.upper[at] = x.v * y.upper[at] + y.v * x.upper[at] + x.g[i] * y.g[j] + y.g[i] * x.g[j];
+    }
     return r;
   }
   friend SecondOrder operator/(const SecondOrder& x, const SecondOrder& y) {
-    const double i = 1 / y.v;
-    return x * chain(y, i, -i * i, 2 * i * i * i);
+    const V i = 1.0 / y.v;
+    return x * chain(y, i, -i * i, 2.0 * i * i * i);
   }
   friend SecondOrder sqrt(const SecondOrder& x) {
-    const double r = std::sqrt(x.v);
+    const V r = root_of(x.v);
     return chain(x, r, 0.5 / r, -0.25 / (r * x.v));
   }
   friend SecondOrder exp(const SecondOrder& x) {
-    const double e = std::exp(x.v);
+    const V e = exp_of(x.v);
     return chain(x, e, e, e);
   }
 };

@@ -23,8 +23,10 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> exact_hessian(const Mat<Dim>& a, con
   using Scalar = autodiff::SecondOrder<Dim * Dim>;
   SmallMat<Scalar, Dim> m;
   for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) m(i, j) = Scalar(a(i, j), i * Dim + j);
-  return VolumeTerm::template density<Scalar, double>(m, lame).h;
+    for (int j = 0; j < Dim; ++j) m(i, j) = Scalar::variable(a(i, j), i * Dim + j);
+  const Scalar psi = VolumeTerm::template density<Scalar, double>(m, lame);
+  return Eigen::Matrix<double, Dim * Dim, Dim * Dim>::NullaryExpr(
+      [&](Eigen::Index i, Eigen::Index j) { return psi.h(static_cast<int>(i), static_cast<int>(j)); });
 }
 
 template <int Dim>
@@ -47,7 +49,12 @@ void check_stretch_hessian(double amplitude) {
     const Mat<Dim> a = Mat<Dim>::Identity() + random_matrix<Dim>(random, amplitude);
     const Lame<double> lame{0.7, 1.3};
     const auto exact = positive_part(exact_hessian<VolumeTerm, Dim>(a, lame));
-    const auto model = stretch_hessian<VolumeTerm, Dim>(a, lame);
+    const auto stretches = principal_stretches<Dim>(a);
+    std::array<Pack, Dim> s;  // another matrix's in the other lanes
+    for (int k = 0; k < Dim; ++k) s[k] = Pack{} + 1.0 + 0.1 * k;
+    for (int k = 0; k < Dim; ++k) s[k][trial % 8] = stretches.s[k];
+    const auto psi = density_of_stretches<VolumeTerm, Dim>(s, lame);
+    const auto model = projected_hessian<Dim>(stretches, psi, trial % 8);
     EXPECT_LT((model - exact).norm(), 1e-6 * exact.norm());
   }
 }
