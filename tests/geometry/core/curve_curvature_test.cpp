@@ -54,6 +54,14 @@ TEST(CurveCurvature, ExactOnAParabolaAtItsApex) {
   EXPECT_NEAR(curve_curvatures(s, 3)[3], 3, 1e-11);
 }
 
+// Through the points (-1, 1), (0, 0) and (3, 1) of the frame along their chord goes z = -2/3 s + 1/3 s^2.
+TEST(CurveCurvature, OfUnevenPointsIsThatOfTheirParabolaWithItsSlope) {
+  Surface<2> s;
+  s.vertices = {{1, -1}, {0, 0}, {-3, -1}, {0, -5}};
+  for (Index i = 0; i < 4; ++i) s.facets.push_back({i, (i + 1) % 4});
+  EXPECT_NEAR(curve_curvatures(s, 1)[1], 2.0 / 3 / std::pow(1 + 4.0 / 9, 1.5), 1e-14);
+}
+
 TEST(CurveCurvature, UnknownWhereTheRingIsTooShort) {
   const Surface<2> s = ellipse(4, 1, 1);
   for (const double k : curve_curvatures(s, 2)) EXPECT_TRUE(std::isnan(k));

@@ -94,6 +94,7 @@ TEST(Distortion, FacetsFacingAwayAreCounted) {
 
 TEST(Distortion, RefusesSurfacesThatDoNotCorrespond) {
   EXPECT_THROW(facet_measure_ratios(unit_sphere(1), unit_sphere(2)), std::logic_error);
+  EXPECT_THROW(facet_measure_ratios(unit_sphere(1), reversed(unit_sphere(1))), std::logic_error);
 }
 
 }  // namespace

@@ -82,6 +82,11 @@ TEST(Placement, AsIsIsTheIdentityInsideAndNamesTheOffenderOutside) {
   EXPECT_THAT(message, testing::HasSubstr("vertex 4 at (0.1, 0.1, 1.5)"));
   EXPECT_THAT(message, testing::HasSubstr("[0.05, 0.95]^3"));
   EXPECT_THAT(message_of(outside, inside, 0.05), testing::HasSubstr("outside.off"));
+  // Within the domain, but too near to its upper and to its lower end.
+  const Shape<3> high = shape_of(box({0.1, 0.1, 0.1}, {0.9, 0.96, 0.7}), "high.off");
+  const Shape<3> low = shape_of(box({0.1, 0.04, 0.1}, {0.9, 0.8, 0.7}), "low.off");
+  EXPECT_THAT(message_of(inside, high, 0.05), testing::HasSubstr("high.off"));
+  EXPECT_THAT(message_of(inside, low, 0.05), testing::HasSubstr("low.off"));
   EXPECT_THAT(message_of(inside, inside, 0.15), testing::HasSubstr("vertex 0"));
 }
 

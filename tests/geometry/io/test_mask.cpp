@@ -86,6 +86,20 @@ TEST(Mask, TextAndSixteenBitFormsAgree) {
   EXPECT_NEAR(box.max.y(), 9, 0.1);
 }
 
+// Two squares that touch at a corner: joined where the four pixels around it are bright on the whole.
+TEST(Mask, SaddlesAreDecidedByTheirMean) {
+  const auto rings = [](double dark, double bright) {
+    return mask(pgm(24, 24, [&](double x, double y) {
+             const bool left = x < 12, low = y < 12, corner = std::abs(x - 12) < 1 && std::abs(y - 12) < 1;
+             if (corner) return left == low ? bright : dark;
+             return left == low && x > 2 && x < 22 && y > 2 && y < 22 ? 1.0 : 0.0;
+           }))
+        .original.polygons.size();
+  };
+  EXPECT_EQ(rings(0.3, 1), 1u);
+  EXPECT_EQ(rings(0, 0.8), 2u);
+}
+
 TEST(Mask, RandomImagesGiveSimpleOutlines) {
   std::uint32_t state = 1;
   for (int trial = 0; trial < 20; ++trial) {

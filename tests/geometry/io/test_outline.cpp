@@ -37,6 +37,12 @@ TEST(Outline, AllLayoutsReadTheSame) {
   }
 }
 
+TEST(Outline, AClosingPointGoesWithItsColumns) {
+  const Shape<2> shape = outline("x,y,label\n0,0,1\n2,0,2\n0,1,3\n0,0,4\n\n5,5,5\n6,5,6\n5,6,7\n");
+  ASSERT_EQ(shape.original.vertices.size(), 6u);
+  EXPECT_EQ(shape.original.attributes.at(0).values, (std::vector<double>{1, 2, 3, 5, 6, 7}));
+}
+
 TEST(Outline, OrientationFollowsTheDepthOfNesting) {
   for (int turned = 0; turned < 16; ++turned) {
     const std::string text = square(4, 2, turned & 1) + "\n" + square(0, 10, turned & 2) + "\n" +

@@ -94,6 +94,20 @@ TEST(Repair, SeamsAreWeldedAndTouchingPartsAreNot) {
   EXPECT_NEAR(volume(mended(touching).surface), 2, 1e-14);
 }
 
+TEST(Repair, TrianglesThatCollapseAsTheirSeamCloses) {
+  // A third corner at the place of another, which welding makes the same; in every order of the three.
+  for (int turn = 0; turn < 3; ++turn) {
+    OriginalShape<3> shape = cube();
+    std::vector<Index> sliver = {8, 9, 10};
+    for (const Vec<3>& x : {Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 0, 0)}) shape.vertices.push_back(x);
+    std::rotate(sliver.begin(), sliver.begin() + turn, sliver.end());
+    shape.polygons.push_back(sliver);
+    const Shape<3> result = mended(shape);
+    EXPECT_NEAR(volume(result.surface), 1, 1e-14);
+    EXPECT_TRUE(has_note(result, "1 triangle with a repeated corner removed")) << turn;
+  }
+}
+
 TEST(Repair, VerticesWherePartsTouchAreSplit) {
   OriginalShape<3> shape = cube();
   OriginalShape<3> second = cube({1, 1, 1});
