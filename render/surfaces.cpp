@@ -19,6 +19,9 @@ struct Layer {
   RayScene scene;
 };
 
+/// Difference of linear light between neighbouring pixels that the eye takes for an edge.
+constexpr double visible_step = 0.02;
+
 struct Sample {
   double distance, opacity;
   Vec<3> light;
@@ -83,28 +86,45 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
       clearance = std::max(clearance, (v - camera.target).dot(camera.backward));
   clearance += size;
 
-  Image image(options.width, options.height, options.background);
   const double pixel = 2.0 / options.height, n_samples = options.samples;
-  parallel_for(
-      static_cast<std::size_t>(options.height),
-      [&](std::size_t row) {
-        for (int column = 0; column < options.width; ++column) {
-          Vec<3> sum = Vec<3>::Zero();
-          for (int j = 0; j < options.samples; ++j)
-            for (int i = 0; i < options.samples; ++i) {
-              // Each row of samples is shifted a little: edges that are nearly upright get more shades.
-              const double sx = (i + (j + 0.5) / n_samples) / n_samples,
-                           sy = (j + (i + 0.5) / n_samples) / n_samples;
-              const double x = (column + sx - 0.5 * options.width) * pixel;
-              const double y = (0.5 * options.height - static_cast<double>(row) - sy) * pixel;
-              sum += trace(camera_ray(camera, x, y, clearance)).cwiseMin(1.0);
-            }
-          sum /= n_samples * n_samples;
-          image.set(column, static_cast<int>(row),
-                    {srgb_from_linear(sum[0]), srgb_from_linear(sum[1]), srgb_from_linear(sum[2])});
-        }
-      },
-      4);
+  const auto light_at = [&](double column, double row) {
+    const Ray ray = camera_ray(camera, (column - 0.5 * options.width) * pixel, (0.5 * options.height - row) * pixel, clearance);
+    return Vec<3>(trace(ray).cwiseMin(1.0));
+  };
+  const int width = options.width, height = options.height;
+  std::vector<Vec<3>> centres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const auto centre = [&](int column, int row) -> Vec<3>& {
+    return centres[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+  };
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
+    for (int column = 0; column < width; ++column)
+      centre(column, static_cast<int>(row)) = light_at(column + 0.5, static_cast<double>(row) + 0.5);
+  }, 4);
+
+  // Where a pixel is like all its neighbours one ray shows what is there; only edges need many.
+  const auto is_plain = [&](int column, int row) {
+    const Vec<3>& here = centre(column, row);
+    for (int r = std::max(0, row - 1); r <= std::min(height - 1, row + 1); ++r)
+      for (int c = std::max(0, column - 1); c <= std::min(width - 1, column + 1); ++c)
+        if ((centre(c, r) - here).cwiseAbs().maxCoeff() > visible_step) return false;
+    return true;
+  };
+  Image image(width, height, options.background);
+  parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < width; ++column) {
+      Vec<3> light = centre(column, row);
+      if (options.samples > 1 && !is_plain(column, row)) {
+        light.setZero();
+        for (int j = 0; j < options.samples; ++j)
+          for (int i = 0; i < options.samples; ++i)
+            // Each row of samples is shifted a little: edges that are nearly upright get more shades.
+            light += light_at(column + (i + (j + 0.5) / n_samples) / n_samples, row + (j + (i + 0.5) / n_samples) / n_samples);
+        light /= n_samples * n_samples;
+      }
+      image.set(column, row, {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
+    }
+  }, 4);
   return image;
 }
 
