@@ -32,6 +32,20 @@ struct ElementBatch {
 
   void clear_gradient() { gradient.fill(Pack{}); }
 
+  /// Largest entry, in size, that Dphi has anywhere on the element: it is a mean of differences along edges.
+  Pack largest_entry() const {
+    Pack largest{};
+    for (int k = 0; k < Dim; ++k)
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        if ((c >> k) & 1) continue;
+        for (int a = 0; a < Dim; ++a) {
+          const Pack x = u[(c | 1 << k) * Dim + a] - u[c * Dim + a];
+          largest = autodiff::max_of(largest, autodiff::max_of(x, -x));
+        }
+      }
+    return largest * inverse_side;
+  }
+
   /// phi at a quadrature point.
   void position(const typename ShapeTable<Dim>::Point& q, std::array<Pack, Dim>& y) const {
     for (int k = 0; k < Dim; ++k) y[k] = q.n[0] * u[k];
@@ -64,6 +78,15 @@ struct ElementBatch {
       for (int k = 0; k < Dim; ++k) gradient[c * Dim + k] += q.n[c] * adjoint[k];
   }
 };
+
+/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at most
+/// `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
+template <int Dim>
+autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
+  const autodiff::Pack after = largest + change;
+  if constexpr (Dim == 2) return 2.0 * (after * after - largest * largest);
+  else return 6.0 * (after * after * after - largest * largest * largest);
+}
 
 /// Smallest Bernstein coefficient of det Dphi on each of the eight (energies/fold_barrier.h).
 template <int Dim>

@@ -14,6 +14,7 @@ EnergyHessian<Dim>::EnergyHessian(const MatchingEnergy<Dim>& energy, const Unkno
 template <int Dim>
 void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValues& weights) {
   matrices_.resize(unknowns_->elements().size());
+  measure_room(phi);
   assemble_volume(phi, weights[Term::volume]);
   if (weights[Term::barrier] > 0) assemble_barrier(phi, weights[Term::barrier]);
   assemble_band(phi, weights);

@@ -47,6 +47,7 @@ class EnergyHessian {
   void assemble_barrier(std::span<const Vec<Dim>> phi, double weight);
   void assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights);
   void invert_blocks();
+  void measure_room(std::span<const Vec<Dim>> phi);
   void keep_restraint();
 
   const MatchingEnergy<Dim>* energy_;
@@ -57,6 +58,10 @@ class EnergyHessian {
   std::optional<NodeMatrix<Dim>> sum_;     ///< of them; its pattern is found when it is first wanted
   bool folds_cost_ = false;                ///< is there a term that forbids them?
   std::vector<float> restraint_;           ///< factor on the Laplacian's matrix, by element
+  struct Room {
+    autodiff::Pack least_determinant, largest_entry;
+  };
+  std::vector<Room> room_;                 ///< eight elements each, at the phi of the last assemble()
   std::vector<Mat<Dim>> inverse_blocks_;   ///< of each unknown node
   std::vector<Vec<Dim>> nodal_;            ///< scratch of restrain()
 };

@@ -52,6 +52,21 @@ void EnergyHessian<Dim>::keep_restraint() {
 }
 
 template <int Dim>
+void EnergyHessian<Dim>::measure_room(std::span<const Vec<Dim>> phi) {
+  const auto elements = unknowns_->elements();
+  room_.resize(n_chunks(elements.size(), pack_size));
+  parallel_chunks(room_.size(), batches_per_chunk, [&](const Chunk& chunk) {
+    ElementBatch<Dim> batch;
+    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
+      batch.load(elements, phi, [&](int lane) {
+        return std::min(b * pack_size + static_cast<std::size_t>(lane), elements.size() - 1);
+      });
+      room_[b] = {least_determinant(batch), batch.largest_entry()};
+    }
+  });
+}
+
+template <int Dim>
 bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const double> d) {
   if (!folds_cost_) return false;
   static const double unit = [] {
@@ -73,12 +88,13 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
       const auto member = [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); };
-      here.load(elements, phi, member);
       step.load(elements, nodal_, member);
+      const Pack before = room_[b].least_determinant;
+      const Pack certain = before - determinant_change<Dim>(room_[b].largest_entry, step.largest_entry());
+      if (std::none_of(&certain[0], &certain[0] + n, [](double x) { return !(x >= ample); })) continue;
+      here.load(elements, phi, member);
       for (int i = 0; i < n_dofs; ++i) step.u[i] += here.u[i];
       const Pack after = least_determinant(step);
-      if (std::none_of(&after[0], &after[0] + n, [](double x) { return x < ample; })) continue;
-      const Pack before = least_determinant(here);
       for (int lane = 0; lane < n; ++lane) {
         if (!(after[lane] < std::min(ample, share_left * before[lane]))) continue;
         const std::size_t e = member(lane);
@@ -101,6 +117,8 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
   return any;
 }
 
+template void EnergyHessian<2>::measure_room(std::span<const Vec<2>>);
+template void EnergyHessian<3>::measure_room(std::span<const Vec<3>>);
 template void EnergyHessian<2>::keep_restraint();
 template void EnergyHessian<3>::keep_restraint();
 template bool EnergyHessian<2>::restrain(std::span<const Vec<2>>, std::span<const double>);

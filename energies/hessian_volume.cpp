@@ -91,17 +91,15 @@ template <int Dim>
 void EnergyHessian<Dim>::assemble_barrier(std::span<const Vec<Dim>> phi, double weight) {
   const auto elements = unknowns_->elements();
   parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
-    ElementBatch<Dim> batch;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      batch.load(elements, phi, [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); });
-      const Pack least = least_determinant(batch);
       for (int lane = 0; lane < n; ++lane) {
-        if (least[lane] >= options_.fold_threshold) continue;
+        if (room_[b].least_determinant[lane] >= options_.fold_threshold) continue;
+        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
         using Jet = ceres::Jet<double, n_dofs>;
         std::array<Jet, n_dofs> jets;
-        for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(batch.u[i][lane], i);
-        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
+        for (int c = 0; c < n_corners<Dim>; ++c)
+          for (int k = 0; k < Dim; ++k) jets[c * Dim + k] = Jet(phi[elements[e].nodes[c]][k], c * Dim + k);
         const double volume = std::pow(elements[e].side, Dim);
         const double limit = options_.fold_threshold * volume;
         for (const Jet& determinant : bernstein_determinant<Dim>(jets.data())) {

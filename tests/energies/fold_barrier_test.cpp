@@ -1,3 +1,4 @@
+#include "energies/element_batch.h"
 #include "energies/fold_barrier.h"
 
 #include "energies/autodiff/jet.h"
@@ -6,6 +7,8 @@
 #include "tests/support/taylor.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 #include <limits>
 
@@ -91,5 +94,52 @@ TYPED_TEST(FoldBarrier, SeesWhatQuadraturePointsMiss) {
   EXPECT_FALSE(p.values(phi, only(Term::barrier)).has_value());
 }
 
+// No coefficient changes by more than the bound that the edges give.
+TYPED_TEST(FoldBarrier, CoefficientsChangeByNoMoreThanTheBound) {
+  constexpr int Dim = TypeParam::value;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    ElementBatch<Dim> here, step, there;
+    here.inverse_side = step.inverse_side = there.inverse_side = autodiff::Pack{} + 4.0;
+    for (int i = 0; i < here.n_dofs; ++i)
+      for (int lane = 0; lane < here.n_lanes; ++lane) {
+        const double identity = ((i / Dim) >> (i % Dim)) & 1 ? 0.25 : 0.0;
+        here.u[i][lane] = identity + 0.1 * u(random);
+        step.u[i][lane] = (trial % 2 ? 0.1 : 0.001) * u(random);
+        there.u[i][lane] = here.u[i][lane] + step.u[i][lane];
+      }
+    const autodiff::Pack bound = determinant_change<Dim>(here.largest_entry(), step.largest_entry());
+    const auto before = bernstein_determinant<Dim>(here.u.data()), after = bernstein_determinant<Dim>(there.u.data());
+    for (std::size_t i = 0; i < before.size(); ++i)
+      for (int lane = 0; lane < here.n_lanes; ++lane)
+        EXPECT_LE(std::abs(after[i][lane] - before[i][lane]) * std::pow(4.0, Dim), bound[lane] * (1 + 1e-12));
+    EXPECT_LE(std::abs(least_determinant(there)[0] - least_determinant(here)[0]), bound[0] * (1 + 1e-12));
+  }
+  // Signs that make a determinant large: 2 of 2 products count in the plane, 4 of 6 in space.
+  ElementBatch<Dim> here, grown;
+  here.inverse_side = grown.inverse_side = autodiff::Pack{} + 1.0;
+  const Mat<Dim> signs = [] {
+    Mat<Dim> m = Mat<Dim>::Ones();
+    if (Dim == 2) m(1, 1) = -1;
+    else for (int k = 0; k < Dim; ++k) m(k, Dim - 1 - k) = -1;
+    return m;
+  }();
+  for (int c = 0; c < n_corners<Dim>; ++c)
+    for (int a = 0; a < Dim; ++a) {
+      double x = 0;
+      for (int k = 0; k < Dim; ++k) x += ((c >> k) & 1) * signs(a, k);
+      here.u[c * Dim + a] = autodiff::Pack{} + x;
+      grown.u[c * Dim + a] = autodiff::Pack{} + 1.1 * x;
+    }
+  const double change = std::abs(bernstein_determinant<Dim>(grown.u.data())[0][0] - bernstein_determinant<Dim>(here.u.data())[0][0]);
+  const double bound = determinant_change<Dim>(here.largest_entry(), autodiff::Pack{} + 0.1)[0];
+  EXPECT_LE(change, bound * (1 + 1e-12));
+  EXPECT_GT(change, 0.6 * bound);
+  ElementBatch<Dim> one;
+  one.inverse_side = autodiff::Pack{} + 4.0;
+  for (int i = 0; i < one.n_dofs; ++i) one.u[i] = autodiff::Pack{} + (((i / Dim) >> (i % Dim)) & 1 ? -0.5 : 0.25);
+  EXPECT_EQ(one.largest_entry()[0], 3.0);
+}
 }  // namespace
 }  // namespace shellmatch
