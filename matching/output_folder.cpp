@@ -179,6 +179,7 @@ void OutputFolder::commit() {
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
       committed_ = true;
       fs::remove_all(partial_, error);
+      lock_.reset();
       return;
     }
     const std::string old = partial_ + std::string(set_aside);
@@ -192,11 +193,13 @@ void OutputFolder::commit() {
     }
     committed_ = true;
     fs::remove_all(old, error);
+    lock_.reset();
     return;
   }
   fs::rename(partial_, final_, error);  // replaces an empty folder
   if (error) cannot_write(final_, error.value());
   committed_ = true;
+  lock_.reset();
 }
 
 bool OutputFolder::keep_partial() {

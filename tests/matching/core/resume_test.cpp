@@ -13,10 +13,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <functional>
 #include <map>
+#include <thread>
 
 namespace shellmatch {
 namespace {
@@ -37,7 +39,7 @@ ExperimentOptions experiment(Pictures pictures = Pictures::none) {
 }
 
 // Does something as a level begins, or as the result is written (level 100), and keeps what it is told.
-struct Watcher final : Observer {
+struct Watcher : Observer {
   int level = 0;
   std::function<void(int)> action = [](int) {};
   std::string notes;
@@ -55,7 +57,7 @@ struct Watcher final : Observer {
 };
 
 // Runs until the level begins. Returns what is told of the stop.
-std::string stop_at(int level, const ExperimentOptions& options, const std::string& out, Watcher watcher = {}) {
+std::string stop_at(int level, const ExperimentOptions& options, const std::string& out, Watcher&& watcher = {}) {
   watcher.action = [level](int begins) {
     if (begins == level) throw Stopped("now");
   };
@@ -130,15 +132,21 @@ TEST(Resume, StoppedAgainAndAgainTimesAddUp) {
   run(o, tmp / "whole");
   double seconds = 0;
   for (const int level : {4, 5}) {
-    stop_at(level, o, tmp / "out");
+    struct Slow final : Watcher {
+      bool iterated(const LevelStart& start, const IterationRecord& record) override {
+        if (start.level == 3 && record.iteration == 0) std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        return true;
+      }
+    } slow;
+    stop_at(level, o, tmp / "out", std::move(slow));
     const RunFigures figures = read_summary(tmp / "out.unfinished/summary.json").run;
-    EXPECT_GT(figures.seconds, seconds);
+    EXPECT_GE(figures.seconds, seconds + figures.level_seconds.back());
     seconds = figures.seconds;
     o.threads = level % 2 + 1;  // changes no result
   }
   run(o, tmp / "out");
   const MatchSummary s = read_summary(tmp / "out/summary.json");
-  EXPECT_GT(s.run.seconds, seconds);
+  EXPECT_GE(s.run.seconds, seconds + s.run.level_seconds.back());
   EXPECT_EQ(s.run.level_seconds.size(), 3u);
   EXPECT_EQ(s.run.resumed_after, (std::vector<int>{3, 4}));
   auto whole = lasting(tmp / "whole"), parts = lasting(tmp / "out");
