@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   }
   if (solver_is("ceres_lbfgs"))
     for (std::vector<char*> taken;;) {
-      constexpr std::size_t block = 1 << 20;
+      constexpr std::size_t block = 4 << 20;
       taken.push_back(new char[block]);
       std::memset(taken.back(), 1, block);
       usleep(200);
