@@ -8,28 +8,13 @@
 
 namespace shellmatch {
 
-namespace {
-
-struct Sums {
-  double weight = 0, angle = 0, folded = 0;
-  Sums& operator+=(const Sums& o) {
-    weight += o.weight;
-    angle += o.angle;
-    folded += o.folded;
-    return *this;
-  }
-};
-
-}  // namespace
-
 template <int Dim>
-BandReport report_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
-                       const ShapeTable<Dim>& shape, const TargetField<Dim>& target,
-                       std::span<const Vec<Dim>> phi) {
+BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band, const ShapeTable<Dim>& shape,
+                  const TargetField<Dim>& target, std::span<const Vec<Dim>> phi) {
   using autodiff::Pack;
   const auto batches = band.batches();
-  const Sums total = parallel_sum(batches.size(), 32, Sums{}, [&](const Chunk& chunk) {
-    Sums sums;
+  return parallel_sum(batches.size(), 32, BandSums{}, [&](const Chunk& chunk) {
+    BandSums sums;
     ElementBatch<Dim> batch;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
@@ -61,13 +46,11 @@ BandReport report_band(std::span<const Element<Dim>> elements, const Band<Dim>& 
     }
     return sums;
   });
-  if (!(total.weight > 0)) return {};
-  return {total.angle / total.weight, total.folded / total.weight};
 }
 
-template BandReport report_band<2>(std::span<const Element<2>>, const Band<2>&, const ShapeTable<2>&,
-                                   const TargetField<2>&, std::span<const Vec<2>>);
-template BandReport report_band<3>(std::span<const Element<3>>, const Band<3>&, const ShapeTable<3>&,
-                                   const TargetField<3>&, std::span<const Vec<3>>);
+template BandSums sum_band<2>(std::span<const Element<2>>, const Band<2>&, const ShapeTable<2>&,
+                              const TargetField<2>&, std::span<const Vec<2>>);
+template BandSums sum_band<3>(std::span<const Element<3>>, const Band<3>&, const ShapeTable<3>&,
+                              const TargetField<3>&, std::span<const Vec<3>>);
 
 }  // namespace shellmatch

@@ -48,7 +48,7 @@ TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const 
   constexpr int n_target = PointArrays<Dim>::n_target;
   constexpr int n_reference = ReferencePoint<Dim, double>::size;
   if (!(weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return {};
-  const auto elements = unknowns_->elements();
+  const auto elements = elements_;
   const auto batches = band_.batches();
   const TermKernel<Dim> other_membrane = comparison_kernel<Dim, WithGradient>(options_.membrane);
   const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);

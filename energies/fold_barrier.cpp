@@ -29,7 +29,7 @@ template <bool WithGradient>
 double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double weight) const {
   using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
   if (!(weight > 0)) return 0;
-  const auto elements = unknowns_->elements();
+  const auto elements = elements_;
   const std::size_t n_batches = (elements.size() + pack_size - 1) / pack_size;
   return parallel_sum(n_batches, 64, 0.0, [&](const Chunk& chunk) {
     ElementBatch<Dim> batch;

@@ -21,11 +21,19 @@ template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
                                     const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
                                     int points_per_direction)
-    : unknowns_(&unknowns),
+    : MatchingEnergy(unknowns.elements(), reference, target, options, sigma, points_per_direction) {
+  unknowns_ = &unknowns;
+}
+
+template <int Dim>
+MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, const ReferenceFields<Dim>& reference,
+                                    const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
+                                    int points_per_direction)
+    : elements_(elements),
       target_(&target),
       options_(options),
       shape_(points_per_direction),
-      band_(unknowns.elements(), shape_, reference, sigma) {}
+      band_(elements, shape_, reference, sigma) {}
 
 template <int Dim>
 bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
@@ -41,7 +49,8 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
     values[Term::barrier] = barrier;
     return std::isfinite(values.sum());
   }
-  element_gradients_.resize(unknowns_->elements().size() * (n_corners<Dim> * Dim));
+  SHELLMATCH_CHECK(unknowns_ != nullptr, "a part of the energy has values only");
+  element_gradients_.resize(elements_.size() * (n_corners<Dim> * Dim));
   // The volume term writes every element's gradient, the band terms add to those of the band.
   const double volume = volume_term<true>(phi, weights[Term::volume]);
   const double barrier = barrier_term<true>(phi, weights[Term::barrier]);

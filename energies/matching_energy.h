@@ -41,13 +41,17 @@ class MatchingEnergy {
   MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
                  const TargetField<Dim>& target, const EnergyOptions& options, double sigma, int points_per_direction);
 
+  /// The part that these elements contribute: values only. The elements must outlive it too.
+  MatchingEnergy(std::span<const Element<Dim>> elements, const ReferenceFields<Dim>& reference,
+                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma, int points_per_direction);
+
   /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
   /// anything that is not finite. \pre phi has one position for each node, hanging nodes consistent.
   bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                 std::span<double> gradient) const;
 
-  /// By every element's corners, element after element in the order of unknowns.elements(): what the last
+  /// By every element's corners, element after element: what the last
   /// evaluation with a gradient summed up.
   std::span<const double> element_gradients() const { return element_gradients_; }
 
@@ -62,7 +66,8 @@ class MatchingEnergy {
   template <bool WithGradient>
   double barrier_term(std::span<const Vec<Dim>> phi, double weight) const;
 
-  const Unknowns<Dim>* unknowns_;
+  const Unknowns<Dim>* unknowns_ = nullptr;  ///< none where only values are wanted
+  std::span<const Element<Dim>> elements_;
   const TargetField<Dim>* target_;
   EnergyOptions options_;
   ShapeTable<Dim> shape_;

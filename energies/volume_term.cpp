@@ -65,7 +65,7 @@ double MatchingEnergy<Dim>::volume_term(std::span<const Vec<Dim>> phi, double we
     return 0;
   }
   const auto run = [&]<class Density>() {
-    return sum_volume<VolumeFunctor<Density, Dim>, Dim, WithGradient>(unknowns_->elements(), phi, shape_, options_,
+    return sum_volume<VolumeFunctor<Density, Dim>, Dim, WithGradient>(elements_, phi, shape_, options_,
                                                                       weight, element_gradients_);
   };
   switch (options_.volume) {

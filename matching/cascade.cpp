@@ -1,6 +1,7 @@
 #include "matching/cascade.h"
 
 #include "base/error.h"
+#include "energies/energy_report.h"
 #include "grid/mass.h"
 #include "grid/prolongation.h"
 #include "matching/gradient_check.h"
@@ -86,13 +87,12 @@ class Level {
       result.seconds += result.last.seconds;
     }
     level_.energy.evaluate(phi, weights, result.minimised, {});
-    // The solution overfits its own Gauss points: report with others.
-    const int finer = std::max(4, options_.energy.quadrature_order + 1);
-    const MatchingEnergy<Dim> report(level_.unknowns, level_.reference, level_.target, options_.energy, level_.sigma,
-                                     std::min(finer, 5));
-    report.evaluate(phi, weights, result.reported, {});
+    const int finer = std::min(std::max(4, options_.energy.quadrature_order + 1), 5);
+    const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.reference, level_.target, options_.energy,
+                                                   level_.sigma, finer, phi, weights);
+    result.reported = report.values;
+    result.band = report.band;
     result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
-    result.band = report_band<Dim>(level_.unknowns.elements(), report.band(), report.shape(), level_.target, phi);
     return result;
   }
 

@@ -1,6 +1,6 @@
 // What the band report says of maps for which it is known.
 
-#include "energies/band_report.h"
+#include "energies/energy_report.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -25,7 +25,7 @@ BandReport report(const std::function<Vec<Dim>(const Vec<Dim>&)>& map) {
   const auto fields = exact_fields<Dim>(grid, sphere<Dim>(0.3));
   const Problem<Dim> p(grid, fields, fields);
   const auto phi = at_nodes<Dim>(grid, map);
-  return report_band<Dim>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi);
+  return sum_band<Dim>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi).means();
 }
 
 TYPED_TEST(BandReports, IdenticalShapesHaveNoAngleAndARotationOfTheSphereNeither) {
@@ -62,6 +62,29 @@ TEST(BandReports2d, AShearOfTheCircle) {
   const BandReport sheared =
       report<2>([=](const Vec<2>& x) { return Vec<2>(x[0] + t * (x[1] - 0.5), x[1]); });
   EXPECT_NEAR(sheared.normal_angle, t * 2 / std::numbers::pi * 180 / std::numbers::pi, 0.06);
+}
+
+// A grid of more elements than are worked on at a time, with a shape that lies in all of its parts.
+TEST(EnergyReport, PiecesMakeTheWhole) {
+  const Octree<3> grid(5);
+  const auto fields = exact_fields<3>(grid, sphere<3>(0.3)), others = exact_fields<3>(grid, sphere<3>(0.33));
+  const Problem<3> p(grid, fields, others, {.points_per_direction = 3});
+  const auto phi = deformed<3>(grid, 0.01, 5);
+  TermValues weights;
+  for (int t = 0; t < n_terms; ++t) weights.v[t] = 1.0 + t;
+  const double sigma = 2 * grid.finest_side();
+  const ReferenceFields<3> reference{fields.distance, fields.normal, fields.root, false};
+  const EnergyReport report = report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, phi, weights);
+  const TermValues whole = *p.values(phi, weights);
+  for (int t = 0; t < n_terms; ++t) EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
+  EXPECT_GT(whole[Term::match], 0);
+  const BandReport band = sum_band<3>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi).means();
+  EXPECT_NEAR(report.band.normal_angle, band.normal_angle, 1e-12);
+  // Nothing is claimed of what cannot be evaluated: one cell turned inside out, in the last piece.
+  auto folded = phi;
+  folded[grid.cell(grid.leaves().back()).nodes[0]].array() += 0.2;
+  const EnergyReport none = report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, folded, weights);
+  EXPECT_EQ(none.values.sum(), 0);
 }
 
 }  // namespace
