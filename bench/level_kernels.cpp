@@ -1,10 +1,11 @@
-// What one evaluation of the energy, its gradient and Newton's model costs on the finest grid of a cascade, in
-// nanoseconds of CPU time for each active quadrature point of the band; beside it the same gradient by dual numbers
-// on the element (ceres::Jet, 24 derivatives in space), the machine's ceilings, and the gain of a second thread.
+// What one evaluation of the energy, its gradient and Newton's model costs on the finest grid of a cascade,
+// in nanoseconds of CPU time for each active quadrature point of the band; beside it the same gradient by
+// dual numbers on the element (ceres::Jet, 24 derivatives in space), the machine's ceilings, and the gain of
+// a second thread.
 //
 // Usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=N] [--benchmark_...]
-//        hand/rest,hand/bent and 8 if not given; --benchmark_filter, --benchmark_format=json and so on are Google
-//        Benchmark's
+//        hand/rest,hand/bent and 8 if not given; --benchmark_filter, --benchmark_format=json and so on are
+//        Google Benchmark's
 
 #include "base/parallel.h"
 #include "energies/element_oracle.h"
@@ -83,7 +84,8 @@ void measure(benchmark::State& state, std::size_t n, const char* counter, const 
   const double begin = cpu_seconds();
   for (auto _ : state) work();
   const double seconds = cpu_seconds() - begin;
-  state.counters[counter] = 1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(n));
+  state.counters[counter] =
+      1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(n));
   set_n_threads(0);
 }
 
@@ -175,8 +177,8 @@ void ceiling_bytes(benchmark::State& state) {
       for (std::size_t k = 0; k < 8; ++k) sums[k] += memory[i + k];
     benchmark::DoNotOptimize(sums);
   }
-  state.counters["gbytes"] =
-      benchmark::Counter(1e-9 * static_cast<double>(memory.size() * sizeof(Pack)), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["gbytes"] = benchmark::Counter(1e-9 * static_cast<double>(memory.size() * sizeof(Pack)),
+                                                benchmark::Counter::kIsIterationInvariantRate);
 }
 
 }  // namespace
@@ -187,14 +189,18 @@ int main(int argc, char** argv) {
   std::vector<char*> rest{argv[0]};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word.starts_with("--pair=") && word.find(',') != std::string::npos) pair = word.substr(7);
-    else if (word.starts_with("--level=")) level = std::atoi(word.c_str() + 8);
-    else rest.push_back(argv[i]);
+    if (word.starts_with("--pair=") && word.find(',') != std::string::npos)
+      pair = word.substr(7);
+    else if (word.starts_with("--level="))
+      level = std::atoi(word.c_str() + 8);
+    else
+      rest.push_back(argv[i]);
   }
   int n_rest = static_cast<int>(rest.size());
   benchmark::Initialize(&n_rest, rest.data());
   if (benchmark::ReportUnrecognizedArguments(n_rest, rest.data()) || level < 3 || level > 12) {
-    fmt::print(stderr, "usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=3..12] [--benchmark_...]\n");
+    fmt::print(stderr,
+               "usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=3..12] [--benchmark_...]\n");
     return 2;
   }
   try {
@@ -204,11 +210,15 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "level_kernels: {}\n", error.what());
     return 2;
   }
-  fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair, level,
-             kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(), kernels->grid->leaves().size(),
-             kernels->level->energy.band().n_elements(), kernels->points());
+  fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair,
+             level, kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(),
+             kernels->grid->leaves().size(), kernels->level->energy.band().n_elements(), kernels->points());
   const auto add = [](const char* name, void (*body)(benchmark::State&), bool threads) {
-    auto* b = benchmark::RegisterBenchmark(name, body)->Unit(benchmark::kMillisecond)->UseRealTime()->Arg(1)->ArgName("threads");
+    auto* b = benchmark::RegisterBenchmark(name, body)
+                  ->Unit(benchmark::kMillisecond)
+                  ->UseRealTime()
+                  ->Arg(1)
+                  ->ArgName("threads");
     if (threads) b->Arg(2);
   };
   add("value", value, true);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// One term of the band at eight quadrature points, and the terms that are there to compare with: they are compiled
-/// apart from the production path (energies/band_terms.cpp), which calls its own kernels directly.
+/// One term of the band at eight quadrature points, and the terms that are there to compare with: they are
+/// compiled apart from the production path (energies/band_terms.cpp), which calls its own kernels directly.
 
 #include "energies/autodiff/compiled.h"
 #include "energies/integrands.h"
@@ -18,7 +18,8 @@ struct PointArrays {
   std::array<autodiff::Pack, n_active> active;
   std::array<autodiff::Pack, n_passive> passive;
   std::array<autodiff::Pack, n_active> adjoint;
-  std::array<std::array<autodiff::Pack, n_target>, Dim> derivative;  ///< of the target's values by the coordinates of phi
+  std::array<std::array<autodiff::Pack, n_target>, Dim>
+      derivative;  ///< of the target's values by the coordinates of phi
 };
 
 /// Weighted sum of a term over the lanes' points; adds the weighted derivative to p.adjoint.
@@ -29,8 +30,13 @@ template <class Functor, int Dim, bool WithGradient>
     std::array<autodiff::Pack, PointArrays<Dim>::n_active> adjoint;
     const autodiff::Pack v = Code::gradient(p.active.data(), p.passive.data(), seed, adjoint.data());
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ([&] { if constexpr (Code::reads_active(static_cast<int>(I))) p.adjoint[I] += adjoint[I]; }(), ...);
-    }(std::make_index_sequence<PointArrays<Dim>::n_active>{});
+      (
+          [&] {
+            if constexpr (Code::reads_active(static_cast<int>(I))) p.adjoint[I] += adjoint[I];
+          }(),
+          ...);
+    }
+    (std::make_index_sequence<PointArrays<Dim>::n_active>{});
     return v * seed;
   } else {
     return Code::value(p.active.data(), p.passive.data()) * seed;

@@ -24,9 +24,7 @@ struct BandSums {
     folded += o.folded;
     return *this;
   }
-  BandReport means() const {
-    return weight > 0 ? BandReport{angle / weight, folded / weight} : BandReport{};
-  }
+  BandReport means() const { return weight > 0 ? BandReport{angle / weight, folded / weight} : BandReport{}; }
 };
 
 /// At the quadrature points of the band. phi: positions of all nodes.

@@ -79,13 +79,15 @@ struct ElementBatch {
   }
 };
 
-/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at most
-/// `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
+/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at
+/// most `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
 template <int Dim>
 autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
   const autodiff::Pack after = largest + change;
-  if constexpr (Dim == 2) return 2.0 * (after * after - largest * largest);
-  else return 6.0 * (after * after * after - largest * largest * largest);
+  if constexpr (Dim == 2)
+    return 2.0 * (after * after - largest * largest);
+  else
+    return 6.0 * (after * after * after - largest * largest * largest);
 }
 
 /// Smallest Bernstein coefficient of det Dphi on each of the eight (energies/fold_barrier.h).

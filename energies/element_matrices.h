@@ -16,8 +16,8 @@ class ElementMatrices {
   static constexpr int n_dofs = n_corners<Dim> * Dim;
   static constexpr int block_size = Dim * Dim;
   static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
-  /// Blocks (c, d) with c <= d, row after row; by columns within a block. And some more, so that the last block can
-  /// be read as a whole register.
+  /// Blocks (c, d) with c <= d, row after row; by columns within a block. And some more, so that the last
+  /// block can be read as a whole register.
   static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size + 16 - block_size;
   /// Single precision is ample for a model that is solved to a tenth.
   using Matrix = std::array<float, n_entries>;
@@ -27,9 +27,7 @@ class ElementMatrices {
     return (c * n_corners<Dim> - c * (c - 1) / 2 + (d - c)) * block_size;
   }
   /// Where entry (i, j) stands, i <= j; i = c * Dim + k is component k at corner c.
-  static constexpr int entry(int i, int j) {
-    return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim;
-  }
+  static constexpr int entry(int i, int j) { return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim; }
 
   void resize(std::size_t n_elements) { matrices_.resize(n_elements); }
   std::size_t size() const { return matrices_.size(); }

@@ -71,16 +71,22 @@ template <int Dim>
 void Unknowns<Dim>::expand(std::span<const double> x, std::vector<Vec<Dim>>& nodal) const {
   SHELLMATCH_CHECK(x.size() == size() && nodal.size() == static_cast<std::size_t>(grid_->n_nodes()),
                    "sizes of unknowns and nodal field");
-  parallel_for(nodes_.size(), [&](std::size_t i) {
-    for (int k = 0; k < Dim; ++k) nodal[nodes_[i]][k] = x[Dim * i + k];
-  }, 8192);
+  parallel_for(
+      nodes_.size(),
+      [&](std::size_t i) {
+        for (int k = 0; k < Dim; ++k) nodal[nodes_[i]][k] = x[Dim * i + k];
+      },
+      8192);
   const auto hanging = grid_->hanging_nodes();
-  parallel_for(hanging.size(), [&](std::size_t i) {
-    const auto& h = hanging[i];
-    Vec<Dim> sum = nodal[h.parents[0]];
-    for (int p = 1; p < h.n_parents; ++p) sum += nodal[h.parents[p]];
-    nodal[h.node] = sum / h.n_parents;
-  }, 8192);
+  parallel_for(
+      hanging.size(),
+      [&](std::size_t i) {
+        const auto& h = hanging[i];
+        Vec<Dim> sum = nodal[h.parents[0]];
+        for (int p = 1; p < h.n_parents; ++p) sum += nodal[h.parents[p]];
+        nodal[h.node] = sum / h.n_parents;
+      },
+      8192);
 }
 
 template <int Dim>
@@ -91,17 +97,21 @@ void Unknowns<Dim>::restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<do
 }
 
 template <int Dim>
-void Unknowns<Dim>::sum_elements(std::span<const double> element_gradients, std::span<double> gradient) const {
+void Unknowns<Dim>::sum_elements(std::span<const double> element_gradients,
+                                 std::span<double> gradient) const {
   SHELLMATCH_CHECK(gradient.size() == size(), "size of the gradient");
-  parallel_for(nodes_.size(), [&](std::size_t i) {
-    std::array<double, Dim> sum{};
-    for (const Place& place : places_of(i)) {
-      const double* g = element_gradients.data() + static_cast<std::size_t>(place.element_corner) * Dim;
-      const double w = static_cast<double>(place.weight);
-      for (int k = 0; k < Dim; ++k) sum[k] += w * g[k];
-    }
-    for (int k = 0; k < Dim; ++k) gradient[Dim * i + k] = sum[k];
-  }, 4096);
+  parallel_for(
+      nodes_.size(),
+      [&](std::size_t i) {
+        std::array<double, Dim> sum{};
+        for (const Place& place : places_of(i)) {
+          const double* g = element_gradients.data() + static_cast<std::size_t>(place.element_corner) * Dim;
+          const double w = static_cast<double>(place.weight);
+          for (int k = 0; k < Dim; ++k) sum[k] += w * g[k];
+        }
+        for (int k = 0; k < Dim; ++k) gradient[Dim * i + k] = sum[k];
+      },
+      4096);
 }
 
 template struct ShapeTable<2>;

@@ -53,7 +53,8 @@ class Unknowns {
     return {places_.data() + first_[i], first_[i + 1] - first_[i]};
   }
 
-  /// The unknown nodes that carry a node of the grid: itself, the parents of a hanging one, none of a fixed one.
+  /// The unknown nodes that carry a node of the grid: itself, the parents of a hanging one, none of a fixed
+  /// one.
   struct Carrier {
     Index unknown;
     float weight;

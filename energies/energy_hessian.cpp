@@ -18,7 +18,8 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
   assemble_volume(phi, weights[Term::volume]);
   if (weights[Term::barrier] > 0) assemble_barrier(phi, weights[Term::barrier]);
   assemble_band(phi, weights);
-  folds_cost_ = weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
+  folds_cost_ =
+      weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
   keep_restraint();
   if (!sum_) sum_.emplace(*unknowns_);
   sum_->assemble(matrices_);
@@ -42,12 +43,15 @@ void EnergyHessian<Dim>::invert_blocks() {
 
 template <int Dim>
 void EnergyHessian<Dim>::precondition(std::span<const double> r, std::span<double> z) const {
-  parallel_for(inverse_blocks_.size(), [&](std::size_t i) {
-    Vec<Dim> v;
-    for (int k = 0; k < Dim; ++k) v[k] = r[i * Dim + k];
-    v = (inverse_blocks_[i] * v).eval();
-    for (int k = 0; k < Dim; ++k) z[i * Dim + k] = v[k];
-  }, 8192);
+  parallel_for(
+      inverse_blocks_.size(),
+      [&](std::size_t i) {
+        Vec<Dim> v;
+        for (int k = 0; k < Dim; ++k) v[k] = r[i * Dim + k];
+        v = (inverse_blocks_[i] * v).eval();
+        for (int k = 0; k < Dim; ++k) z[i * Dim + k] = v[k];
+      },
+      8192);
 }
 
 template class EnergyHessian<2>;

@@ -2,11 +2,11 @@
 /// \file
 /// A positive semidefinite model of the energy's second derivative, for Newton's method.
 ///
-/// Match: Gauss-Newton. Membrane and bending: J^T W'' J with the second derivative of W made positive semidefinite
-/// at every quadrature point in closed form, in the tangent frames of both surfaces (there W is a function of a
-/// matrix of one row and column less), and J the first derivative of its argument by Dphi and by phi, on which
-/// n2 and the template's curvature depend. Volume: the second derivative at the element's centre, by principal
-/// stretches. Barrier: Gauss-Newton.
+/// Match: Gauss-Newton. Membrane and bending: J^T W'' J with the second derivative of W made positive
+/// semidefinite at every quadrature point in closed form, in the tangent frames of both surfaces (there W is
+/// a function of a matrix of one row and column less), and J the first derivative of its argument by Dphi and
+/// by phi, on which n2 and the template's curvature depend. Volume: the second derivative at the element's
+/// centre, by principal stretches. Barrier: Gauss-Newton.
 
 #include "energies/element_matrices.h"
 #include "energies/matching_energy.h"
@@ -24,16 +24,16 @@ class EnergyHessian {
   static constexpr int n_dofs = n_corners<Dim> * Dim;
 
   /// energy and unknowns must outlive this object.
-  EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TargetField<Dim>& target,
-                const EnergyOptions& options);
+  EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
+                const TargetField<Dim>& target, const EnergyOptions& options);
 
   /// Computes the element matrices at phi. \pre the energy can be evaluated there.
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
 
-  /// Where the step d (nodal) from phi would fold a cell, or nearly so, the model knows nothing of it: adds to
-  /// such cells' matrices a multiple of the Laplacian's, which resists every change of the step within the cell
-  /// but none of it as a whole: Levenberg's and Marquardt's remedy, cell by cell. The multiples are kept over
-  /// the steps, where they fall unless they are called for again. False where no cell is in want of it.
+  /// Where the step d (nodal) from phi would fold a cell, or nearly so, the model knows nothing of it: adds
+  /// to such cells' matrices a multiple of the Laplacian's, which resists every change of the step within the
+  /// cell but none of it as a whole: Levenberg's and Marquardt's remedy, cell by cell. The multiples are kept
+  /// over the steps, where they fall unless they are called for again. False where no cell is in want of it.
   bool restrain(std::span<const Vec<Dim>> phi, std::span<const double> d);
 
   /// y = H x by the unknowns.
@@ -55,15 +55,15 @@ class EnergyHessian {
   const TargetField<Dim>* target_;
   EnergyOptions options_;
   ElementMatrices<Dim> matrices_;
-  std::optional<NodeMatrix<Dim>> sum_;     ///< of them; its pattern is found when it is first wanted
-  bool folds_cost_ = false;                ///< is there a term that forbids them?
-  std::vector<float> restraint_;           ///< factor on the Laplacian's matrix, by element
+  std::optional<NodeMatrix<Dim>> sum_;  ///< of them; its pattern is found when it is first wanted
+  bool folds_cost_ = false;             ///< is there a term that forbids them?
+  std::vector<float> restraint_;        ///< factor on the Laplacian's matrix, by element
   struct Room {
     autodiff::Pack least_determinant, largest_entry;
   };
-  std::vector<Room> room_;                 ///< eight elements each, at the phi of the last assemble()
-  std::vector<Mat<Dim>> inverse_blocks_;   ///< of each unknown node
-  std::vector<Vec<Dim>> nodal_;            ///< scratch of restrain()
+  std::vector<Room> room_;                ///< eight elements each, at the phi of the last assemble()
+  std::vector<Mat<Dim>> inverse_blocks_;  ///< of each unknown node
+  std::vector<Vec<Dim>> nodal_;           ///< scratch of restrain()
 };
 
 }  // namespace shellmatch

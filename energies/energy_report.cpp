@@ -13,7 +13,8 @@ constexpr std::size_t elements_at_a_time = 16384;
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
                            const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                           int points_per_direction, std::span<const Vec<Dim>> phi, const TermValues& weights) {
+                           int points_per_direction, std::span<const Vec<Dim>> phi,
+                           const TermValues& weights) {
   EnergyReport report;
   BandSums sums;
   const auto elements = unknowns.elements();
@@ -32,8 +33,10 @@ EnergyReport report_energy(const Unknowns<Dim>& unknowns, const ReferenceFields<
 }
 
 template EnergyReport report_energy<2>(const Unknowns<2>&, const ReferenceFields<2>&, const TargetField<2>&,
-                                       const EnergyOptions&, double, int, std::span<const Vec<2>>, const TermValues&);
+                                       const EnergyOptions&, double, int, std::span<const Vec<2>>,
+                                       const TermValues&);
 template EnergyReport report_energy<3>(const Unknowns<3>&, const ReferenceFields<3>&, const TargetField<3>&,
-                                       const EnergyOptions&, double, int, std::span<const Vec<3>>, const TermValues&);
+                                       const EnergyOptions&, double, int, std::span<const Vec<3>>,
+                                       const TermValues&);
 
 }  // namespace shellmatch

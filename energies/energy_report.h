@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The energy of a result with another quadrature than the one that was minimised: a solution overfits its own Gauss
-/// points.
+/// The energy of a result with another quadrature than the one that was minimised: a solution overfits its
+/// own Gauss points.
 
 #include "energies/band_report.h"
 #include "energies/matching_energy.h"
@@ -15,11 +15,12 @@ struct EnergyReport {
   BandReport band;
 };
 
-/// With Gauss points of `points_per_direction`, for some thousand elements at a time: the band of all of them would
-/// take more memory than the rest of a run. sigma: half width of the band. phi: positions of all nodes.
+/// With Gauss points of `points_per_direction`, for some thousand elements at a time: the band of all of them
+/// would take more memory than the rest of a run. sigma: half width of the band. phi: positions of all nodes.
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
                            const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                           int points_per_direction, std::span<const Vec<Dim>> phi, const TermValues& weights);
+                           int points_per_direction, std::span<const Vec<Dim>> phi,
+                           const TermValues& weights);
 
 }  // namespace shellmatch

@@ -36,7 +36,8 @@ double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double w
     Pack sum{};
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      batch.load(elements, phi, [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); });
+      batch.load(elements, phi,
+                 [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); });
       Pack seed{}, scale;
       for (int lane = 0; lane < pack_size; ++lane) {
         double volume = 1;
@@ -51,7 +52,8 @@ double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double w
         if (autodiff::sum_lanes(value) == 0) continue;
         Code::gradient(batch.u.data(), &scale, seed, batch.gradient.data());
         for (int lane = 0; lane < n; ++lane) {
-          double* out = element_gradients_.data() + (b * pack_size + static_cast<std::size_t>(lane)) * batch.n_dofs;
+          double* out =
+              element_gradients_.data() + (b * pack_size + static_cast<std::size_t>(lane)) * batch.n_dofs;
           for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
         }
       }

@@ -60,7 +60,8 @@ struct PointGeometry {
 };
 
 template <int Dim>
-PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weight, const std::array<Pack, Dim>& y) {
+PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weight,
+                               const std::array<Pack, Dim>& y) {
   PointGeometry<Dim> g{};
   g.n2[0] = Pack{} + 1.0;
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
@@ -79,8 +80,10 @@ PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weigh
     for (int k = 0; k < Dim; ++k) g.n2[k][lane] = n[k];
     for (int i = 0; i < n_symmetric<Dim>; ++i) g.root[i][lane] = row[(1 + Dim + i) / 4][(1 + Dim + i) % 4];
     for (int a = 0; a < Dim; ++a) {
-      for (int k = 0; k < Dim; ++k) g.n2_derivative[a][k][lane] = d[a][(1 + k) / 4][(1 + k) % 4] / std::max(length, 1e-2);
-      for (int i = 0; i < n_symmetric<Dim>; ++i) g.root_derivative[a][i][lane] = d[a][(1 + Dim + i) / 4][(1 + Dim + i) % 4];
+      for (int k = 0; k < Dim; ++k)
+        g.n2_derivative[a][k][lane] = d[a][(1 + k) / 4][(1 + k) % 4] / std::max(length, 1e-2);
+      for (int i = 0; i < n_symmetric<Dim>; ++i)
+        g.root_derivative[a][i][lane] = d[a][(1 + Dim + i) / 4][(1 + Dim + i) % 4];
     }
   }
   return g;
@@ -116,9 +119,13 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
         std::array<Pack, Dim> n1;
         for (int a = 0; a < Dim; ++a) n1[a] = point.reference[1 + a];
         const auto t1 = tangent_basis<Dim>(n1), t2 = tangent_basis<Dim>(g.n2);
-        const auto x = in_frames<Dim>(t2, [&](int i, int j) { return dphi[i * Dim + j]; }, t1);
-        const auto n = in_frames<Dim>(t2, [&](int i, int j) { return g.root[SmallSym<double, Dim>::slot(i, j)]; }, t2);
-        const auto r = in_frames<Dim>(t1, [&](int i, int j) { return point.reference[1 + Dim + SmallSym<double, Dim>::slot(i, j)]; }, t1);
+        const auto x = in_frames<Dim>(
+            t2, [&](int i, int j) { return dphi[i * Dim + j]; }, t1);
+        const auto n = in_frames<Dim>(
+            t2, [&](int i, int j) { return g.root[SmallSym<double, Dim>::slot(i, j)]; }, t2);
+        const auto r = in_frames<Dim>(
+            t1, [&](int i, int j) { return point.reference[1 + Dim + SmallSym<double, Dim>::slot(i, j)]; },
+            t1);
         std::array<Pack, m> flat{}, bent{};
         for (int i = 0; i < Dim - 1; ++i)
           for (int j = 0; j < Dim - 1; ++j) {
@@ -135,7 +142,8 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
         // The second derivative by X and phi together: J^T W'' J with J of the whole chain.
         SquarePack<n_variables> h{};
         for (int a = 0; a < Dim; ++a)
-          for (int c = 0; c < Dim; ++c) h[m + a][m + c] = 2.0 * weights[Term::match] * g.gradient2[a] * g.gradient2[c];
+          for (int c = 0; c < Dim; ++c)
+            h[m + a][m + c] = 2.0 * weights[Term::match] * g.gradient2[a] * g.gradient2[c];
         Jacobian<Dim> by_x{};
         for (int e = 0; e < m; ++e) by_x[e][e] = Pack{} + 1.0;
         std::array<std::array<Pack, Dim>, Dim - 1> turn{};  // t2_i . dn2/dphi_a
@@ -149,12 +157,14 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
           for (int i = 0; i < Dim - 1; ++i)
             for (int a = 0; a < Dim; ++a) by_x[i * (Dim - 1) + j][m + a] = -turn[i][a] * leaning;
         }
-        if (weights[Term::membrane] > 0) add_congruent<Dim>(weights[Term::membrane], tangent_hessian<Dim>(flat, lame), by_x, h);
+        if (weights[Term::membrane] > 0)
+          add_congruent<Dim>(weights[Term::membrane], tangent_hessian<Dim>(flat, lame), by_x, h);
         if (weights[Term::bending] > 0) {
           std::array<Pack, Dim - 1> across{};  // t2_i . N n2
           for (int i = 0; i < Dim - 1; ++i)
             for (int c = 0; c < Dim; ++c)
-              for (int d = 0; d < Dim; ++d) across[i] += t2[i][c] * g.root[SmallSym<double, Dim>::slot(c, d)] * g.n2[d];
+              for (int d = 0; d < Dim; ++d)
+                across[i] += t2[i][c] * g.root[SmallSym<double, Dim>::slot(c, d)] * g.n2[d];
           // d(N X R): N dX R, entry (i j) by (s t) N_is R_tj, and dN X R.
           Jacobian<Dim> by_root{};
           for (int e = 0; e < m; ++e)
@@ -163,18 +173,22 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
               for (int u = 0; u < n_variables; ++u) by_root[e][u] += chain * by_x[f][u];
             }
           for (int a = 0; a < Dim; ++a) {
-            auto dn = in_frames<Dim>(t2, [&](int i, int j) { return g.root_derivative[a][SmallSym<double, Dim>::slot(i, j)]; }, t2);
+            auto dn = in_frames<Dim>(
+                t2, [&](int i, int j) { return g.root_derivative[a][SmallSym<double, Dim>::slot(i, j)]; },
+                t2);
             for (int i = 0; i < Dim - 1; ++i)
               for (int j = 0; j < Dim - 1; ++j) dn[i][j] -= turn[i][a] * across[j] + across[i] * turn[j][a];
             for (int i = 0; i < Dim - 1; ++i)
               for (int j = 0; j < Dim - 1; ++j)
                 for (int s = 0; s < Dim - 1; ++s)
-                  for (int t = 0; t < Dim - 1; ++t) by_root[i * (Dim - 1) + j][m + a] += dn[i][s] * x[s][t] * r[t][j];
+                  for (int t = 0; t < Dim - 1; ++t)
+                    by_root[i * (Dim - 1) + j][m + a] += dn[i][s] * x[s][t] * r[t][j];
           }
           add_congruent<Dim>(weights[Term::bending], tangent_hessian<Dim>(bent, lame), by_root, h);
         }
         for (int i = 0; i < n_variables; ++i)
-          for (int j = 0; j < n_variables; ++j) h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
+          for (int j = 0; j < n_variables; ++j)
+            h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
         const auto l = cholesky<n_variables>(h);
         const Pack root_weight = autodiff::root_of(point.weight);
         for (int mode = 0; mode < n_variables; ++mode) {
@@ -194,7 +208,8 @@ void EnergyHessian<Dim>::assemble_band(std::span<const Vec<Dim>> phi, const Term
               modes[c * Dim + a][mode] = s;
             }
         }
-        // All modes of a point at once: the sums are read and written once, which is what this loop's time is.
+        // All modes of a point at once: the sums are read and written once, which is what this loop's time
+        // is.
         int at = 0;
         for (int i = 0; i < n_dofs; ++i) {
           const auto row = modes[i];

@@ -47,7 +47,8 @@ void EnergyHessian<Dim>::keep_restraint() {
     for (int c = 0; c < n_corners<Dim>; ++c)
       for (int d = c; d < n_corners<Dim>; ++d)
         for (int a = 0; a < Dim; ++a)
-          matrices_.add(e, c * Dim + a, d * Dim + a, static_cast<float>(static_cast<double>(restraint_[e]) * k[c][d]));
+          matrices_.add(e, c * Dim + a, d * Dim + a,
+                        static_cast<float>(static_cast<double>(restraint_[e]) * k[c][d]));
   });
 }
 
@@ -87,7 +88,9 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
     ElementBatch<Dim> here, step;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      const auto member = [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); };
+      const auto member = [&](int lane) {
+        return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1));
+      };
       step.load(elements, nodal_, member);
       const Pack before = room_[b].least_determinant;
       const Pack certain = before - determinant_change<Dim>(room_[b].largest_entry, step.largest_entry());
@@ -99,7 +102,8 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
         if (!(after[lane] < std::min(ample, share_left * before[lane]))) continue;
         const std::size_t e = member(lane);
         double trace = 0;
-        for (int i = 0; i < n_dofs; ++i) trace += static_cast<double>(matrices_[e][ElementMatrices<Dim>::entry(i, i)]);
+        for (int i = 0; i < n_dofs; ++i)
+          trace += static_cast<double>(matrices_[e][ElementMatrices<Dim>::entry(i, i)]);
         // To begin with, as stiff as the element is already.
         const double next = std::max(growth * static_cast<double>(restraint_[e]), trace / unit);
         of_chunk[chunk.index].push_back({e, next - static_cast<double>(restraint_[e])});

@@ -38,12 +38,16 @@ Mat<Dim> centre_jacobian(const Element<Dim>& element, std::span<const Vec<Dim>> 
 }
 
 template <int Dim>
-autodiff::SecondOrder<Dim, Pack> density_of_stretches(const std::array<Pack, Dim>& s, const EnergyOptions& options) {
+autodiff::SecondOrder<Dim, Pack> density_of_stretches(const std::array<Pack, Dim>& s,
+                                                      const EnergyOptions& options) {
   const Lame<double> lame{options.lambda, options.mu};
   switch (options.volume) {
-    case VolumeDensity::full: return density_of_stretches<FullVolume<Dim>, Dim>(s, lame);
-    case VolumeDensity::symmetric_dirichlet: return density_of_stretches<SymmetricDirichletVolume<Dim>, Dim>(s, lame);
-    case VolumeDensity::simplified: break;
+    case VolumeDensity::full:
+      return density_of_stretches<FullVolume<Dim>, Dim>(s, lame);
+    case VolumeDensity::symmetric_dirichlet:
+      return density_of_stretches<SymmetricDirichletVolume<Dim>, Dim>(s, lame);
+    case VolumeDensity::simplified:
+      break;
   }
   return density_of_stretches<SimplifiedVolume<Dim>, Dim>(s, lame);
 }
@@ -62,13 +66,15 @@ void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double w
       std::array<Stretches<Dim>, pack_size> stretches;
       std::array<Pack, Dim> s;
       for (int lane = 0; lane < pack_size; ++lane) {
-        stretches[lane] = principal_stretches<Dim>(centre_jacobian<Dim>(elements[b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1))], phi));
+        stretches[lane] = principal_stretches<Dim>(centre_jacobian<Dim>(
+            elements[b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1))], phi));
         for (int k = 0; k < Dim; ++k) s[k][lane] = stretches[lane].s[k];
       }
       const auto psi = density_of_stretches<Dim>(s, options_);
       for (int lane = 0; lane < n; ++lane) {
         // The gradients of the shape functions bring side^-2, the volume side^Dim.
-        const double scale = weight * std::pow(elements[b * pack_size + static_cast<std::size_t>(lane)].side, Dim - 2);
+        const double scale =
+            weight * std::pow(elements[b * pack_size + static_cast<std::size_t>(lane)].side, Dim - 2);
         const auto m = projected_hessian<Dim>(stretches[lane], psi, lane);
         for (int i = 0; i < Dim * Dim; ++i)
           for (int j = 0; j < Dim * Dim; ++j) h[i * Dim * Dim + j][lane] = scale * m(i, j);
@@ -81,7 +87,8 @@ void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double w
             for (int q = 0; q < Dim; ++q)
               sum += products[c * Dim + p][d * Dim + q] * h[(k * Dim + p) * Dim * Dim + l * Dim + q];
           for (int lane = 0; lane < n; ++lane)
-            matrices_.set(b * pack_size + static_cast<std::size_t>(lane), i, j, static_cast<float>(sum[lane]));
+            matrices_.set(b * pack_size + static_cast<std::size_t>(lane), i, j,
+                          static_cast<float>(sum[lane]));
         }
     }
   });
@@ -109,7 +116,8 @@ void EnergyHessian<Dim>::assemble_barrier(std::span<const Vec<Dim>> phi, double 
           const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
           const Eigen::Matrix<double, n_dofs, 1> g = determinant.v / limit;
           for (int i = 0; i < n_dofs; ++i)
-            for (int j = i; j < n_dofs; ++j) matrices_.add(e, i, j, static_cast<float>(curvature * g[i] * g[j]));
+            for (int j = i; j < n_dofs; ++j)
+              matrices_.add(e, i, j, static_cast<float>(curvature * g[i] * g[j]));
         }
       }
     }

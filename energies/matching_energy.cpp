@@ -19,16 +19,16 @@ TermValues term_weights(const EnergyOptions& o, double nu, double volume_weight)
 
 template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
-                                    const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                                    int points_per_direction)
+                                    const TargetField<Dim>& target, const EnergyOptions& options,
+                                    double sigma, int points_per_direction)
     : MatchingEnergy(unknowns.elements(), reference, target, options, sigma, points_per_direction) {
   unknowns_ = &unknowns;
 }
 
 template <int Dim>
-MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, const ReferenceFields<Dim>& reference,
-                                    const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                                    int points_per_direction)
+MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements,
+                                    const ReferenceFields<Dim>& reference, const TargetField<Dim>& target,
+                                    const EnergyOptions& options, double sigma, int points_per_direction)
     : elements_(elements),
       target_(&target),
       options_(options),
@@ -36,8 +36,8 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
       band_(elements, shape_, reference, sigma) {}
 
 template <int Dim>
-bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
-                                   std::span<double> gradient) const {
+bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                   TermValues& values, std::span<double> gradient) const {
   for (const Vec<Dim>& y : phi)
     if (!y.allFinite()) return false;
   if (gradient.empty()) {

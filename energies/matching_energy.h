@@ -17,7 +17,8 @@ namespace shellmatch {
 /// The terms, in the order of every list of term values.
 enum class Term { match, membrane, bending, volume, barrier };
 inline constexpr int n_terms = 5;
-inline constexpr std::array<std::string_view, n_terms> term_names = {"match", "membrane", "bending", "volume", "barrier"};
+inline constexpr std::array<std::string_view, n_terms> term_names = {"match", "membrane", "bending", "volume",
+                                                                     "barrier"};
 
 /// One number for each term: weights, or weighted values.
 struct TermValues {
@@ -39,11 +40,13 @@ class MatchingEnergy {
   /// `points_per_direction` of the Gauss rule; options.quadrature_order is what minimising uses, reports may
   /// use more. sigma: half width of the band.
   MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
-                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma, int points_per_direction);
+                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
+                 int points_per_direction);
 
   /// The part that these elements contribute: values only. The elements must outlive it too.
   MatchingEnergy(std::span<const Element<Dim>> elements, const ReferenceFields<Dim>& reference,
-                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma, int points_per_direction);
+                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
+                 int points_per_direction);
 
   /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
@@ -75,8 +78,8 @@ class MatchingEnergy {
   mutable std::vector<double> element_gradients_;  ///< elements x corners x Dim
 };
 
-/// Weights of the terms for given nu and c_vol: 1/nu, delta, delta^3 and c_vol times the options' factors, and
-/// the barrier's.
+/// Weights of the terms for given nu and c_vol: 1/nu, delta, delta^3 and c_vol times the options' factors,
+/// and the barrier's.
 TermValues term_weights(const EnergyOptions& options, double nu, double volume_weight);
 
 }  // namespace shellmatch

@@ -32,8 +32,7 @@ struct BlockColumn<3> {
 typedef float WideBlock __attribute__((vector_size(64)));
 typedef int WideIndex __attribute__((vector_size(64)));
 template <int Dim>
-constexpr WideIndex transposed =
-    Dim == 2 ? WideIndex{0, 2, 1, 3} : WideIndex{0, 3, 6, 1, 4, 7, 2, 5, 8};
+constexpr WideIndex transposed = Dim == 2 ? WideIndex{0, 2, 1, 3} : WideIndex{0, 3, 6, 1, 4, 7, 2, 5, 8};
 
 template <int Dim>
 typename BlockColumn<Dim>::Doubles read_column(const float* from) {
@@ -55,7 +54,8 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns) : unknowns_(&unknowns
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       row.clear();
       for (const auto& place : unknowns.places_of(i))
-        for (const Index node : unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<Dim>].nodes)
+        for (const Index node :
+             unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<Dim>].nodes)
           for (const auto& carrier : unknowns.carriers_of(node)) row.push_back(carrier.unknown);
       std::sort(row.begin(), row.end());
       row.erase(std::unique(row.begin(), row.end()), row.end());
@@ -86,7 +86,8 @@ void NodeMatrix<Dim>::assemble(const ElementMatrices<Dim>& elements) {
         const auto& matrix = elements[e];
         for (int d = 0; d < n_corners<Dim>; ++d) {
           WideBlock block;
-          std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)), sizeof block);
+          std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)),
+                      sizeof block);
           if (c > d) block = __builtin_shuffle(block, transposed<Dim>);
           for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d]))
             row[place[carrier.unknown]] += at.weight * carrier.weight * block;

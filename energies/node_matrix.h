@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The model's matrix by unknowns: one block of Dim x Dim entries for each pair of unknown nodes that share an
-/// element, hanging nodes eliminated. Summed from element matrices once, multiplied often: a row has about 27
-/// blocks in space, while the eight elements around its node have 64 each.
+/// The model's matrix by unknowns: one block of Dim x Dim entries for each pair of unknown nodes that share
+/// an element, hanging nodes eliminated. Summed from element matrices once, multiplied often: a row has about
+/// 27 blocks in space, while the eight elements around its node have 64 each.
 
 #include "energies/element_matrices.h"
 #include "energies/elements.h"

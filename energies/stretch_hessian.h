@@ -2,11 +2,12 @@
 /// \file
 /// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches.
 ///
-/// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s). In
-/// the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each pair
-/// (i, j), a twist (e_i e_j^T - e_j e_i^T) with eigenvalue (psi_i + psi_j)/(s_i + s_j) and a flip (e_i e_j^T +
-/// e_j e_i^T) with (psi_i - psi_j)/(s_i - s_j). Smith, de Goes and Kim, 'Analytic eigensystems for isotropic
-/// distortion energies', ACM TOG 38(1), 2019. psi and its derivatives come from the density's own functor.
+/// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s).
+/// In the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each
+/// pair (i, j), a twist (e_i e_j^T - e_j e_i^T) with eigenvalue (psi_i + psi_j)/(s_i + s_j) and a flip (e_i
+/// e_j^T + e_j e_i^T) with (psi_i - psi_j)/(s_i - s_j). Smith, de Goes and Kim, 'Analytic eigensystems for
+/// isotropic distortion energies', ACM TOG 38(1), 2019. psi and its derivatives come from the density's own
+/// functor.
 
 #include "base/types.h"
 #include "energies/autodiff/second_order.h"
@@ -42,8 +43,10 @@ Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
     s[i] = u.col(i).norm();
     u.col(i) = s[i] > 1e-12 ? Vec<Dim>(u.col(i) / s[i]) : Vec<Dim>(Vec<Dim>::Unit(i));
   }
-  if constexpr (Dim == 3) u.col(0) = u.col(1).cross(u.col(2));
-  else u.col(0) = Vec<2>(u(1, 1), -u(0, 1));
+  if constexpr (Dim == 3)
+    u.col(0) = u.col(1).cross(u.col(2));
+  else
+    u.col(0) = Vec<2>(u(1, 1), -u(0, 1));
   s[0] = u.col(0).dot(a * v.col(0));
   return {u, v, s};
 }
@@ -58,19 +61,18 @@ autodiff::SecondOrder<Dim, V> density_of_stretches(const std::array<V, Dim>& s, 
   return VolumeTerm::template density<Scalar, double>(diagonal, lame);
 }
 
-/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight matrices, given
-/// by its lane of psi.
+/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight
+/// matrices, given by its lane of psi.
 template <int Dim>
-Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(const Stretches<Dim>& a,
-                                                              const autodiff::SecondOrder<Dim, autodiff::Pack>& psi,
-                                                              int lane) {
+Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
+    const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi, int lane) {
   Vec<Dim> first;
   Mat<Dim> second;
   for (int i = 0; i < Dim; ++i) {
     first[i] = psi.g[i][lane];
     for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j)[lane];
   }
-  Eigen::Matrix<double, Dim * Dim, Dim * Dim> h = Eigen::Matrix<double, Dim * Dim, Dim * Dim>::Zero();
+  Eigen::Matrix<double, Dim * Dim, Dim* Dim> h = Eigen::Matrix<double, Dim * Dim, Dim * Dim>::Zero();
   const auto add = [&](const Mat<Dim>& mode, double value) {
     if (!(value > 0)) return;
     const Mat<Dim> q = a.u * mode * a.v.transpose();

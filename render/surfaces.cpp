@@ -88,18 +88,23 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
 
   const double pixel = 2.0 / options.height, n_samples = options.samples;
   const auto light_at = [&](double column, double row) {
-    const Ray ray = camera_ray(camera, (column - 0.5 * options.width) * pixel, (0.5 * options.height - row) * pixel, clearance);
+    const Ray ray = camera_ray(camera, (column - 0.5 * options.width) * pixel,
+                               (0.5 * options.height - row) * pixel, clearance);
     return Vec<3>(trace(ray).cwiseMin(1.0));
   };
   const int width = options.width, height = options.height;
   std::vector<Vec<3>> centres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto centre = [&](int column, int row) -> Vec<3>& {
-    return centres[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+    return centres[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(column)];
   };
-  parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
-    for (int column = 0; column < width; ++column)
-      centre(column, static_cast<int>(row)) = light_at(column + 0.5, static_cast<double>(row) + 0.5);
-  }, 4);
+  parallel_for(
+      static_cast<std::size_t>(height),
+      [&](std::size_t row) {
+        for (int column = 0; column < width; ++column)
+          centre(column, static_cast<int>(row)) = light_at(column + 0.5, static_cast<double>(row) + 0.5);
+      },
+      4);
 
   // Where a pixel is like all its neighbours one ray shows what is there; only edges need many.
   const auto is_plain = [&](int column, int row) {
@@ -110,21 +115,26 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
     return true;
   };
   Image image(width, height, options.background);
-  parallel_for(static_cast<std::size_t>(height), [&](std::size_t y) {
-    const int row = static_cast<int>(y);
-    for (int column = 0; column < width; ++column) {
-      Vec<3> light = centre(column, row);
-      if (options.samples > 1 && !is_plain(column, row)) {
-        light.setZero();
-        for (int j = 0; j < options.samples; ++j)
-          for (int i = 0; i < options.samples; ++i)
-            // Each row of samples is shifted a little: edges that are nearly upright get more shades.
-            light += light_at(column + (i + (j + 0.5) / n_samples) / n_samples, row + (j + (i + 0.5) / n_samples) / n_samples);
-        light /= n_samples * n_samples;
-      }
-      image.set(column, row, {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
-    }
-  }, 4);
+  parallel_for(
+      static_cast<std::size_t>(height),
+      [&](std::size_t y) {
+        const int row = static_cast<int>(y);
+        for (int column = 0; column < width; ++column) {
+          Vec<3> light = centre(column, row);
+          if (options.samples > 1 && !is_plain(column, row)) {
+            light.setZero();
+            for (int j = 0; j < options.samples; ++j)
+              for (int i = 0; i < options.samples; ++i)
+                // Each row of samples is shifted a little: edges that are nearly upright get more shades.
+                light += light_at(column + (i + (j + 0.5) / n_samples) / n_samples,
+                                  row + (j + (i + 0.5) / n_samples) / n_samples);
+            light /= n_samples * n_samples;
+          }
+          image.set(column, row,
+                    {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
+        }
+      },
+      4);
   return image;
 }
 

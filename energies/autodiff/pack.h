@@ -40,8 +40,6 @@ inline Pack exp_of(Pack x) {
 }
 #pragma GCC diagnostic pop
 
-inline double sum_lanes(Pack x) {
-  return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
-}
+inline double sum_lanes(Pack x) { return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7])); }
 
 }  // namespace shellmatch::autodiff

@@ -74,16 +74,20 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   for (int t = 0; t < n_terms; ++t) weights.v[t] = 1.0 + t;
   const double sigma = 2 * grid.finest_side();
   const ReferenceFields<3> reference{fields.distance, fields.normal, fields.root, false};
-  const EnergyReport report = report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, phi, weights);
+  const EnergyReport report =
+      report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, phi, weights);
   const TermValues whole = *p.values(phi, weights);
-  for (int t = 0; t < n_terms; ++t) EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
+  for (int t = 0; t < n_terms; ++t)
+    EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
   EXPECT_GT(whole[Term::match], 0);
-  const BandReport band = sum_band<3>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi).means();
+  const BandReport band =
+      sum_band<3>(p.unknowns.elements(), p.energy.band(), p.energy.shape(), p.target, phi).means();
   EXPECT_NEAR(report.band.normal_angle, band.normal_angle, 1e-12);
   // Nothing is claimed of what cannot be evaluated: one cell turned inside out, in the last piece.
   auto folded = phi;
   folded[grid.cell(grid.leaves().back()).nodes[0]].array() += 0.2;
-  const EnergyReport none = report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, folded, weights);
+  const EnergyReport none =
+      report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, folded, weights);
   EXPECT_EQ(none.values.sum(), 0);
 }
 

@@ -1,4 +1,5 @@
-// The model of the second derivative: exact where nothing has to be removed, positive semidefinite everywhere.
+// The model of the second derivative: exact where nothing has to be removed, positive semidefinite
+// everywhere.
 
 #include "energies/energy_hessian.h"
 #include "energies/stretch_hessian.h"
@@ -39,7 +40,8 @@ Mat<Dim> random_matrix(std::mt19937& random, double amplitude) {
 template <class Matrix>
 Matrix positive_part(const Matrix& h) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(h);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 template <class VolumeTerm, int Dim>
@@ -73,7 +75,8 @@ TEST(TangentHessian, IsThePositivePartOfTheSecondDerivativeInTheTangentPlane) {
   const Lame<double> lame{0.7, 1.3};
   for (int trial = 0; trial < 100; ++trial) {
     // Far from the identity as well: the band's matrices may turn over.
-    const Mat<2> y = random_matrix<2>(random, trial < 50 ? 0.3 : 2.0) + (trial < 50 ? 1.0 : 0.0) * Mat<2>::Identity();
+    const Mat<2> y =
+        random_matrix<2>(random, trial < 50 ? 0.3 : 2.0) + (trial < 50 ? 1.0 : 0.0) * Mat<2>::Identity();
     // W of Y beside a 1 differs from the plane's W by a constant: the second derivatives are the same.
     const auto exact = positive_part(exact_hessian<SimplifiedVolume<2>, 2>(y, lame));
     std::array<Pack, 4> entries;
@@ -129,7 +132,8 @@ TEST(TangentBasis, IsOrthonormalAndRightHanded) {
 template <int Dim>
 void check_energy_hessian() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
-  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.28)));
+  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
+                       exact_fields<Dim>(grid, sphere<Dim>(0.28)));
   const auto phi = deformed<Dim>(grid, 0.01, 3);
   EnergyHessian<Dim> hessian(p.energy, p.unknowns, p.target, {});
   TermValues weights;
@@ -173,9 +177,11 @@ TEST(EnergyHessian, VolumePartIsTheSecondDerivative) {
   EnergyHessian<3> hessian(p.energy, p.unknowns, p.target, options);
   const TermValues weights = only(Term::volume);
   hessian.assemble(phi, weights);
-  // u = t (x, 0, 0): W(I + t e1 e1^T) = t^2 (mu + lambda/2), so u.H u = 2 (mu + lambda/2) = 3 on the unit cube.
+  // u = t (x, 0, 0): W(I + t e1 e1^T) = t^2 (mu + lambda/2), so u.H u = 2 (mu + lambda/2) = 3 on the unit
+  // cube.
   std::vector<double> u(p.unknowns.size(), 0.0), hu(u.size());
-  for (std::size_t i = 0; i < p.unknowns.nodes().size(); ++i) u[3 * i] = grid.node_position(p.unknowns.nodes()[i])[0];
+  for (std::size_t i = 0; i < p.unknowns.nodes().size(); ++i)
+    u[3 * i] = grid.node_position(p.unknowns.nodes()[i])[0];
   hessian.apply(u, hu);
   double uhu = 0;
   for (std::size_t i = 0; i < u.size(); ++i) uhu += u[i] * hu[i];

@@ -1,4 +1,5 @@
-// The model's matrix by unknowns against what it stands for: C^T K C with the elements' matrices K, one by one.
+// The model's matrix by unknowns against what it stands for: C^T K C with the elements' matrices K, one by
+// one.
 
 #include "energies/node_matrix.h"
 
@@ -44,7 +45,8 @@ std::vector<double> product(const Octree<Dim>& grid, const Unknowns<Dim>& unknow
   for (std::size_t e = 0; e < unknowns.elements().size(); ++e)
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        products[e * n + static_cast<std::size_t>(i)] += entry(e, i, j) * nodal[unknowns.elements()[e].nodes[j / Dim]][j % Dim];
+        products[e * n + static_cast<std::size_t>(i)] +=
+            entry(e, i, j) * nodal[unknowns.elements()[e].nodes[j / Dim]][j % Dim];
   unknowns.sum_elements(products, y);
   return y;
 }
@@ -75,9 +77,13 @@ void check_products(BoundaryCondition boundary) {
     for (int d = 0; d < n_corners<Dim>; ++d) stiff[c][d] = 1.0 + c * d;
   for (std::size_t e = 0; e < unknowns.elements().size(); e += 3) sum.add_isotropic(e, 0.25, stiff);
   sum.multiply(x, y);
-  expect_near(y, product<Dim>(grid, unknowns, x, [&](std::size_t e, int i, int j) {
-    return of_elements(e, i, j) + (e % 3 == 0 && i % Dim == j % Dim ? 0.25 * stiff[i / Dim][j / Dim] : 0.0);
-  }), 2e-4);
+  expect_near(y,
+              product<Dim>(grid, unknowns, x,
+                           [&](std::size_t e, int i, int j) {
+                             return of_elements(e, i, j) +
+                                    (e % 3 == 0 && i % Dim == j % Dim ? 0.25 * stiff[i / Dim][j / Dim] : 0.0);
+                           }),
+              2e-4);
 }
 TEST(NodeMatrix, IsTheSumOfTheElementsMatrices) {
   check_products<2>(BoundaryCondition::neumann);
