@@ -62,7 +62,7 @@ class LevelKeeper {
   /// another one" or "its history.csv is damaged". \pre not is_foreign()
   std::string obstacle() const;
 
-  /// What is kept, if anything. \pre obstacle() is empty
+  /// What is kept, if anything. \pre obstacle() is empty \throws InputError for what is whole and yet no such state
   template <int Dim>
   std::optional<KeptLevels<Dim>> read() const;
 

@@ -142,12 +142,16 @@ class Run {
 
   // Goes on where an earlier run was, if there is one and it is the same experiment.
   std::optional<FinishedLevel<Dim>> take_up() {
-    if (const std::string obstacle = keeper_->obstacle(); !obstacle.empty()) {
+    std::string obstacle = keeper_->obstacle();
+    std::optional<KeptLevels<Dim>> kept;
+    try {
+      if (obstacle.empty()) kept = keeper_->read<Dim>();
+    } catch (const InputError& error) {
+      obstacle = fmt::format("it cannot be read ({})", error.what());
+    }
+    if (!obstacle.empty())
       recorder_.note(fmt::format("{}: {}; the run begins anew and replaces that folder once it keeps a level",
                                  keeper_->path(), obstacle));
-      return std::nullopt;
-    }
-    auto kept = keeper_->read<Dim>();
     if (!kept) return std::nullopt;
     MatchSummary& s = kept->summary;
     kept_level_ = s.levels.back().level;

@@ -3,8 +3,10 @@
 
 #include "base/error.h"
 #include "base/stop.h"
+#include "matching/checksum.h"
 #include "matching/deformation_file.h"
 #include "matching/history_file.h"
+#include "matching/kept_levels.h"
 #include "matching/run_matching.h"
 #include "matching/summary.h"
 #include "tests/matching/output/temporary_folder.h"
@@ -230,6 +232,23 @@ TEST(Resume, DamagedStatesBeginAnewWithOneWarning) {
       EXPECT_FALSE(fs::exists(tmp / "out.unfinished"));
       fs::remove_all(tmp / "out");
     }
+}
+
+// Whole to the last byte, and yet nothing that a run could go on from.
+TEST(Resume, AStateThatCannotBeReadBeginsAnew) {
+  const TemporaryFolder tmp;
+  const ExperimentOptions o = experiment();
+  stop_at(4, o, tmp / "out");
+  const std::string state = tmp / "out.unfinished/state.json", history = tmp / "out.unfinished/history.csv";
+  put(history, "rubbish\n");
+  KeptManifest manifest = read_manifest(state).value();
+  for (KeptManifest::File& file : manifest.files)
+    if (file.name == "history.csv") file.checksum = checksum_text(file_checksum(history));
+  put(state, manifest_json(manifest));
+  const Watcher anew = run(o, tmp / "out");
+  EXPECT_NE(anew.notes.find("it cannot be read"), std::string::npos) << anew.notes;
+  EXPECT_EQ(anew.levels.front(), 3);
+  EXPECT_FALSE(fs::exists(tmp / "out.unfinished"));
 }
 
 TEST(Resume, RestartBeginsAnewAndForceDoesNot) {
