@@ -213,6 +213,13 @@ int main(int argc, char** argv) {
   fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair,
              level, kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(),
              kernels->grid->leaves().size(), kernels->level->energy.band().n_elements(), kernels->points());
+  // Into the report of --benchmark_out.
+  for (const auto& [name, count] : {std::pair<const char*, std::size_t>{"nodes", kernels->grid->n_nodes()},
+                                    {"free_nodes", kernels->level->unknowns.nodes().size()},
+                                    {"cells", kernels->grid->leaves().size()},
+                                    {"band_cells", kernels->level->energy.band().n_elements()},
+                                    {"active_points", kernels->points()}})
+    benchmark::AddCustomContext(name, std::to_string(count));
   const auto add = [](const char* name, void (*body)(benchmark::State&), bool threads) {
     auto* b = benchmark::RegisterBenchmark(name, body)
                   ->Unit(benchmark::kMillisecond)

@@ -1,0 +1,134 @@
+"""Builds the programs and measures kernels and whole cascades with them."""
+
+import json
+import os
+import pathlib
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+# Whole cascades: name, reference, template, levels.
+cascades = [
+    ("ellipsoid", "ellipsoid/round", "ellipsoid/long", "3:6"),
+    ("hand", "hand/rest", "hand/bent", "3:6"),
+    ("cube", "box/cube", "box/compressed", "3:5"),
+    ("leaf", "leaf/deep", "leaf/shallow", "4:8"),
+]
+kernel_filter = "^(value|gradient|band_gradient|newton_model|newton_product)/threads:1/|^ceiling"
+# Counters of bench/level_kernels that are compared: time for each point or node, and the machine's ceilings.
+kernel_counters = ("cpu_ns_per_point", "cpu_ns_per_free_node", "gflops", "gbytes")
+
+
+class BenchError(Exception):
+    """One message for the user and the exit code that goes with it: 2 for bad input, 3 for trouble with the machine."""
+
+    def __init__(self, message, code=3):
+        super().__init__(message)
+        self.code = code
+
+
+class Programs:
+    """shellmatch and level_kernels of one source tree, in one build tree."""
+
+    def __init__(self, source, folder):
+        self.source, self.folder = pathlib.Path(source), pathlib.Path(folder)
+        self.shellmatch = self.folder / "apps/shellmatch"
+        self.level_kernels = self.folder / "bench/level_kernels"
+
+    def build(self, name, jobs, kernels=True):
+        cached = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        # So that ccache finds what another working tree of the same sources has compiled.
+        environment = {**os.environ, "CCACHE_BASEDIR": str(self.source), "CCACHE_NOHASHDIR": "1"}
+        for tool in ("cmake", "ninja"):
+            if not shutil.which(tool):
+                raise BenchError(f"'{tool}' is not there; scripts/install-dependencies installs it")
+        print(f"Building {name} in {self.folder} ...", file=sys.stderr, flush=True)
+        options = ["-DCMAKE_BUILD_TYPE=Release", f"-DSHELLMATCH_BENCH={'ON' if kernels else 'OFF'}", "-DSHELLMATCH_TESTS=OFF"]
+        targets = ["shellmatch"] + (["level_kernels"] if kernels else [])
+        for step, command in (
+                ("configured (Google Benchmark is installed by scripts/install-dependencies --developer)",
+                 ["cmake", "-G", "Ninja", "-S", str(self.source), "-B", str(self.folder), *options, *cached]),
+                ("built", ["cmake", "--build", str(self.folder), "-j", str(jobs), "--target", *targets])):
+            result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
+            if result.returncode != 0:
+                last = "\n".join(result.stdout.splitlines()[-15:])
+                raise BenchError(f"{name} cannot be {step}; the last lines were:\n{last}")
+
+    def check(self, kernels=True):
+        for program in [self.shellmatch] + ([self.level_kernels] if kernels else []):
+            if not os.access(program, os.X_OK):
+                raise BenchError(f"{program} is not there; leave out --no-build, or name another build tree with --build", 2)
+
+    def compiler(self):
+        """First line of what the compiler says of itself."""
+        for line in (self.folder / "CMakeCache.txt").read_text().splitlines():
+            if line.startswith("CMAKE_CXX_COMPILER:"):
+                told = subprocess.run([line.partition("=")[2], "--version"], capture_output=True, text=True).stdout
+                return told.partition("\n")[0]
+        return "unknown"
+
+
+def run_and_measure(command, log):
+    """Runs a command; its wall seconds, CPU seconds and greatest memory. An error if it fails."""
+    begin = time.monotonic()
+    with open(log, "w") as out:
+        process = subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT)
+        _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        last = "\n".join(pathlib.Path(log).read_text().splitlines()[-5:])
+        raise BenchError(f"'{' '.join(map(str, command))}' ended with code {process.returncode}:\n{last}")
+    return {"wall_seconds": round(time.monotonic() - begin, 3), "cpu_seconds": round(usage.ru_utime + usage.ru_stime, 3),
+            "peak_memory_bytes": usage.ru_maxrss * 1024}
+
+
+def measure_kernels(programs, pair, level, seconds, names=kernel_filter):
+    """{kernel: {counter: number}} of one pass of level_kernels, and the sizes of its grid."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder) / "kernels.json"
+        used = run_and_measure([programs.level_kernels, f"--pair={pair}", f"--level={level}", f"--benchmark_filter={names}",
+                                f"--benchmark_min_time={seconds}", f"--benchmark_out={report}",
+                                "--benchmark_out_format=json"], report.with_suffix(".log"))
+        told = json.loads(report.read_text())
+    kernels = {}
+    for entry in told["benchmarks"]:
+        kernels[entry["name"].partition("/")[0]] = {key: entry[key] for key in kernel_counters if key in entry}
+    sizes = {key: int(told["context"][key]) for key in ("nodes", "free_nodes", "cells", "band_cells", "active_points")
+             if key in told["context"]}
+    return kernels, {**sizes, "peak_memory_bytes": used["peak_memory_bytes"]}
+
+
+def measure_cascade(programs, reference, template, levels, changes=()):
+    """One run of the whole program on one thread; what its summary says of cost and quality."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = pathlib.Path(folder) / "out"
+        command = [programs.shellmatch, "match", f"generate:{reference}", f"generate:{template}", "-o", output, "-q",
+                   "--levels", levels, "--threads", "1", "--set", "pictures=none"]
+        for change in changes:
+            command += ["--set", change]
+        used = run_and_measure(command, pathlib.Path(folder) / "log")
+        summary = json.loads((output / "summary.json").read_text())
+    last, run = summary["levels"][-1], summary["run"]
+    total = sum(run["phase_seconds"].values())
+    return {
+        "levels": levels, **used,
+        "phase_seconds": {phase: round(s, 4) for phase, s in run["phase_seconds"].items()},
+        "phase_shares": {phase: round(s / total, 4) for phase, s in run["phase_seconds"].items()},
+        "finest_level_seconds": round(run["level_seconds"][-1], 4),
+        "nodes": last["nodes"], "free_nodes": last["free_nodes"], "band_cells": last["band_cells"],
+        "iterations": sum(level["iterations"] for level in summary["levels"]),
+        "finest_level_iterations": last["iterations"],
+        "energy": last["energy"]["total"],
+        "distance": {way: summary["distance"][way] for way in ("deformed_to_template", "template_to_deformed")},
+        "folded_cells": last["folds"]["folded_cells"],
+        "uncertified_cells": last["folds"]["uncertified_cells"],
+    }
+
+
+def median_and_spread(values):
+    """Median, and half the distance from the smallest to the largest as a share of it."""
+    middle = statistics.median(values)
+    return middle, (max(values) - min(values)) / (2 * abs(middle)) if middle else 0.0

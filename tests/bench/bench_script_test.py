@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Tests of scripts/bench: what it computes, what it refuses, and small runs with real programs.
+
+usage: bench_script_test.py --build BUILD_TREE [Script | Kernels]
+"""
+
+import argparse
+import json
+import math
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+root = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root / "bench"))
+
+import comparison  # noqa: E402
+import machine  # noqa: E402
+import scaling  # noqa: E402
+
+build = None  # the build tree under test
+tiny = ["--pairs", "leaf", "--levels", "3:4", "--only", "cascades"]
+
+
+def bench(*words, script=root / "scripts/bench"):
+    return subprocess.run([str(script), *map(str, words)], capture_output=True, text=True, timeout=200)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def refused(self, result, code, *words):
+        """Ended with this code and one message that has these words, on stderr alone."""
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertEqual(result.stderr.count("bench: "), 1, result.stderr)
+        self.assertNotIn("Traceback", result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+
+class Script(Folder):
+    def test_exponents_of_powers_are_found(self):
+        sizes = [1000, 8000, 70000, 500000]
+        for power in (0.5, 1.0, 1.7):
+            slope, error = scaling.exponent(sizes, [3e-6 * n**power for n in sizes])
+            self.assertAlmostEqual(slope, power, places=9)
+            self.assertLess(error, 1e-9)
+        # n log n is no power, but between 1 and 1.2 here, and the fit says that it is none.
+        slope, error = scaling.exponent(sizes, [n * math.log(n) for n in sizes])
+        self.assertTrue(1.05 < slope < 1.2 and error > 1e-4, (slope, error))
+
+    def test_noise_is_told_from_a_difference(self):
+        def differs(before, after):
+            return comparison.verdict(before, after)[3]
+
+        self.assertFalse(differs([1.0, 1.0, 1.0], [1.0, 1.0, 1.0]))
+        self.assertFalse(differs([1.0, 1.1, 0.9], [1.05, 0.95, 1.0]))  # now one is faster, now the other
+        self.assertFalse(differs([1.0, 1.4, 1.0], [1.02, 1.43, 1.02]))  # always slower, but by less than rounds differ
+        self.assertFalse(differs([1.0], [2.0]))  # one round says nothing of noise
+        self.assertTrue(differs([1.0, 1.01, 0.99], [1.2, 1.21, 1.19]))
+        self.assertTrue(differs([1.0, 1.01, 0.99], [0.8, 0.81, 0.79]))
+        self.assertIn("worse", comparison.words_of(1.2, True, False))
+        self.assertIn("better", comparison.words_of(1.2, True, True))
+
+    def test_the_median_of_the_rounds_is_recorded(self):
+        rounds = [{"kernels": {"value": {"cpu_ns_per_point": t}}, "cascades": {}} for t in (10.0, 50.0, 12.0)]
+        value = comparison.condense(rounds)["kernels"]["value"]
+        self.assertEqual(value["cpu_ns_per_point"], 12.0)
+        self.assertAlmostEqual(value["spread"], 20 / 12, places=2)
+
+    def test_the_machine_is_described_without_its_name(self):
+        found = machine.describe()
+        self.assertGreaterEqual(found["cores"], 1)
+        self.assertIn("vector_extension", found)
+        self.assertEqual(machine.vector_extension({"sse4_2", "avx", "avx2"}), "AVX2")
+        self.assertEqual(machine.vector_extension({"avx2", "avx512f"}), "AVX-512")
+        if len(socket.gethostname()) > 4:
+            self.assertNotIn(socket.gethostname(), json.dumps(found))
+
+    def test_a_busy_machine_is_told(self):
+        self.assertEqual(machine.busy_warning(0.1), "")
+        self.assertIn("2.5", machine.busy_warning(2.5))
+
+    def test_the_plot_has_every_series(self):
+        rows = [{"level": level, "nodes": 10**level, "free_nodes": 6 * 10 ** (level - 1), "finest_level_iterations": 9,
+                 **{key: 1e-4 * 10.0 ** (level - 3) for _, key, _ in scaling.series}, "bytes": 7e3 * 10**level}
+                for level in (3, 4, 5)]
+        drawn = xml.etree.ElementTree.fromstring(scaling.plot(rows))
+        lines = drawn.findall("{http://www.w3.org/2000/svg}polyline")
+        self.assertEqual(len(lines), len(scaling.series))
+        for line in lines:
+            self.assertEqual(len(line.get("points").split()), len(rows))
+            for point in line.get("points").split():
+                x, y = map(float, point.split(","))
+                self.assertTrue(0 < x < float(drawn.get("width")) and 0 < y < float(drawn.get("height")), point)
+        self.assertIn("**1.00**", scaling.table(rows))
+
+    def test_bad_arguments_are_refused(self):
+        self.assertEqual(bench("--help").returncode, 0)
+        for words in (["unknown"], ["run", "--rounds", "0"], ["scaling", "--levels", "7:5"], ["scaling", "--pair", "hand"]):
+            result = bench(*words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(words[-1], result.stderr)
+        self.refused(bench("run", "--pairs", "elephant"), 2, "elephant", "ellipsoid")
+        self.refused(bench("run", "--no-build", "--build", self.folder), 2, "shellmatch", "--no-build")
+
+    def test_unknown_commits_are_refused(self):
+        self.refused(bench("compare", "no-such-commit"), 2, "no-such-commit", "git log")
+
+    def test_commits_without_the_benchmark_are_refused(self):
+        self.make_repository(with_kernels=False)
+        self.refused(bench("compare", "HEAD", script=self.folder / "scripts/bench"), 2, "HEAD", "level_kernels.cpp",
+                     "--only cascades")
+
+    def test_a_damaged_history_is_refused_with_its_line(self):
+        history = self.folder / "history.jsonl"
+        history.write_text("{}\n{cut\n")
+        self.refused(bench("history", "--history", history), 2, "line 2", str(history))
+        self.refused(bench("history", "--history", self.folder / "none"), 2, "none")
+
+    def test_a_run_appends_a_record(self):
+        history = self.folder / "sub/history.jsonl"
+        for i in (1, 2):
+            before = history.read_text() if history.exists() else ""
+            result = bench("run", *tiny, "--rounds", 2, "--no-build", "--build", build, "--history", history)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            lines = history.read_text()
+            self.assertTrue(lines.startswith(before))
+            self.assertEqual(len(lines.splitlines()), i)
+        record = json.loads(lines.splitlines()[-1])
+        head = subprocess.run(["git", "-C", root, "rev-parse", "HEAD"], capture_output=True, text=True)
+        self.assertEqual(record["commit"], head.stdout.strip())
+        self.assertIn("cores", record["machine"])
+        leaf = record["cascades"]["leaf"]
+        self.assertEqual(leaf["levels"], "3:4")
+        self.assertGreater(leaf["cpu_seconds"], 0)
+        self.assertGreater(leaf["peak_memory_bytes"], 1e6)
+        self.assertAlmostEqual(sum(leaf["phase_shares"].values()), 1, places=2)
+        self.assertIn("mean", leaf["distance"]["deformed_to_template"])
+        self.assertEqual(leaf["folded_cells"], 0)
+        self.assertEqual(list(history.parent.iterdir()), [history])
+        self.assertEqual(bench("history", "--history", history).stdout.count("leaf 3:4"), 2)
+
+    def make_repository(self, with_kernels=True, cmake="message(FATAL_ERROR broken-on-purpose)"):
+        """A repository with scripts/bench whose programs are what `cmake` makes of them."""
+        shutil.copytree(root / "bench", self.folder / "bench", ignore=shutil.ignore_patterns("*.cpp", "__pycache__"))
+        (self.folder / "scripts").mkdir()
+        shutil.copy(root / "scripts/bench", self.folder / "scripts/bench")
+        if with_kernels:
+            (self.folder / "bench/level_kernels.cpp").write_text("\n")
+        (self.folder / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.25)\nproject(p NONE)\n{cmake}\n")
+        git = ["git", "-C", self.folder, "-c", "user.name=n", "-c", "user.email=e"]
+        for words in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "first"]):
+            subprocess.run([*git, *words], check=True)
+
+    def worktrees(self):
+        told = subprocess.run(["git", "-C", self.folder, "worktree", "list"], capture_output=True, text=True).stdout
+        return len(told.splitlines())
+
+    def test_commits_that_do_not_build_are_refused(self):
+        self.make_repository()
+        result = bench("compare", "HEAD", *tiny, "--no-build", "--build", build, script=self.folder / "scripts/bench")
+        self.refused(result, 3, "cannot be configured", "broken-on-purpose", "commit ")
+        self.assertEqual(self.worktrees(), 1)
+
+    def test_a_commit_is_compared_with(self):
+        copy = "add_custom_target(shellmatch COMMAND ${CMAKE_COMMAND} -E copy %s ${CMAKE_BINARY_DIR}/apps/shellmatch)"
+        self.make_repository(cmake=copy % (build / "apps/shellmatch"))
+        table = self.folder / "table.md"
+        result = bench("compare", "HEAD", *tiny, "--rounds", 2, "--no-build", "--build", build, "--output", table,
+                       script=self.folder / "scripts/bench")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("| leaf | the same to the bit |", table.read_text())
+        self.assertIn("| leaf 3:4 | CPU s |", table.read_text())
+        self.assertIn("2 rounds in turn", table.read_text())
+        self.assertEqual(self.worktrees(), 1)
+
+
+class Kernels(Folder):
+    def setUp(self):
+        super().setUp()
+        if not os.access(build / "bench/level_kernels", os.X_OK):
+            self.skipTest("bench/level_kernels is not built: SHELLMATCH_BENCH is OFF, or Google Benchmark is not there")
+
+    def test_kernels_are_recorded(self):
+        history = self.folder / "history.jsonl"
+        result = bench("run", "--only", "kernels", "--rounds", 1, "--seconds", 0.01, "--kernel-level", 4, "--no-build",
+                       "--build", build, "--history", history)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        kernels = json.loads(history.read_text())["kernels"]
+        for name in ("value", "gradient", "newton_model"):
+            self.assertGreater(kernels[name]["cpu_ns_per_point"], 0)
+        self.assertGreater(kernels["newton_product"]["cpu_ns_per_free_node"], 0)
+        self.assertGreater(kernels["ceiling_flops"]["gflops"], 0)
+
+    def test_exponents_are_fitted_to_levels(self):
+        output = self.folder / "scaling.md"
+        words = ["scaling", "--no-build", "--build", build, "--seconds", 0.01, "--output", output, "--keep"]
+        result = bench(*words, "--levels", "3:4")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        first = json.loads(output.with_suffix(".json").read_text())["rows"]
+        self.assertEqual([row["level"] for row in first], [3, 4])
+        self.assertEqual(first[0]["nodes"], 729)
+        self.assertEqual(first[0]["kernel_sizes"]["nodes"], 729)
+        # One level more: those that are there are not measured again.
+        self.assertEqual(bench(*words, "--levels", "3:5").returncode, 0)
+        rows = json.loads(output.with_suffix(".json").read_text())["rows"]
+        self.assertEqual(rows[:2], first)
+        self.assertIn("exponent by free nodes", output.read_text())
+        self.assertTrue(output.with_suffix(".svg").exists())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    build = arguments.build.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
