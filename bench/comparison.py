@@ -5,9 +5,9 @@ import statistics
 import machine
 from measure import median_and_spread
 
-# Of a kernel, the first of these that it has is what is compared; more of the last two is better.
+# What a kernel or a ceiling is told by; more of the last three is better.
 measures_of_kernels = (("cpu_ns_per_point", "ns/point"), ("cpu_ns_per_free_node", "ns/node"), ("gflops", "Gflop/s"),
-                       ("gbytes", "GB/s"))
+                       ("gbytes", "GB/s"), ("gigahertz", "GHz"))
 measures_of_cascades = (("cpu_seconds", "CPU s"), ("peak_memory_bytes", "MB"))
 
 
@@ -95,7 +95,7 @@ def report(before, after, names):
         for key, unit in measures_of_kernels:
             a, b = ([r["kernels"].get(kernel, {}).get(key) for r in side] for side in (before, after))
             if all(a) and all(b):
-                add(kernel, unit, a, b, 1.0, unit.endswith("/s"))
+                add(kernel, unit, a, b, 1.0, kernel.startswith("ceiling"))
             elif all(b):
                 missing.append(kernel)
     quality = []

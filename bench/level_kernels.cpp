@@ -8,6 +8,8 @@
 //        Google Benchmark's
 
 #include "base/parallel.h"
+#include "bench/ceilings.h"
+#include "bench/traffic.h"
 #include "energies/element_oracle.h"
 #include "matching/cascade.h"
 #include "matching/check_state.h"
@@ -151,36 +153,6 @@ void newton_product(benchmark::State& state) {
   });
 }
 
-/// Multiplications and additions that one core can do in registers.
-void ceiling_flops(benchmark::State& state) {
-  using autodiff::Pack;
-  constexpr int n_chains = 12, n_rounds = 1000;
-  std::array<Pack, n_chains> x;
-  for (int i = 0; i < n_chains; ++i) x[i] = Pack{} + 1.0 + i;
-  const Pack factor = Pack{} + 0.999999, summand = Pack{} + 1e-6;
-  for (auto _ : state) {
-    for (int round = 0; round < n_rounds; ++round)
-      for (Pack& p : x) p = p * factor + summand;
-    benchmark::DoNotOptimize(x);
-  }
-  state.counters["gflops"] = benchmark::Counter(2e-9 * n_rounds * n_chains * autodiff::pack_size,
-                                                benchmark::Counter::kIsIterationInvariantRate);
-}
-
-/// Bytes that one core can read from memory: a sum over 256 MB.
-void ceiling_bytes(benchmark::State& state) {
-  using autodiff::Pack;
-  const std::vector<Pack> memory(std::size_t{1} << 22, Pack{} + 1.0);
-  for (auto _ : state) {
-    std::array<Pack, 8> sums{};
-    for (std::size_t i = 0; i < memory.size(); i += 8)
-      for (std::size_t k = 0; k < 8; ++k) sums[k] += memory[i + k];
-    benchmark::DoNotOptimize(sums);
-  }
-  state.counters["gbytes"] = benchmark::Counter(1e-9 * static_cast<double>(memory.size() * sizeof(Pack)),
-                                                benchmark::Counter::kIsIterationInvariantRate);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -213,7 +185,15 @@ int main(int argc, char** argv) {
   fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair,
              level, kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(),
              kernels->grid->leaves().size(), kernels->level->energy.band().n_elements(), kernels->points());
-  // Into the report of --benchmark_out.
+  // Into the report of --benchmark_out; bytes for one evaluation.
+  const bench::Traffic traffic = bench::traffic_of(*kernels->level);
+  for (const auto& [name, bytes] : {std::pair<const char*, double>{"value_bytes", traffic.value},
+                                    {"gradient_bytes", traffic.gradient},
+                                    {"band_gradient_bytes", traffic.band_gradient},
+                                    {"newton_model_bytes", traffic.newton_model},
+                                    {"newton_product_bytes", traffic.newton_product},
+                                    {"blocks", traffic.n_blocks}})
+    benchmark::AddCustomContext(name, fmt::format("{:.0f}", bytes));
   for (const auto& [name, count] : {std::pair<const char*, std::size_t>{"nodes", kernels->grid->n_nodes()},
                                     {"free_nodes", kernels->level->unknowns.nodes().size()},
                                     {"cells", kernels->grid->leaves().size()},
@@ -234,7 +214,6 @@ int main(int argc, char** argv) {
   add("band_gradient_by_duals", band_gradient_by_duals, false);
   add("newton_model", newton_model, true);
   add("newton_product", newton_product, true);
-  benchmark::RegisterBenchmark("ceiling_flops", ceiling_flops);
-  benchmark::RegisterBenchmark("ceiling_bytes", ceiling_bytes)->Unit(benchmark::kMillisecond);
+  bench::register_ceilings();
   benchmark::RunSpecifiedBenchmarks();
 }

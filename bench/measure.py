@@ -19,7 +19,7 @@ cascades = [
 ]
 kernel_filter = "^(value|gradient|band_gradient|newton_model|newton_product)/threads:1/|^ceiling"
 # Counters of bench/level_kernels that are compared: time for each point or node, and the machine's ceilings.
-kernel_counters = ("cpu_ns_per_point", "cpu_ns_per_free_node", "gflops", "gbytes")
+kernel_counters = ("cpu_ns_per_point", "cpu_ns_per_free_node", "gflops", "gbytes", "gigahertz")
 
 
 class BenchError(Exception):
@@ -37,8 +37,9 @@ class Programs:
         self.source, self.folder = pathlib.Path(source), pathlib.Path(folder)
         self.shellmatch = self.folder / "apps/shellmatch"
         self.level_kernels = self.folder / "bench/level_kernels"
+        self.count_flops = self.folder / "bench/count_flops"
 
-    def build(self, name, jobs, kernels=True):
+    def build(self, name, jobs, kernels=True, more=()):
         cached = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         # So that ccache finds what another working tree of the same sources has compiled.
         environment = {**os.environ, "CCACHE_BASEDIR": str(self.source), "CCACHE_NOHASHDIR": "1"}
@@ -47,7 +48,7 @@ class Programs:
                 raise BenchError(f"'{tool}' is not there; scripts/install-dependencies installs it")
         print(f"Building {name} in {self.folder} ...", file=sys.stderr, flush=True)
         options = ["-DCMAKE_BUILD_TYPE=Release", f"-DSHELLMATCH_BENCH={'ON' if kernels else 'OFF'}", "-DSHELLMATCH_TESTS=OFF"]
-        targets = ["shellmatch"] + (["level_kernels"] if kernels else [])
+        targets = ["shellmatch"] + (["level_kernels"] if kernels else []) + list(more)
         for step, command in (
                 ("configured (Google Benchmark is installed by scripts/install-dependencies --developer)",
                  ["cmake", "-G", "Ninja", "-S", str(self.source), "-B", str(self.folder), *options, *cached]),
@@ -96,8 +97,8 @@ def measure_kernels(programs, pair, level, seconds, names=kernel_filter):
     kernels = {}
     for entry in told["benchmarks"]:
         kernels[entry["name"].partition("/")[0]] = {key: entry[key] for key in kernel_counters if key in entry}
-    sizes = {key: int(told["context"][key]) for key in ("nodes", "free_nodes", "cells", "band_cells", "active_points")
-             if key in told["context"]}
+    # What the program itself adds to the context: numbers as text.
+    sizes = {key: int(text) for key, text in told["context"].items() if isinstance(text, str) and text.isdigit()}
     return kernels, {**sizes, "peak_memory_bytes": used["peak_memory_bytes"]}
 
 

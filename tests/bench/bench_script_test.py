@@ -23,6 +23,7 @@ sys.path.insert(0, str(root / "bench"))
 
 import comparison  # noqa: E402
 import machine  # noqa: E402
+import roofline  # noqa: E402
 import scaling  # noqa: E402
 
 build = None  # the build tree under test
@@ -104,6 +105,28 @@ class Script(Folder):
                 x, y = map(float, point.split(","))
                 self.assertTrue(0 < x < float(drawn.get("width")) and 0 < y < float(drawn.get("height")), point)
         self.assertIn("**1.00**", scaling.table(rows))
+
+    def test_kernels_are_held_against_the_lower_ceiling(self):
+        counts = {name: {"flops": flops} for name, flops in
+                  (("band_value_by_point", 100), ("band_gradient_by_point", 400), ("volume_value_by_element", 10),
+                   ("volume_gradient_by_element", 40), ("barrier_by_element", 50), ("newton_band_by_point", 900),
+                   ("newton_volume_by_element", 200))}
+        sizes = {"active_points": 1000, "cells": 500, "free_nodes": 300, "blocks": 8100,
+                 **{f"{name}_bytes": 10000 for name in roofline.kernel_names}, "newton_product_bytes": 583200}
+        kernels = {name: {"cpu_ns_per_point": 5.0, "cpu_ns_per_free_node": 243.0} for name in roofline.kernel_names}
+        kernels.update(ceiling_fma={"gflops": 60.0}, ceiling_fma_and_add={"gflops": 90.0}, ceiling_clock={"gigahertz": 3.75},
+                       ceiling_read={"gbytes": 20.0}, ceiling_triad={"gbytes": 22.0})
+        rows, ceilings = roofline.rows_of(kernels, sizes, counts)
+        rows = {row["kernel"]: row for row in rows}
+        self.assertEqual(rows["value"]["flops"], 100 + 0.5 * (10 + 50))
+        self.assertEqual(rows["band_gradient"]["reached"], 80.0)
+        self.assertFalse(rows["gradient"]["memory_bound"])
+        self.assertEqual(rows["gradient"]["ceiling"], 90.0)
+        product = rows["newton_product"]  # 18 flops for 72 bytes
+        self.assertTrue(product["memory_bound"])
+        self.assertAlmostEqual(product["ceiling"], 5.0)
+        self.assertAlmostEqual(product["reached"], 2.0)
+        self.assertIn("| 40 % |", roofline.table(rows.values(), ceilings))
 
     def test_bad_arguments_are_refused(self):
         self.assertEqual(bench("--help").returncode, 0)
@@ -201,7 +224,27 @@ class Kernels(Folder):
         for name in ("value", "gradient", "newton_model"):
             self.assertGreater(kernels[name]["cpu_ns_per_point"], 0)
         self.assertGreater(kernels["newton_product"]["cpu_ns_per_free_node"], 0)
-        self.assertGreater(kernels["ceiling_flops"]["gflops"], 0)
+        self.assertGreater(kernels["ceiling_fma"]["gflops"], 0)
+
+    def test_flops_are_counted(self):
+        if not os.access(build / "bench/count_flops", os.X_OK):
+            self.skipTest("bench/count_flops is not built")
+        counts = roofline.count_flops(build / "bench/count_flops")
+        for value, gradient in (("band_value_by_point", "band_gradient_by_point"),
+                                ("volume_value_by_element", "volume_gradient_by_element")):
+            # Reverse mode costs at most four times the value, and some look-up.
+            self.assertTrue(1.5 < counts[gradient]["flops"] / counts[value]["flops"] < 4.0, counts)
+        # Membrane and bending each have an exponential and normalise n2 once; the symmetric Dirichlet density has a root
+        # and a division at each of eight points, the barrier a division at each of 27 coefficients at the most.
+        self.assertEqual(counts["band_value_by_point"]["exponentials"], 2)
+        self.assertEqual(counts["band_value_by_point"]["roots"], 2)
+        self.assertEqual(counts["volume_value_by_element"]["roots"], 8)
+        self.assertEqual(counts["volume_value_by_element"]["divisions"], 8)
+        self.assertEqual(counts["barrier_by_element"]["divisions"], 27)
+        output = self.folder / "roofline.md"
+        result = bench("roofline", "--level", 4, "--seconds", 0.01, "--no-build", "--build", build, "--output", output)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("| newton_product | free node |", output.read_text())
 
     def test_exponents_are_fitted_to_levels(self):
         output = self.folder / "scaling.md"

@@ -1,0 +1,125 @@
+// Floating-point operations of the energies' loops, counted by compiling these same loops with a Pack of one lane that
+// counts (bench/counted/). Prints one line of JSON: for each loop the operations for one active quadrature point of the
+// band, or for one element. Multiplications and additions that are fused count as two.
+//
+// Not seen are what works on plain doubles: the look-up of the template's values (counted by hand below) and, in
+// Newton's volume term, the eigenvectors by Eigen.
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "energies/energy_hessian.h"
+#include "energies/matching_energy.h"
+#include "tests/energies/exact_shapes.h"
+#include "tests/grid/test_grids.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace shellmatch;
+using autodiff::counted;
+using autodiff::OperationCount;
+
+/// Additions and multiplications of TargetField::value: one axis after the other is collapsed, by all numbers of a
+/// row, those that fill it up included.
+OperationCount look_up(bool with_derivatives) {
+  OperationCount c;
+  for (int k = 0, left = n_corners<3> / 2; k < 3; ++k, left /= 2) {
+    const long numbers = static_cast<long>(left) * TargetField<3>::row_size;
+    c.additions += 2 * numbers;  // the difference, and the value between
+    c.multiplications += numbers;
+    if (!with_derivatives) continue;
+    c.multiplications += numbers;  // the slope along this axis
+    c.additions += 2 * k * numbers;  // slopes along the axes before, between
+    c.multiplications += k * numbers;
+  }
+  return c;
+}
+
+OperationCount operator+(const OperationCount& a, const OperationCount& b) {
+  return {a.additions + b.additions, a.multiplications + b.multiplications, a.divisions + b.divisions,
+          a.roots + b.roots, a.exponentials + b.exponentials};
+}
+
+/// A sphere and an ellipsoid on a grid, at a deformation that folds nothing.
+struct Problem {
+  Octree<3> grid;
+  CoefficientFields<3> reference, target_values;
+  EnergyOptions options;
+  Unknowns<3> unknowns;
+  TargetField<3> target;
+  MatchingEnergy<3> energy;
+  EnergyHessian<3> hessian;
+  std::vector<Vec<3>> phi;
+  std::vector<double> gradient;
+
+  /// sigma: half width of the band, in finest cells
+  explicit Problem(double sigma)
+      : grid(test::shape_grid<3>(3, 5, test::sphere<3>(0.25).distance)),
+        reference(test::exact_fields<3>(grid, test::sphere<3>(0.25))),
+        target_values(test::exact_fields<3>(grid, test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3)))),
+        unknowns(grid, options.boundary),
+        target(grid, target_values.distance, target_values.normal, target_values.root),
+        energy(unknowns, {reference.distance, reference.normal, reference.root, false}, target, options,
+               sigma * grid.finest_side(), options.quadrature_order),
+        hessian(energy, unknowns, target, options),
+        gradient(unknowns.size()) {
+    for (Index node = 0; node < grid.n_nodes(); ++node) {
+      const Vec<3> x = grid.node_position(node);
+      phi.push_back(x + 0.01 * Vec<3>(x[1] * x[2], x[0] * x[2], x[0] * x[0]));
+    }
+  }
+
+  OperationCount evaluate(const TermValues& weights, bool with_gradient) {
+    const OperationCount before = counted;
+    TermValues values;
+    SHELLMATCH_CHECK(energy.evaluate(phi, weights, values, with_gradient ? std::span(gradient) : std::span<double>()),
+                     "the energy cannot be evaluated");
+    return counted - before;
+  }
+  OperationCount assemble(const TermValues& weights) {
+    const OperationCount before = counted;
+    hessian.assemble(phi, weights);
+    return counted - before;
+  }
+};
+
+/// For one of n things on average: the first terms of sums over chunks and elements are not counted.
+OperationCount each(const OperationCount& total, std::size_t n) {
+  const auto share = [n](long x) { return std::lround(static_cast<double>(x) / static_cast<double>(n)); };
+  return {share(total.additions), share(total.multiplications), share(total.divisions), share(total.roots),
+          share(total.exponentials)};
+}
+
+void print(const char* name, const OperationCount& c, bool last = false) {
+  // A division, a root and an exponential count as one each.
+  fmt::print(R"("{}": {{"flops": {}, "divisions": {}, "roots": {}, "exponentials": {}}}{})", name,
+             c.additions + c.multiplications + c.divisions + c.roots + c.exponentials, c.divisions, c.roots,
+             c.exponentials, last ? "}\n" : ", ");
+}
+
+}  // namespace
+
+int main() {
+  set_n_threads(1);  // the counter is one for all
+  // Newton's loop over the band runs whatever the weights are: the second problem has no band.
+  Problem problem(2), bare(1e-6);
+  TermValues band, volume, barrier;
+  band[Term::match] = band[Term::membrane] = band[Term::bending] = 1;
+  volume[Term::volume] = 1;
+  barrier[Term::barrier] = 1;
+  const std::size_t points = problem.energy.band().n_active_points(), elements = problem.unknowns.elements().size();
+  SHELLMATCH_CHECK(bare.energy.band().n_active_points() == 0, "there should be no band");
+  const OperationCount newton_volume = bare.assemble(volume);
+
+  fmt::print("{{");
+  print("band_value_by_point", each(problem.evaluate(band, false), points) + look_up(false));
+  print("band_gradient_by_point", each(problem.evaluate(band, true), points) + look_up(true));
+  print("volume_value_by_element", each(problem.evaluate(volume, false), elements));
+  print("volume_gradient_by_element", each(problem.evaluate(volume, true), elements));
+  print("barrier_by_element", each(problem.evaluate(barrier, false), elements));
+  print("newton_band_by_point", each(problem.assemble(band) - newton_volume, points) + look_up(true));
+  print("newton_volume_by_element", each(newton_volume, elements), true);
+}

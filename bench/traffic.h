@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Bytes that one evaluation has to move between memory and the processor if nothing stays in the caches from one
+/// pass over an array to the next: every array that a pass touches once, read or written. What caches cannot keep
+/// within a pass comes on top, so these are lower bounds.
+
+#include "matching/level_energy.h"
+
+#include <vector>
+
+namespace shellmatch::bench {
+
+struct Traffic {
+  double value, gradient, band_gradient, newton_model, newton_product;  ///< bytes
+  double n_blocks;                                                       ///< of the matrix by unknowns
+};
+
+inline Traffic traffic_of(const LevelEnergy<3>& level) {
+  const auto& unknowns = level.unknowns;
+  const auto& band = level.energy.band();
+  const double n_nodes = level.grid.n_nodes(), n_free = static_cast<double>(unknowns.nodes().size());
+  const double n_cells = static_cast<double>(unknowns.elements().size());
+  const double n_band = static_cast<double>(band.n_elements());
+
+  std::vector<char> in_band(level.grid.n_nodes(), 0);
+  for (const auto& batch : band.batches())
+    for (const Index e : batch.element)
+      for (const Index node : unknowns.elements()[e].nodes) in_band[node] = 1;
+  double n_band_nodes = 0;
+  for (const char c : in_band) n_band_nodes += c;
+
+  // Pairs of unknowns that share an element, and where unknowns count.
+  double n_blocks = 0, n_places = 0;
+  std::vector<std::size_t> seen(unknowns.nodes().size(), unknowns.nodes().size());
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    for (const auto& place : unknowns.places_of(i)) {
+      ++n_places;
+      for (const Index node : unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
+        for (const auto& carrier : unknowns.carriers_of(node))
+          if (seen[carrier.unknown] != i) {
+            seen[carrier.unknown] = i;
+            ++n_blocks;
+          }
+    }
+
+  constexpr double place = sizeof(Unknowns<3>::Place), vec = sizeof(Vec<3>);
+  const double all_cells = n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
+  const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) * sizeof(Band<3>::Point);
+  // The template is looked up in about as many cells and at about as many nodes as the band has.
+  const double band_pass = n_band * (sizeof(Element<3>) + sizeof(Octree<3>::Cell)) + points +
+                           n_band_nodes * (vec + static_cast<double>(sizeof(TargetField<3>::Row)));
+  const double by_element = n_corners<3> * vec;
+  const double sum = n_cells * by_element + n_places * place + n_free * vec;
+  const double finite = n_nodes * vec;
+  const double matrix = sizeof(ElementMatrices<3>::Matrix);
+  const double block = NodeMatrix<3>::block_size * sizeof(float) + sizeof(Index);
+
+  Traffic t{};
+  t.n_blocks = n_blocks;
+  t.value = finite + 2 * all_cells + band_pass;  // volume and barrier each see all cells
+  t.gradient = t.value + n_cells * by_element + 2 * n_band * by_element + sum;
+  t.band_gradient = finite + n_cells * by_element + band_pass + 2 * n_band * by_element + sum;
+  t.newton_model = 2 * all_cells + n_cells * 2 * sizeof(double) + n_cells * matrix + band_pass + 2 * n_band * matrix +
+                   n_cells * matrix + n_blocks * block + n_free * 3 * 3 * (sizeof(float) + sizeof(double));
+  t.newton_product = n_blocks * block + n_free * (2 * vec + sizeof(std::size_t));
+  return t;
+}
+
+}  // namespace shellmatch::bench
