@@ -35,7 +35,7 @@ struct Kernels {
   ExperimentOptions options;
   std::optional<SignedDistance<3>> d1, d2;
   std::optional<Octree<3>> grid;
-  CoefficientPair<3> fields;
+  std::optional<ShapeFields<3>> shapes;
   std::unique_ptr<LevelEnergy<3>> level;
   std::vector<Vec<3>> phi;
   TermValues weights;
@@ -52,15 +52,14 @@ struct Kernels {
     pair.place(options);
     d1.emplace(pair.reference.surface);
     d2.emplace(pair.template_shape.surface);
-    ShapeFields<3> shapes(*d1, *d2, options.coefficients.distance);
+    shapes.emplace(*d1, *d2, options);
     grid.emplace(options.cascade.min_level);
-    shapes.compute_distances(*grid);
+    shapes->compute_distances(*grid);
     for (int l = options.cascade.min_level; l < finest; ++l) {
-      shapes.refine(*grid);
-      shapes.compute_distances(*grid);
+      shapes->refine(*grid);
+      shapes->compute_distances(*grid);
     }
-    fields = shapes.coefficients(*grid, options);
-    level = std::make_unique<LevelEnergy<3>>(*grid, fields.reference, fields.target, options);
+    level = std::make_unique<LevelEnergy<3>>(*grid, shapes->geometry(*grid), options);
     phi = positions_of<3>(CheckState::parse("random:0.01"), *level, options.energy, {});
     const ScheduleStep step = schedule_of_level(options.cascade, finest).back();
     weights = term_weights(options.energy, step.nu, step.volume_weight);
@@ -120,7 +119,7 @@ void band_gradient(benchmark::State& state) {
 /// The same by ceres::Jet on every 64th element of the band: one derivative for each of its 24 positions.
 void band_gradient_by_duals(benchmark::State& state) {
   const auto& level = *kernels->level;
-  const ElementOracle<3> oracle(level.energy, level.unknowns, level.target, kernels->options.energy);
+  const ElementOracle<3> oracle(level.energy, level.unknowns, level.geometry.target, kernels->options.energy);
   TermValues weights = kernels->weights;
   weights[Term::volume] = weights[Term::barrier] = 0;
   std::vector<std::size_t> elements;

@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
+
 namespace shellmatch {
 
 namespace {
@@ -20,46 +22,55 @@ Mat<Dim> full_matrix(const std::array<double, n_symmetric<Dim>>& s) {
 
 /// ReferencePoint of an element's quadrature point, as a flat array.
 template <int Dim>
-std::array<double, Band<Dim>::n_reference> reference_point(const Element<Dim>& element,
-                                                           const typename ShapeTable<Dim>::Point& q,
-                                                           const ReferenceFields<Dim>& f) {
-  double d1 = 0;
-  Vec<Dim> n1 = Vec<Dim>::Zero();
-  std::array<double, n_symmetric<Dim>> root{};
-  for (int c = 0; c < n_corners<Dim>; ++c) {
-    const Index node = element.nodes[c];
-    d1 += q.n[c] * f.distance[node];
-    n1 += q.n[c] * f.normal[node];
-    for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] += q.n[c] * f.root[node][i];
-  }
+std::array<double, Band<Dim>::n_reference> reference_point(
+    const typename GeometryField<Dim>::Values& at_point, bool root_is_inverse) {
+  Vec<Dim> n1;
+  std::array<double, n_symmetric<Dim>> root;
+  for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k];
+  for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] = at_point[1 + Dim + i];
   n1 /= std::max(n1.norm(), 1e-2);  // as renormalised() does for the template
   const Mat<Dim> p = Mat<Dim>::Identity() - n1 * n1.transpose();
   Mat<Dim> r = full_matrix<Dim>(root);
-  if (!f.root_is_inverse) r = r.inverse().eval();
+  if (!root_is_inverse) r = r.inverse().eval();
   r = (p * r * p).eval();
   std::array<double, Band<Dim>::n_reference> flat;
-  flat[0] = d1;
+  flat[0] = at_point[0];
   for (int k = 0; k < Dim; ++k) flat[1 + k] = n1[k];
   for (int i = 0; i < Dim; ++i)
-    for (int j = i; j < Dim; ++j) flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
+    for (int j = i; j < Dim; ++j)
+      flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
   return flat;
+}
+
+template <int Dim>
+Vec<Dim> position(const Element<Dim>& element, const Vec<Dim>& xi) {
+  return element.corner + element.side * xi;
+}
+
+/// Surely no point of the element lies in the band: |grad d| is 1, and less than 2 however it is
+/// interpolated.
+template <int Dim>
+bool is_far(const Element<Dim>& element, const GeometryField<Dim>& reference, double sigma) {
+  const Vec<Dim> centre = position<Dim>(element, Vec<Dim>::Constant(0.5));
+  return std::abs(reference.value(centre)[0]) > sigma + std::sqrt(double(Dim)) * element.side;
 }
 
 }  // namespace
 
 template <int Dim>
 Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
-                const ReferenceFields<Dim>& fields, double sigma)
+                const GeometryField<Dim>& reference, bool root_is_inverse, double sigma)
     : n_points_(shape.points.size()) {
   // Which elements the band meets at all, and with how many points.
   std::vector<int> active(elements.size(), 0);
-  parallel_for(elements.size(), [&](std::size_t e) {
-    for (const auto& q : shape.points) {
-      double d1 = 0;
-      for (int c = 0; c < n_corners<Dim>; ++c) d1 += q.n[c] * fields.distance[elements[e].nodes[c]];
-      if (std::abs(d1) < sigma) ++active[e];
-    }
-  });
+  parallel_for(
+      elements.size(),
+      [&](std::size_t e) {
+        if (is_far(elements[e], reference, sigma)) return;
+        for (const auto& q : shape.points)
+          if (std::abs(reference.value(position<Dim>(elements[e], q.xi))[0]) < sigma) ++active[e];
+      },
+      64);
   std::vector<Index> members;
   for (std::size_t e = 0; e < elements.size(); ++e)
     if (active[e] > 0) {
@@ -81,7 +92,8 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
         double volume = 1;
         for (int k = 0; k < Dim; ++k) volume *= element.side;
         for (std::size_t q = 0; q < n_points_; ++q) {
-          const auto flat = reference_point<Dim>(element, shape.points[q], fields);
+          const auto flat = reference_point<Dim>(reference.value(position<Dim>(element, shape.points[q].xi)),
+                                                 root_is_inverse);
           Point& point = points_[b * n_points_ + q];
           const bool counts = lane < batch.n_elements;
           point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;

@@ -5,21 +5,13 @@
 
 #include "energies/autodiff/pack.h"
 #include "energies/elements.h"
+#include "energies/geometry_field.h"
 #include "energies/integrands.h"
 
 #include <span>
 #include <vector>
 
 namespace shellmatch {
-
-/// Nodal fields of the reference shape; hanging nodes included.
-template <int Dim>
-struct ReferenceFields {
-  std::span<const double> distance;
-  std::span<const Vec<Dim>> normal;
-  std::span<const std::array<double, n_symmetric<Dim>>> root;
-  bool root_is_inverse;  ///< root holds C(S1)^{-1/2} (or S1) to be taken as it is; else C(S1)^{1/2}, inverted at each point
-};
 
 /// Elements in which eta_sigma(d1) does not vanish at every quadrature point, eight at a time: the lanes of a
 /// pack are different elements at the same local point.
@@ -39,9 +31,9 @@ class Band {
     int n_elements;
   };
 
-  /// sigma in units of the domain's side.
-  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape, const ReferenceFields<Dim>& fields,
-       double sigma);
+  /// sigma in units of the domain's side. root_is_inverse: of GeometryPair.
+  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
+       const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
 
   std::span<const Batch> batches() const { return batches_; }
   /// Point q of batch b.

@@ -10,7 +10,7 @@ namespace shellmatch {
 
 template <int Dim>
 BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band, const ShapeTable<Dim>& shape,
-                  const TargetField<Dim>& target, std::span<const Vec<Dim>> phi) {
+                  const GeometryField<Dim>& target, std::span<const Vec<Dim>> phi) {
   using autodiff::Pack;
   const auto batches = band.batches();
   return parallel_sum(batches.size(), 32, BandSums{}, [&](const Chunk& chunk) {
@@ -49,8 +49,8 @@ BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
 }
 
 template BandSums sum_band<2>(std::span<const Element<2>>, const Band<2>&, const ShapeTable<2>&,
-                              const TargetField<2>&, std::span<const Vec<2>>);
+                              const GeometryField<2>&, std::span<const Vec<2>>);
 template BandSums sum_band<3>(std::span<const Element<3>>, const Band<3>&, const ShapeTable<3>&,
-                              const TargetField<3>&, std::span<const Vec<3>>);
+                              const GeometryField<3>&, std::span<const Vec<3>>);
 
 }  // namespace shellmatch

@@ -3,7 +3,7 @@
 /// How the deformed band lies in the template: what oscillations show in.
 
 #include "energies/band.h"
-#include "energies/target_field.h"
+#include "energies/geometry_field.h"
 
 #include <span>
 
@@ -30,6 +30,6 @@ struct BandSums {
 /// At the quadrature points of the band. phi: positions of all nodes.
 template <int Dim>
 BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band, const ShapeTable<Dim>& shape,
-                  const TargetField<Dim>& target, std::span<const Vec<Dim>> phi);
+                  const GeometryField<Dim>& target, std::span<const Vec<Dim>> phi);
 
 }  // namespace shellmatch

@@ -13,31 +13,21 @@ namespace {
 using autodiff::Pack;
 using autodiff::pack_size;
 
-/// Look-up of the template at phi(x). Lanes outside the band get harmless values: they have no weight, but a
-/// NaN would outlive a multiplication by zero.
+/// Template and Dphi at eight points: the functors' active arguments. What does not count must not become
+/// NaN.
 template <int Dim, bool WithGradient>
-void look_up(const TargetField<Dim>& target, const Pack& weight, const std::array<Pack, Dim>& y, PointArrays<Dim>& p) {
+void look_up(const GeometryField<Dim>& target, const Pack& weight, const std::array<Pack, Dim>& y,
+             PointArrays<Dim>& p) {
   constexpr int n_target = PointArrays<Dim>::n_target;
-  for (int lane = 0; lane < pack_size; ++lane) {
-    if (weight[lane] > 0) {
-      Vec<Dim> place;
-      for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
-      std::array<typename TargetField<Dim>::Row, Dim> d;
-      const auto row = WithGradient ? target.value(place, d) : target.value(place);
-      for (int i = 0; i < n_target; ++i) p.active[i][lane] = row[i / 4][i % 4];
-      if constexpr (WithGradient)
-        for (int k = 0; k < Dim; ++k)
-          for (int i = 0; i < n_target; ++i) p.derivative[k][i][lane] = d[k][i / 4][i % 4];
-    } else {
-      for (int i = 0; i < n_target; ++i) p.active[i][lane] = 0;
-      p.active[1][lane] = 1;  // a unit normal
-      if constexpr (WithGradient)
-        for (int k = 0; k < Dim; ++k)
-          for (int i = 0; i < n_target; ++i) p.derivative[k][i][lane] = 0;
-      for (int i = 0; i < Dim; ++i)
-        for (int j = 0; j < Dim; ++j) p.active[n_target + i * Dim + j][lane] = i == j;
+  if constexpr (WithGradient)
+    target.look_up(weight, y, p.active.data(), p.derivative);
+  else
+    target.look_up(weight, y, p.active.data());
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      Pack& entry = p.active[n_target + i * Dim + j];
+      entry = weight > 0 ? entry : Pack{} + (i == j ? 1.0 : 0.0);
     }
-  }
 }
 
 }  // namespace
@@ -73,7 +63,8 @@ TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const 
         for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
         if constexpr (WithGradient) p.adjoint.fill(Pack{});
         if (weights[Term::match] > 0)
-          sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(p, point.weight * weights[Term::match]);
+          sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(
+              p, point.weight * weights[Term::match]);
         if (weights[Term::membrane] > 0) {
           const Pack seed = point.weight * weights[Term::membrane];
           sums[1] += other_membrane ? other_membrane(p, seed)
@@ -96,7 +87,8 @@ TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const 
       }
       if constexpr (WithGradient)
         for (int lane = 0; lane < batches[b].n_elements; ++lane) {
-          double* out = element_gradients_.data() + static_cast<std::size_t>(batches[b].element[lane]) * batch.n_dofs;
+          double* out =
+              element_gradients_.data() + static_cast<std::size_t>(batches[b].element[lane]) * batch.n_dofs;
           for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
         }
     }

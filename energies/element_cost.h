@@ -8,7 +8,7 @@
 #include "energies/band.h"
 #include "energies/fold_barrier.h"
 #include "energies/integrands.h"
-#include "energies/target_field.h"
+#include "energies/geometry_field.h"
 
 #include <vector>
 
@@ -40,7 +40,7 @@ class BandElementCost {
 
   /// Element `lane` of batch `batch` of the band, which has to outlive the functor, as have table and target.
   BandElementCost(const Band<Dim>& band, std::size_t batch, int lane, std::span<const Element<Dim>> elements,
-                  const ShapeTable<Dim>& shape, const TargetField<Dim>& target, double weight, Lame<double> lame)
+                  const ShapeTable<Dim>& shape, const GeometryField<Dim>& target, double weight, Lame<double> lame)
       : band_(&band), batch_(batch), lane_(lane), side_(elements[band.batches()[batch].element[lane]].side),
         shape_(&shape), target_(&target), weight_(weight), lame_(lame) {}
 
@@ -69,7 +69,7 @@ class BandElementCost {
   int lane_;
   double side_;
   const ShapeTable<Dim>* shape_;
-  const TargetField<Dim>* target_;
+  const GeometryField<Dim>* target_;
   double weight_;
   Lame<double> lame_;
 };

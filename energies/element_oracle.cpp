@@ -9,7 +9,7 @@ namespace shellmatch {
 
 template <int Dim>
 ElementOracle<Dim>::ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
-                                  const TargetField<Dim>& target, const EnergyOptions& options)
+                                  const GeometryField<Dim>& target, const EnergyOptions& options)
     : energy_(&energy), elements_(unknowns.elements()), target_(&target), options_(options),
       place_(elements_.size(), no_index) {
   const auto batches = energy.band().batches();

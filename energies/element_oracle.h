@@ -19,7 +19,7 @@ class ElementOracle {
   using Dofs = std::array<double, n_dofs>;  ///< corner after corner, Dim components each
 
   /// All must outlive it.
-  ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TargetField<Dim>& target,
+  ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const GeometryField<Dim>& target,
                 const EnergyOptions& options);
 
   /// Weighted sum of the terms on element e of Unknowns::elements(); NaN where it cannot be evaluated.
@@ -44,7 +44,7 @@ class ElementOracle {
 
   const MatchingEnergy<Dim>* energy_;
   std::span<const Element<Dim>> elements_;
-  const TargetField<Dim>* target_;
+  const GeometryField<Dim>* target_;
   EnergyOptions options_;
   std::vector<Index> place_;  ///< batch times lanes plus lane within the band, or no_index
 };

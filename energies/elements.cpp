@@ -52,7 +52,8 @@ Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : g
   first_carrier_.push_back(carriers_.size());
 
   elements_.reserve(grid.leaves().size());
-  for (const Index leaf : grid.leaves()) elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side()});
+  for (const Index leaf : grid.leaves()) 
+    elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side(), grid.cell_corner(leaf)});
   const auto for_each_place = [&](auto&& visit) {
     for (std::size_t e = 0; e < elements_.size(); ++e)
       for (int c = 0; c < n_corners<Dim>; ++c)

@@ -31,6 +31,7 @@ template <int Dim>
 struct Element {
   std::array<Index, n_corners<Dim>> nodes;
   double side;
+  Vec<Dim> corner = Vec<Dim>::Zero();  ///< position of the lower one
 };
 
 /// The unknowns of a grid: Dim components for each node that neither hangs nor is fixed by the boundary

@@ -8,7 +8,7 @@ namespace shellmatch {
 
 template <int Dim>
 EnergyHessian<Dim>::EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
-                                  const TargetField<Dim>& target, const EnergyOptions& options)
+                                  const GeometryField<Dim>& target, const EnergyOptions& options)
     : energy_(&energy), unknowns_(&unknowns), target_(&target), options_(options) {}
 
 template <int Dim>

@@ -25,7 +25,7 @@ class EnergyHessian {
 
   /// energy and unknowns must outlive this object.
   EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
-                const TargetField<Dim>& target, const EnergyOptions& options);
+                const GeometryField<Dim>& target, const EnergyOptions& options);
 
   /// Computes the element matrices at phi. \pre the energy can be evaluated there.
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
@@ -52,7 +52,7 @@ class EnergyHessian {
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
-  const TargetField<Dim>* target_;
+  const GeometryField<Dim>* target_;
   EnergyOptions options_;
   ElementMatrices<Dim> matrices_;
   std::optional<NodeMatrix<Dim>> sum_;  ///< of them; its pattern is found when it is first wanted

@@ -18,9 +18,8 @@ struct EnergyReport {
 /// With Gauss points of `points_per_direction`, for some thousand elements at a time: the band of all of them
 /// would take more memory than the rest of a run. sigma: half width of the band. phi: positions of all nodes.
 template <int Dim>
-EnergyReport report_energy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
-                           const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                           int points_per_direction, std::span<const Vec<Dim>> phi,
-                           const TermValues& weights);
+EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
+                           const EnergyOptions& options, double sigma, int points_per_direction,
+                           std::span<const Vec<Dim>> phi, const TermValues& weights);
 
 }  // namespace shellmatch

@@ -60,31 +60,26 @@ struct PointGeometry {
 };
 
 template <int Dim>
-PointGeometry<Dim> geometry_at(const TargetField<Dim>& target, const Pack& weight,
+PointGeometry<Dim> geometry_at(const GeometryField<Dim>& target, const Pack& weight,
                                const std::array<Pack, Dim>& y) {
-  PointGeometry<Dim> g{};
-  g.n2[0] = Pack{} + 1.0;
-  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
-    if (!(weight[lane] > 0)) continue;
-    Vec<Dim> place;
-    for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
-    std::array<typename TargetField<Dim>::Row, Dim> d;
-    const auto row = target.value(place, d);
-    Vec<Dim> n;
-    for (int k = 0; k < Dim; ++k) {
-      g.gradient2[k][lane] = d[k][0][0];
-      n[k] = row[(1 + k) / 4][(1 + k) % 4];
-    }
-    const double length = n.norm();
-    n = length > 1e-9 ? Vec<Dim>(n / length) : Vec<Dim>(Vec<Dim>::Unit(0));
-    for (int k = 0; k < Dim; ++k) g.n2[k][lane] = n[k];
-    for (int i = 0; i < n_symmetric<Dim>; ++i) g.root[i][lane] = row[(1 + Dim + i) / 4][(1 + Dim + i) % 4];
-    for (int a = 0; a < Dim; ++a) {
-      for (int k = 0; k < Dim; ++k)
-        g.n2_derivative[a][k][lane] = d[a][(1 + k) / 4][(1 + k) % 4] / std::max(length, 1e-2);
-      for (int i = 0; i < n_symmetric<Dim>; ++i)
-        g.root_derivative[a][i][lane] = d[a][(1 + Dim + i) / 4][(1 + Dim + i) % 4];
-    }
+  constexpr int n_values = GeometryField<Dim>::n_values;
+  std::array<Pack, n_values> values;
+  std::array<std::array<Pack, n_values>, Dim> derivative;
+  target.look_up(weight, y, values.data(), derivative);
+  PointGeometry<Dim> g;
+  Pack square{};
+  for (int k = 0; k < Dim; ++k) square += values[1 + k] * values[1 + k];
+  const Pack length = autodiff::root_of(square);
+  const Pack divisor = autodiff::max_of(length, Pack{} + 1e-2);
+  for (int k = 0; k < Dim; ++k) {
+    g.gradient2[k] = derivative[k][0];
+    // Where there is no normal any unit vector does.
+    g.n2[k] = length > 1e-9 ? values[1 + k] / length : Pack{} + (k == 0 ? 1.0 : 0.0);
+    for (int a = 0; a < Dim; ++a) g.n2_derivative[a][k] = derivative[a][1 + k] / divisor;
+  }
+  for (int i = 0; i < n_symmetric<Dim>; ++i) {
+    g.root[i] = values[1 + Dim + i];
+    for (int a = 0; a < Dim; ++a) g.root_derivative[a][i] = derivative[a][1 + Dim + i];
   }
   return g;
 }

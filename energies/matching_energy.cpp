@@ -18,22 +18,20 @@ TermValues term_weights(const EnergyOptions& o, double nu, double volume_weight)
 }
 
 template <int Dim>
-MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
-                                    const TargetField<Dim>& target, const EnergyOptions& options,
-                                    double sigma, int points_per_direction)
-    : MatchingEnergy(unknowns.elements(), reference, target, options, sigma, points_per_direction) {
+MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
+                                    const EnergyOptions& options, double sigma, int points_per_direction)
+    : MatchingEnergy(unknowns.elements(), geometry, options, sigma, points_per_direction) {
   unknowns_ = &unknowns;
 }
 
 template <int Dim>
-MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements,
-                                    const ReferenceFields<Dim>& reference, const TargetField<Dim>& target,
+MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                                     const EnergyOptions& options, double sigma, int points_per_direction)
     : elements_(elements),
-      target_(&target),
+      target_(&geometry.target),
       options_(options),
       shape_(points_per_direction),
-      band_(elements, shape_, reference, sigma) {}
+      band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {}
 
 template <int Dim>
 bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights,

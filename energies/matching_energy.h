@@ -5,7 +5,7 @@
 #include "energies/band.h"
 #include "energies/elements.h"
 #include "energies/options.h"
-#include "energies/target_field.h"
+#include "energies/geometry_field.h"
 
 #include <array>
 #include <span>
@@ -33,20 +33,18 @@ struct TermValues {
 };
 
 /// The discrete energy on one grid, as a function of nodal positions. Immutable but for its scratch: one
-/// evaluation at a time. Grid, unknowns and target must outlive it.
+/// evaluation at a time. Grid, unknowns and geometry must outlive it.
 template <int Dim>
 class MatchingEnergy {
  public:
   /// `points_per_direction` of the Gauss rule; options.quadrature_order is what minimising uses, reports may
   /// use more. sigma: half width of the band.
-  MatchingEnergy(const Unknowns<Dim>& unknowns, const ReferenceFields<Dim>& reference,
-                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                 int points_per_direction);
+  MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry, const EnergyOptions& options,
+                 double sigma, int points_per_direction);
 
   /// The part that these elements contribute: values only. The elements must outlive it too.
-  MatchingEnergy(std::span<const Element<Dim>> elements, const ReferenceFields<Dim>& reference,
-                 const TargetField<Dim>& target, const EnergyOptions& options, double sigma,
-                 int points_per_direction);
+  MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry, const EnergyOptions& options,
+                 double sigma, int points_per_direction);
 
   /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
@@ -71,7 +69,7 @@ class MatchingEnergy {
 
   const Unknowns<Dim>* unknowns_ = nullptr;  ///< none where only values are wanted
   std::span<const Element<Dim>> elements_;
-  const TargetField<Dim>* target_;
+  const GeometryField<Dim>* target_;
   EnergyOptions options_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;

@@ -70,12 +70,13 @@ double least_curvature(const Octree<Dim>& grid, const NodalGeometry<Dim>& geomet
 }  // namespace
 
 template <int Dim>
-Classifier make_classifier(const Octree<Dim>& grid, const CoefficientOptions& options,
+Classifier make_classifier(const GridPair<Dim>& grids, const CoefficientOptions& options,
                            const NodalGeometry<Dim>& first, const NodalGeometry<Dim>& second) {
   Classifier c{.kind = options.classification, .tau = options.tau, .cap = 0, .shift = 0, .root = options.root};
-  c.cap = options.max_curvature_times_h / grid.finest_side();
+  // The finer grid could carry more, but C must be one function for both.
+  c.cap = options.max_curvature_times_h / std::max(grids[0]->finest_side(), grids[1]->finest_side());
   if (c.kind == Classification::shift) {
-    const double least = std::min(least_curvature(grid, first), least_curvature(grid, second));
+    const double least = std::min(least_curvature(*grids[0], first), least_curvature(*grids[1], second));
     c.shift = options.tau - (c.cap > 0 ? std::max(least, -c.cap) : least);
   }
   return c;
@@ -100,29 +101,38 @@ template <int Dim>
 CoefficientFields<Dim> compute_coefficients(const Octree<Dim>& grid, std::vector<double> nodal_distance,
                                             const CoefficientOptions& options, bool inverse_root) {
   auto geometry = nodal_geometry(grid, std::move(nodal_distance), options);
-  const Classifier classifier = make_classifier(grid, options, geometry, geometry);
+  const Classifier classifier = make_classifier<Dim>({&grid, &grid}, options, geometry, geometry);
   return classify(grid, std::move(geometry), classifier, inverse_root);
 }
 
+namespace {
+
 template <int Dim>
-CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
-                                              std::vector<double> template_distance,
+std::array<NodalGeometry<Dim>, 2> geometry_of_both(const GridPair<Dim>& grids,
+                                                   std::array<std::vector<double>, 2> distances,
+                                                   const CoefficientOptions& options) {
+  if (grids[0] == grids[1]) return nodal_geometry<Dim>(*grids[0], std::move(distances), options);
+  return {nodal_geometry<Dim>(*grids[0], std::move(distances[0]), options),
+          nodal_geometry<Dim>(*grids[1], std::move(distances[1]), options)};
+}
+
+}  // namespace
+
+template <int Dim>
+CoefficientPair<Dim> compute_coefficient_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
                                               const CoefficientOptions& options) {
-  auto [reference, target] = nodal_geometry<Dim>(
-      grid, std::array{std::move(reference_distance), std::move(template_distance)}, options);
-  const Classifier classifier = make_classifier(grid, options, reference, target);
-  return {classify(grid, std::move(reference), classifier, !options.invert_at_point),
-          classify(grid, std::move(target), classifier, false)};
+  auto [reference, target] = geometry_of_both<Dim>(grids, std::move(distances), options);
+  const Classifier classifier = make_classifier(grids, options, reference, target);
+  return {classify(*grids[0], std::move(reference), classifier, !options.invert_at_point),
+          classify(*grids[1], std::move(target), classifier, false)};
 }
 
 template <int Dim>
-CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
-                                                 std::vector<double> template_distance,
+CoefficientPair<Dim> compute_shape_operator_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
                                                  const CoefficientOptions& options) {
-  auto geometry = nodal_geometry<Dim>(
-      grid, std::array{std::move(reference_distance), std::move(template_distance)}, options);
-  const double cap = options.max_curvature_times_h / grid.finest_side();
-  const auto operators = [&](NodalGeometry<Dim>& g) {
+  auto geometry = geometry_of_both<Dim>(grids, std::move(distances), options);
+  const double cap = options.max_curvature_times_h / std::max(grids[0]->finest_side(), grids[1]->finest_side());
+  const auto operators = [&](const Octree<Dim>& grid, NodalGeometry<Dim>& g) {
     const auto free = grid.free_nodes();
     parallel_for(free.size(), [&](std::size_t i) {
       const Vec<Dim>& n = g.normal[free[i]];
@@ -137,7 +147,7 @@ CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::v
     distribute(grid, g.extended_shape);
     return CoefficientFields<Dim>{std::move(g.distance), std::move(g.normal), std::move(g.extended_shape)};
   };
-  return {operators(geometry[0]), operators(geometry[1])};
+  return {operators(*grids[0], geometry[0]), operators(*grids[1], geometry[1])};
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                        \
@@ -146,16 +156,16 @@ CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::v
   template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                          \
       const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&,                   \
       std::span<const Index>);                                                                             \
-  template Classifier make_classifier<Dim>(const Octree<Dim>&, const CoefficientOptions&,                  \
+  template Classifier make_classifier<Dim>(const GridPair<Dim>&, const CoefficientOptions&,                \
                                            const NodalGeometry<Dim>&, const NodalGeometry<Dim>&);          \
   template CoefficientFields<Dim> classify<Dim>(const Octree<Dim>&, NodalGeometry<Dim>, const Classifier&, \
                                                 bool);                                                     \
   template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
                                                             const CoefficientOptions&, bool);              \
   template CoefficientPair<Dim> compute_coefficient_pair<Dim>(                                             \
-      const Octree<Dim>&, std::vector<double>, std::vector<double>, const CoefficientOptions&);            \
+      const GridPair<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&);                \
   template CoefficientPair<Dim> compute_shape_operator_pair<Dim>(                                          \
-      const Octree<Dim>&, std::vector<double>, std::vector<double>, const CoefficientOptions&);
+      const GridPair<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

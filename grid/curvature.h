@@ -35,10 +35,14 @@ std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
                                                  const CoefficientOptions& options,
                                                  std::span<const Index> nodes = {});
 
-/// The classifier of the options on this grid. For Classification::shift it is tau above the least that makes
+/// The grids of two surfaces, often one and the same.
+template <int Dim>
+using GridPair = std::array<const Octree<Dim>*, 2>;
+
+/// The classifier of the options on these grids. For Classification::shift it is tau above the least that makes
 /// the curvatures of both surfaces positive, so that it is one and the same for both.
 template <int Dim>
-Classifier make_classifier(const Octree<Dim>& grid, const CoefficientOptions& options,
+Classifier make_classifier(const GridPair<Dim>& grids, const CoefficientOptions& options,
                            const NodalGeometry<Dim>& first, const NodalGeometry<Dim>& second);
 
 /// Coefficient fields as the energies read them, at all nodes, hanging ones included.
@@ -65,15 +69,14 @@ struct CoefficientPair {
   CoefficientFields<Dim> reference, target;
 };
 
+/// Distances and results are those at the nodes of each surface's grid.
 template <int Dim>
-CoefficientPair<Dim> compute_coefficient_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
-                                              std::vector<double> template_distance,
+CoefficientPair<Dim> compute_coefficient_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
                                               const CoefficientOptions& options);
 
 /// The same with the shape operators S = P D^2 d P themselves in place of roots, their curvatures capped.
 template <int Dim>
-CoefficientPair<Dim> compute_shape_operator_pair(const Octree<Dim>& grid, std::vector<double> reference_distance,
-                                                 std::vector<double> template_distance,
+CoefficientPair<Dim> compute_shape_operator_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
                                                  const CoefficientOptions& options);
 
 }  // namespace shellmatch

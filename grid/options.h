@@ -34,6 +34,13 @@ struct EnumNames<RootMethod> {
                                                                       {RootMethod::franca, "franca"}};
 };
 
+enum class FieldInterpolation { smooth, multilinear };
+template <>
+struct EnumNames<FieldInterpolation> {
+  static constexpr std::pair<FieldInterpolation, std::string_view> names[] = {
+      {FieldInterpolation::smooth, "smooth"}, {FieldInterpolation::multilinear, "multilinear"}};
+};
+
 /// Normals, shape operators and their roots from the nodal distances (paper, section 5).
 struct CoefficientOptions {
   DistanceMethod distance = DistanceMethod::exact;
@@ -45,6 +52,8 @@ struct CoefficientOptions {
   RootMethod root = RootMethod::eigen;
   double max_curvature_times_h = 1;
   bool invert_at_point = true;
+  FieldInterpolation interpolation = FieldInterpolation::smooth;
+  double reach = 1.5;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("distance", self.distance, {.meaning = "signed distances at the nodes: exact, from the closest point of the surface, or fast_marching, as the paper: exact next to the surface, and of first order from there"});
@@ -56,6 +65,8 @@ struct CoefficientOptions {
     visit("root", self.root, {.meaning = "roots of the classified shape operators: eigen, by their eigendecomposition, or franca, by the closed form of L. P. Franca (1989), as the paper; equal to rounding"});
     visit("max_curvature_times_h", self.max_curvature_times_h, {.min = 0, .meaning = "curvatures are capped at this over the finest cell's side, as the grid cannot carry more; 0 means no cap"});
     visit("invert_at_point", self.invert_at_point, {.meaning = "interpolate C(S1)^(1/2) and invert at the quadrature point, so that identical shapes cost no bending; false interpolates C(S1)^(-1/2), as the paper"});
+    visit("interpolation", self.interpolation, {.meaning = "distances, normals and roots between the nodes: smooth, by quadratic splines that are C1 throughout, each shape on a grid of its own; multilinear, as the paper, both shapes on the grid of phi"});
+    visit("reach", self.reach, {.unit = "cells", .min = 1, .max = 16, .meaning = "a shape's own grid is refined where a corner of a cell is nearer to the shape than so many of the cell's sides"});
   }
 };
 

@@ -35,9 +35,8 @@ namespace {
 template <int Dim>
 class Level {
  public:
-  Level(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference, const CoefficientFields<Dim>& target,
-        const ExperimentOptions& options)
-      : options_(options), grid_(grid), level_(grid, reference, target, options) {}
+  Level(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options)
+      : options_(options), grid_(grid), level_(grid, std::move(geometry), options) {}
 
   LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted) {
     LevelResult result;
@@ -88,13 +87,15 @@ class Level {
     }
     level_.energy.evaluate(phi, weights, result.minimised, {});
     const int finer = std::min(std::max(4, options_.energy.quadrature_order + 1), 5);
-    const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.reference, level_.target, options_.energy,
-                                                   level_.sigma, finer, phi, weights);
+    const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
+                                                   phi, weights);
     result.reported = report.values;
     result.band = report.band;
     result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
     return result;
   }
+
+  const GeometryPair<Dim>& geometry() const { return level_.geometry; }
 
  private:
   // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
@@ -155,38 +156,42 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
   result.phi = identity_map(grid);
-  ShapeFields<Dim> shapes(reference, template_shape, options.coefficients.distance);
+  ShapeFields<Dim> shapes(reference, template_shape, options);
+
+  const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
+    result.reference = at_nodes(geometry.reference, grid);
+    result.target = at_nodes(geometry.target, grid);
+  };
 
   for (int level = schedule.min_level;; ++level) {
+    const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
     PhaseClock clock(seconds);
     clock.start("distances");
     shapes.compute_distances(grid);
     // Grids of levels that were finished before are made again, not read: nodes get the numbers that they had, by
     // which sums are ordered.
     const bool is_finished = before && level <= before->level;
-    CoefficientPair<Dim> coefficients;
+    std::optional<GeometryPair<Dim>> geometry;
     if (!is_finished || level == schedule.max_level) {
       clock.start("coefficients");
-      coefficients = shapes.coefficients(grid, options);
+      geometry.emplace(shapes.geometry(grid));
     }
     if (is_finished) {
       if (level == before->level) {
         result.phi = renumbered(before->map, grid);
         before.reset();
       }
+      if (ends()) keep_fields(*geometry);
     } else {
       clock.start("set-up");
-      Level<Dim> problem(grid, coefficients.reference, coefficients.target, options);
+      Level<Dim> problem(grid, std::move(*geometry), options);
       clock.start("minimisation");
       result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
       clock.start("output");
-      if (finished) finished(result.levels.back(), {grid, result.phi, coefficients.reference, coefficients.target});
+      if (finished) finished(result.levels.back(), {grid, result.phi});
+      if (ends()) keep_fields(problem.geometry());
     }
-    if (level == schedule.max_level || result.interrupted) {
-      result.reference = std::move(coefficients.reference);
-      result.target = std::move(coefficients.target);
-      break;
-    }
+    if (ends()) break;
 
     clock.start("refinement");
     const Index n_old = grid.n_nodes();

@@ -46,8 +46,6 @@ template <int Dim>
 struct LevelState {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
-  const CoefficientFields<Dim>& reference;
-  const CoefficientFields<Dim>& target;
 };
 
 /// The end of a level that was finished by an earlier run.

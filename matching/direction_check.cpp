@@ -77,7 +77,7 @@ DirectionCheck check_direction(const CheckPlace<Dim>& place, const CheckedEnergy
     v = random_direction(place.level, seed);
     result = {};
     if (reads_target(term.weights)) {
-      const HeldPoints held = hold_at_kinks<Dim>(place.level.unknowns, place.oracle, place.level.grid, place.phi, reach, v);
+      const HeldPoints held = hold_at_kinks<Dim>(place.level.unknowns, place.oracle, place.level.geometry.target, place.level.grid, place.phi, reach, v);
       result.n_points_near_faces = held.n_points;
       result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(place.level.unknowns.nodes().size());
     }

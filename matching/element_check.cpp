@@ -114,7 +114,7 @@ class ElementComparison {
 
   Differences difference_element(std::size_t e) const {
     const Dofs dofs = oracle_.dofs_of(e, place_.phi);
-    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.grid, e, dofs);
+    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
     if (room < 1.1e-6 * side) return {.error = 0, .near_face = true, .kink = false};
     Differences result;
     for (int i = 0; i < n; ++i) {
@@ -176,7 +176,7 @@ class ElementComparison {
     if (!(check_.element_error <= 1))
       e = static_cast<std::size_t>(std::max_element(error_.begin(), error_.end()) - error_.begin());
     const Dofs dofs = oracle_.dofs_of(e, place_.phi);
-    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.grid, e, dofs);
+    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
     const double step = room > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
     WorstElement worst;
     worst.element = static_cast<Index>(e);
@@ -218,7 +218,7 @@ class ElementComparison {
     std::vector<std::size_t> fit;
     for (const std::size_t e : acting_)
       if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
-          room_of_element(oracle_, place_.level.grid, e, oracle_.dofs_of(e, place_.phi)) > 2e-4 * elements_[e].side)
+          room_of_element(oracle_, place_.level.geometry.target, e, oracle_.dofs_of(e, place_.phi)) > 2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;
     const std::size_t n_wanted = std::min<std::size_t>(fit.size(), place_.settings.n_ceres_elements);

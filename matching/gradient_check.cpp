@@ -58,7 +58,7 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   report.level = level.grid.finest_level();
   report.n_nodes = level.grid.n_nodes();
   report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
-  const ElementOracle<Dim> oracle(level.energy, level.unknowns, level.target, options);
+  const ElementOracle<Dim> oracle(level.energy, level.unknowns, level.geometry.target, options);
   const CheckPlace<Dim> place{level, oracle, phi, settings};
   const bool has_newton_model =
       settings.newton_model && options.membrane == MembraneModel::thin_shell && options.bending == BendingModel::thin_shell;

@@ -20,20 +20,28 @@ Vec<Dim> room_within_cell(const Octree<Dim>& grid, const Vec<Dim>& y) {
 }
 
 template <int Dim>
-double room_of_element(const ElementOracle<Dim>& oracle, const Octree<Dim>& grid, std::size_t e,
+Vec<Dim> room_of_field(const GeometryField<Dim>& field, const Vec<Dim>& y) {
+  if (!field.is_smooth()) return room_within_cell<Dim>(field.grid(), y);
+  return y.cwiseAbs().cwiseMin((y - Vec<Dim>::Ones()).cwiseAbs());
+}
+
+template <int Dim>
+double room_of_element(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
                        const typename ElementOracle<Dim>::Dofs& dofs) {
   double room = std::numeric_limits<double>::infinity();
   for (const int q : oracle.band_points(e))
-    room = std::min(room, room_within_cell<Dim>(grid, oracle.position(dofs, q)).minCoeff());
+    room = std::min(room, room_of_field<Dim>(target, oracle.position(dofs, q)).minCoeff());
   return room;
 }
 
 template <int Dim>
-HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>& oracle, const Octree<Dim>& grid,
+HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>& oracle,
+                         const GeometryField<Dim>& target, const Octree<Dim>& grid,
                          std::span<const Vec<Dim>> phi, double reach, std::vector<double>& direction) {
   const auto elements = unknowns.elements();
   std::vector<Index> unknown_of(phi.size(), no_index);
-  for (std::size_t i = 0; i < unknowns.nodes().size(); ++i) unknown_of[unknowns.nodes()[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < unknowns.nodes().size(); ++i)
+    unknown_of[unknowns.nodes()[i]] = static_cast<Index>(i);
   std::vector<const HangingNode<Dim>*> hanging_of(phi.size(), nullptr);
   for (const auto& h : grid.hanging_nodes()) hanging_of[h.node] = &h;
 
@@ -52,16 +60,19 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
   for (bool done = false; !done;) {
     std::fill(nodal.begin(), nodal.end(), Vec<Dim>::Zero());
     unknowns.expand(direction, nodal);
-    parallel_for(elements.size(), [&](std::size_t e) {
-      n_passing[e] = 0;
-      const std::vector<int> points = oracle.band_points(e);
-      if (points.empty()) return;
-      const auto at = oracle.dofs_of(e, phi), by = oracle.dofs_of(e, nodal);
-      for (const int q : points) {
-        const Vec<Dim> room = room_within_cell<Dim>(grid, oracle.position(at, q));
-        n_passing[e] += (reach * oracle.position(by, q).cwiseAbs().array() > room.array()).any();
-      }
-    }, 64);
+    parallel_for(
+        elements.size(),
+        [&](std::size_t e) {
+          n_passing[e] = 0;
+          const std::vector<int> points = oracle.band_points(e);
+          if (points.empty()) return;
+          const auto at = oracle.dofs_of(e, phi), by = oracle.dofs_of(e, nodal);
+          for (const int q : points) {
+            const Vec<Dim> room = room_of_field<Dim>(target, oracle.position(at, q));
+            n_passing[e] += (reach * oracle.position(by, q).cwiseAbs().array() > room.array()).any();
+          }
+        },
+        64);
     done = true;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (n_passing[e] == 0) continue;
@@ -77,11 +88,13 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
   return held;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
-  template Vec<Dim> room_within_cell<Dim>(const Octree<Dim>&, const Vec<Dim>&);                                  \
-  template double room_of_element<Dim>(const ElementOracle<Dim>&, const Octree<Dim>&, std::size_t,               \
-                                       const ElementOracle<Dim>::Dofs&);                                         \
-  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const ElementOracle<Dim>&, const Octree<Dim>&,    \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
+  template Vec<Dim> room_within_cell<Dim>(const Octree<Dim>&, const Vec<Dim>&);                           \
+  template Vec<Dim> room_of_field<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                       \
+  template double room_of_element<Dim>(const ElementOracle<Dim>&, const GeometryField<Dim>&, std::size_t, \
+                                       const ElementOracle<Dim>::Dofs&);                                  \
+  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const ElementOracle<Dim>&,                 \
+                                         const GeometryField<Dim>&, const Octree<Dim>&,                   \
                                          std::span<const Vec<Dim>>, double, std::vector<double>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

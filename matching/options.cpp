@@ -27,6 +27,8 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.fit_weight = 0;
     options.coefficients.max_curvature_times_h = 0;
     options.coefficients.invert_at_point = false;
+    options.coefficients.interpolation = FieldInterpolation::multilinear;
+    options.cascade.refine = RefineWhere::both;
     options.coefficients.normal_mass = MassKind::consistent;
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;

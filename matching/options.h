@@ -32,6 +32,14 @@ struct EnumNames<Pictures> {
       {Pictures::all, "all"}, {Pictures::result, "result"}, {Pictures::none, "none"}};
 };
 
+/// Which cells the cascade splits for phi.
+enum class RefineWhere { reference, both };
+template <>
+struct EnumNames<RefineWhere> {
+  static constexpr std::pair<RefineWhere, std::string_view> names[] = {{RefineWhere::reference, "reference"},
+                                                                       {RefineWhere::both, "both"}};
+};
+
 /// Where the shapes are and how they get into the unit domain.
 struct InputOptions {
   std::string reference, template_file, correspondence;
@@ -56,6 +64,7 @@ struct CascadeOptions {
   double volume = 0.2, volume_factor = 1;
   double sigma_cells = 2;
   double coarse_sigma_cells = 4;
+  RefineWhere refine = RefineWhere::reference;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
@@ -68,6 +77,7 @@ struct CascadeOptions {
     visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
     visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
     visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip"});
+    visit("refine", self.refine, {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads of it besides the volume term, or where it meets either shape, as the paper; with coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
   }
 };
 
@@ -111,6 +121,12 @@ struct ExperimentOptions {
 
 /// Quadratic bending compares the shape operators themselves, every other bending term roots of classified ones.
 inline bool reads_shape_operators(const EnergyOptions& energy) { return energy.bending == BendingModel::quadratic; }
+
+/// Whether the grid of phi is refined at the template too.
+inline bool refines_at_template(const ExperimentOptions& options) {
+  return options.cascade.refine == RefineWhere::both ||
+         options.coefficients.interpolation == FieldInterpolation::multilinear;
+}
 
 /// The defaults of a profile.
 ExperimentOptions profile_defaults(Profile profile);

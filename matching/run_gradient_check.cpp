@@ -48,7 +48,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
 
   observer.phase("coefficients");
   const SignedDistance<Dim> d1(shapes.reference.surface), d2(shapes.template_shape.surface);
-  ShapeFields<Dim> fields(d1, d2, options.coefficients.distance);
+  ShapeFields<Dim> fields(d1, d2, options);
   Octree<Dim> grid(options.cascade.min_level);
   fields.compute_distances(grid);
   for (int l = options.cascade.min_level; l < level_number; ++l) {
@@ -56,8 +56,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
     fields.refine(grid);
     fields.compute_distances(grid);
   }
-  const CoefficientPair<Dim> coefficients = fields.coefficients(grid, options);
-  LevelEnergy<Dim> level(grid, coefficients.reference, coefficients.target, options);
+  LevelEnergy<Dim> level(grid, fields.geometry(grid), options);
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
   const TermValues weights = term_weights(options.energy, step.nu, step.volume_weight);

@@ -244,7 +244,7 @@ class Run {
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, d2);
     if (options_.pictures != Pictures::none) {
-      picture(deformed, {result.grid, result.phi, result.reference, result.target}, d2, "", "pictures/result.png", false);
+      picture(deformed, {result.grid, result.phi}, d2, "", "pictures/result.png", false);
       if constexpr (Dim == 3)
         write_grid_picture(result.grid, reference_.surface, template_.surface, "", folder_.path_of("pictures/grid.png"));
     }

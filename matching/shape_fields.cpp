@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "grid/constraints.h"
 #include "grid/elements.h"
-#include "grid/fast_marching.h"
 
 #include <functional>
 
@@ -18,37 +17,87 @@ std::vector<double> conforming(const Octree<Dim>& grid, std::vector<double> noda
   return nodal;
 }
 
+bool takes_inverse_root(const ExperimentOptions& o) {
+  return reads_shape_operators(o.energy) || !o.coefficients.invert_at_point;
+}
+
+template <int Dim>
+GeometryField<Dim> smooth_field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal) {
+  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root};
+}
+
 }  // namespace
+
+template <int Dim>
+ShapeFields<Dim>::ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
+                              const ExperimentOptions& options)
+    : shapes_{&reference, &template_shape}, options_(&options) {
+  if (options.coefficients.interpolation == FieldInterpolation::smooth)
+    for (int s = 0; s < 2; ++s) own_[s].emplace(options.cascade.min_level);
+}
 
 template <int Dim>
 void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
   for (int s = 0; s < 2; ++s) {
-    std::vector<double>& values = distances_[s];
-    if (method_ == DistanceMethod::fast_marching) {
-      values = march_distance<Dim>(grid, std::cref(*shapes_[s]));
-      continue;
-    }
-    const std::size_t known = values.size();
-    values.resize(static_cast<std::size_t>(grid.n_nodes()));
-    parallel_for(values.size() - known, [&](std::size_t i) {
-      values[known + i] = (*shapes_[s])(grid.node_position(static_cast<Index>(known + i)));
-    }, 256);
+    const DistanceMethod method = options_->coefficients.distance;
+    if (s == 0 || refines_at_template(*options_)) on_grid_[s].compute(grid, *shapes_[s], method);
+    if (own_[s]) own_[s]->distance.compute(own_[s]->grid, *shapes_[s], method);
   }
 }
 
 template <int Dim>
-CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const Octree<Dim>& grid, const ExperimentOptions& options) const {
-  const auto compute =
-      reads_shape_operators(options.energy) ? compute_shape_operator_pair<Dim> : compute_coefficient_pair<Dim>;
-  return compute(grid, conforming(grid, distances_[0]), conforming(grid, distances_[1]), options.coefficients);
+GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) const {
+  const bool smooth = own_[0].has_value();
+  const auto compute = reads_shape_operators(options_->energy) ? compute_shape_operator_pair<Dim>
+                                                               : compute_coefficient_pair<Dim>;
+  std::array<const Octree<Dim>*, 2> grids;
+  std::array<std::vector<double>, 2> distances;
+  for (int s = 0; s < 2; ++s) {
+    grids[s] = smooth ? &own_[s]->grid : &grid;
+    distances[s] = smooth ? own_[s]->distance.values() : conforming(grid, on_grid_[s].values());
+  }
+  const CoefficientPair<Dim> nodal = compute(grids, std::move(distances), options_->coefficients);
+  if (!smooth) return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
+  return {smooth_field(own_[0]->grid, nodal.reference), smooth_field(own_[1]->grid, nodal.target),
+          takes_inverse_root(*options_)};
 }
 
 template <int Dim>
-void ShapeFields<Dim>::refine(Octree<Dim>& grid) const {
+void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
+  for (auto& own : own_)
+    if (own) own->refine(options_->coefficients.reach);
+  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
   grid.refine([&](Index leaf) {
-    return meets_surface<Dim>(grid, distances_[0], std::cref(*shapes_[0]), leaf) ||
-           meets_surface<Dim>(grid, distances_[1], std::cref(*shapes_[1]), leaf);
+    for (int s = 0; s < n_shapes; ++s)
+      if (meets_surface<Dim>(grid, on_grid_[s].values(), std::cref(*shapes_[s]), leaf)) return true;
+    return false;
   });
+}
+
+template <int Dim>
+GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
+                                       const CoefficientFields<Dim>& target,
+                                       const ExperimentOptions& options) {
+  return {{grid, reference.distance, reference.normal, reference.root},
+          {grid, target.distance, target.normal, target.root},
+          takes_inverse_root(options)};
+}
+
+template <int Dim>
+CoefficientFields<Dim> at_nodes(const GeometryField<Dim>& field, const Octree<Dim>& grid) {
+  const std::size_t n = static_cast<std::size_t>(grid.n_nodes());
+  CoefficientFields<Dim> nodal{std::vector<double>(n), std::vector<Vec<Dim>>(n),
+                               std::vector<SymmetricComponents<Dim>>(n)};
+  parallel_for(
+      n,
+      [&](std::size_t i) {
+        const auto values = field.value(grid.node_position(static_cast<Index>(i)));
+        nodal.distance[i] = values[0];
+        for (int k = 0; k < Dim; ++k) nodal.normal[i][k] = values[1 + k];
+        for (int k = 0; k < n_symmetric<Dim>; ++k) nodal.root[i][k] = values[1 + Dim + k];
+      },
+      1024);
+  return nodal;
 }
 
 template <int Dim>
@@ -58,9 +107,15 @@ std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid) {
   return phi;
 }
 
-template class ShapeFields<2>;
-template class ShapeFields<3>;
-template std::vector<Vec<2>> identity_map<2>(const Octree<2>&);
-template std::vector<Vec<3>> identity_map<3>(const Octree<3>&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
+  template class ShapeFields<Dim>;                                                                        \
+  template GeometryPair<Dim> multilinear_geometry<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, \
+                                                       const CoefficientFields<Dim>&,                     \
+                                                       const ExperimentOptions&);                         \
+  template CoefficientFields<Dim> at_nodes<Dim>(const GeometryField<Dim>&, const Octree<Dim>&);           \
+  template std::vector<Vec<Dim>> identity_map<Dim>(const Octree<Dim>&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

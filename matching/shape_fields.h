@@ -1,40 +1,55 @@
 #pragma once
 /// \file
-/// The two shapes as the grids of a cascade see them: distances at the nodes, coefficients, and where to refine.
+/// The two shapes as the grids of a cascade see them: distances, the geometry that the energies read, and
+/// where to refine.
 
+#include "energies/geometry_field.h"
 #include "geometry/signed_distance.h"
 #include "grid/curvature.h"
 #include "grid/octree.h"
+#include "matching/field_grid.h"
 #include "matching/options.h"
 
+#include <optional>
 #include <vector>
 
 namespace shellmatch {
 
-/// Exact distances are kept over refinements: a node's distance does not change, only new nodes ask. Those of fast
-/// marching improve everywhere. All calls must be made with one and the same grid, before and after it is refined.
+/// All calls must be made with one and the same grid of phi, before and after it is refined.
 template <int Dim>
 class ShapeFields {
  public:
-  /// Both must outlive this object; the shapes lie in the unit domain.
-  ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape, DistanceMethod method)
-      : shapes_{&reference, &template_shape}, method_(method) {}
+  /// All must outlive this object; the shapes lie in the unit domain.
+  ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
+              const ExperimentOptions& options);
 
-  /// Distances at all nodes; by either method their signs are exact. To be called after every refinement.
+  /// Distances at the nodes of this grid and of the shapes' own. To be called after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
-  /// What the options' energy reads of both, from the finite element functions with these distances at the free
-  /// nodes. \pre compute_distances()
-  CoefficientPair<Dim> coefficients(const Octree<Dim>& grid, const ExperimentOptions& options) const;
+  /// What the options' energy reads of both. It refers to the grids that it was made on. \pre
+  /// compute_distances()
+  GeometryPair<Dim> geometry(const Octree<Dim>& grid) const;
 
-  /// Splits every leaf that meets either shape (paper, section 5). \pre compute_distances()
-  void refine(Octree<Dim>& grid) const;
+  /// Splits every leaf that meets the shapes (paper, section 5): the reference, or either. \pre
+  /// compute_distances()
+  void refine(Octree<Dim>& grid);
 
  private:
   std::array<const SignedDistance<Dim>*, 2> shapes_;
-  DistanceMethod method_;
-  std::array<std::vector<double>, 2> distances_;
+  const ExperimentOptions* options_;
+  std::array<NodalDistance<Dim>, 2> on_grid_;         ///< of phi
+  std::array<std::optional<FieldGrid<Dim>>, 2> own_;  ///< for smooth fields
 };
+
+/// The geometry whose fields are multilinear on one grid, from their values at its nodes.
+template <int Dim>
+GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
+                                       const CoefficientFields<Dim>& target,
+                                       const ExperimentOptions& options);
+
+/// A field's values at the nodes of a grid.
+template <int Dim>
+CoefficientFields<Dim> at_nodes(const GeometryField<Dim>& field, const Octree<Dim>& grid);
 
 /// phi = id at the nodes.
 template <int Dim>

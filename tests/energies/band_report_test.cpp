@@ -73,9 +73,8 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   TermValues weights;
   for (int t = 0; t < n_terms; ++t) weights.v[t] = 1.0 + t;
   const double sigma = 2 * grid.finest_side();
-  const ReferenceFields<3> reference{fields.distance, fields.normal, fields.root, false};
   const EnergyReport report =
-      report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, phi, weights);
+      report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, phi, weights);
   const TermValues whole = *p.values(phi, weights);
   for (int t = 0; t < n_terms; ++t)
     EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
@@ -87,7 +86,7 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   auto folded = phi;
   folded[grid.cell(grid.leaves().back()).nodes[0]].array() += 0.2;
   const EnergyReport none =
-      report_energy<3>(p.unknowns, reference, p.target, p.options, sigma, 3, folded, weights);
+      report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, folded, weights);
   EXPECT_EQ(none.values.sum(), 0);
 }
 

@@ -131,6 +131,19 @@ TYPED_TEST(Gradient, RemainderIsOfSecondOrderBetweenKinksOfACurvedTarget) {
   });
 }
 
+// Splines have no kinks: points may pass into as many cells as they like.
+TYPED_TEST(Gradient, RemainderIsOfSecondOrderAcrossCellsOfASmoothTarget) {
+  constexpr int D = TypeParam::value;
+  const auto target = exact_fields<D>(this->grid, ellipsoid<D>(Vec<D>::LinSpaced(0.33, 0.24)));
+  const Problem<D> problem(this->grid, exact_fields<D>(this->grid, this->reference), target, {.smooth = true});
+  for (const Term term : {Term::match, Term::membrane, Term::bending}) {
+    SCOPED_TRACE(term_names[static_cast<int>(term)]);
+    Along<D> line(problem, deformed<D>(this->grid, 0.02, 5), only(term), 2);
+    EXPECT_TRUE(has_derivative(line, line.derivative()));
+    EXPECT_FALSE(has_derivative(line, 1.01 * line.derivative()));
+  }
+}
+
 TYPED_TEST(Gradient, OnePercentTooLongIsCaught) {
   constexpr int D = TypeParam::value;
   this->for_each_term(linear_fields<D>(this->grid), 0.02, [](const auto& problem, const auto& phi, Term term) {

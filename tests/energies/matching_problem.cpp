@@ -65,6 +65,12 @@ CoefficientFields<Dim> linear_fields(const Octree<Dim>& grid) {
 }
 
 template <int Dim>
+GeometryField<Dim> field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal, bool smooth) {
+  if (!smooth) return {grid, nodal.distance, nodal.normal, nodal.root};
+  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root};
+}
+
+template <int Dim>
 Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, CoefficientFields<Dim> t,
                       const ProblemOptions& o)
     : grid(g),
@@ -72,9 +78,8 @@ Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, Coefficien
       target_values(std::move(t)),
       options(o.energy),
       unknowns(g, o.energy.boundary),
-      target(g, target_values.distance, target_values.normal, target_values.root),
-      energy(unknowns, {reference.distance, reference.normal, reference.root, o.root_is_inverse}, target, options,
-             o.sigma_over_h * g.finest_side(), o.points_per_direction) {}
+      geometry{field(g, reference, o.smooth), field(g, target_values, o.smooth), o.root_is_inverse},
+      energy(unknowns, geometry, options, o.sigma_over_h * g.finest_side(), o.points_per_direction) {}
 
 template <int Dim>
 std::optional<TermValues> Problem<Dim>::values(const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
@@ -103,6 +108,7 @@ std::vector<double> Problem<Dim>::gradient(const std::vector<Vec<Dim>>& phi, con
   template std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field<Dim>(unsigned);                                   \
   template std::vector<Vec<Dim>> deformed<Dim>(const Octree<Dim>&, double, unsigned, bool);                        \
   template CoefficientFields<Dim> linear_fields<Dim>(const Octree<Dim>&);                                          \
+  template GeometryField<Dim> field<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, bool);                 \
   template struct Problem<Dim>;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -39,7 +39,11 @@ struct ProblemOptions {
   bool root_is_inverse = false;  ///< what the reference's root is
   double sigma_over_h = 2;
   int points_per_direction = 2;
+  bool smooth = false;  ///< splines instead of multilinear fields
 };
+
+template <int Dim>
+GeometryField<Dim> field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal, bool smooth);
 
 template <int Dim>
 struct Problem {
@@ -47,7 +51,8 @@ struct Problem {
   CoefficientFields<Dim> reference, target_values;
   EnergyOptions options;
   Unknowns<Dim> unknowns;
-  TargetField<Dim> target;
+  GeometryPair<Dim> geometry;
+  const GeometryField<Dim>& target = geometry.target;
   MatchingEnergy<Dim> energy;
 
   Problem(const Octree<Dim>& grid, CoefficientFields<Dim> reference, CoefficientFields<Dim> target,

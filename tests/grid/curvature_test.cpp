@@ -123,11 +123,11 @@ TEST(Curvature, ThePairSharesItsClassifier) {
   options.classification = Classification::shift;
   options.max_curvature_times_h = 0.5;
   options.invert_at_point = false;
-  const auto pair = compute_coefficient_pair<2>(grid, circle, hole, options);
+  const auto pair = compute_coefficient_pair<2>({&grid, &grid}, {circle, hole}, options);
   options.invert_at_point = true;
-  const auto plain = compute_coefficient_pair<2>(grid, circle, hole, options);
+  const auto plain = compute_coefficient_pair<2>({&grid, &grid}, {circle, hole}, options);
   const auto geometry = nodal_geometry<2>(grid, {circle, hole}, options);
-  const auto classifier = make_classifier<2>(grid, options, geometry[0], geometry[1]);
+  const auto classifier = make_classifier<2>({&grid, &grid}, options, geometry[0], geometry[1]);
   EXPECT_GE(classifier.shift, 5 + options.tau) << "above the curvature of the hole";
   const auto alone = classify<2>(grid, geometry[0], classifier, false);
   EXPECT_EQ(plain.reference.root, alone.root);

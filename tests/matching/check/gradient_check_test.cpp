@@ -3,6 +3,7 @@
 #include "matching/gradient_check.h"
 
 #include "base/error.h"
+#include "matching/shape_fields.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -34,7 +35,7 @@ struct Setting {
   const CoefficientFields<Dim> reference = exact_fields<Dim>(grid, sphere<Dim>(0.28));
   const CoefficientFields<Dim> target = exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24)));
   ExperimentOptions options;
-  LevelEnergy<Dim> level{grid, reference, target, options};
+  LevelEnergy<Dim> level{grid, multilinear_geometry(grid, reference, target, options), options};
   std::vector<Vec<Dim>> phi;
   TermValues weights;
 

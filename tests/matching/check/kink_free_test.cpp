@@ -39,7 +39,7 @@ void check_direction() {
   const std::vector<double> unheld = v;
 
   const double reach = 0.01;
-  const HeldPoints held = hold_at_kinks<Dim>(p.unknowns, oracle, grid, phi, reach, v);
+  const HeldPoints held = hold_at_kinks<Dim>(p.unknowns, oracle, p.target, grid, phi, reach, v);
   EXPECT_GT(held.n_points, 0u);
   EXPECT_GT(held.n_nodes, 0u);
   std::size_t n_zero = 0, n_kept = 0;

@@ -72,7 +72,7 @@ TEST(Claims, TheCauchyGreenMembraneOscillatesUnderCompression) {
 }
 
 // Every comparison runs through the cascade with the coefficients that it reads: identical shapes cost
-// little. Roots in the place of shape operators would cost about 10.
+// little, and less on a finer grid. Roots in the place of shape operators would cost about 10.
 TEST(Claims, ComparisonEnergiesVanishOnIdenticalShapes) {
   for (const auto& [membrane, bending] : {std::pair{MembraneModel::no_p2, BendingModel::no_p2},
                                           std::pair{MembraneModel::cauchy_green, BendingModel::quadratic}}) {
@@ -82,7 +82,8 @@ TEST(Claims, ComparisonEnergiesVanishOnIdenticalShapes) {
     o.solver.stop.max_iterations = 100;
     const auto result = run("ellipse/long", "ellipse/long", o);
     for (const LevelResult& level : result.levels)
-      for (const double e : level.minimised.v) EXPECT_LT(std::abs(e), 0.2) << enum_name(membrane);
+      for (const double e : level.minimised.v)
+        EXPECT_LT(std::abs(e), level.start.level == 5 ? 0.02 : 0.5) << enum_name(membrane);
   }
 }
 

@@ -1,0 +1,235 @@
+#include "energies/geometry_field.h"
+
+#include "base/error.h"
+#include "energies/autodiff/transpose.h"
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+std::vector<std::array<double, TargetPoint<Dim, double>::size>> rows_of(
+    std::size_t n, std::span<const double> distance, std::span<const Vec<Dim>> normal,
+    std::span<const std::array<double, n_symmetric<Dim>>> root) {
+  SHELLMATCH_CHECK(distance.size() == n && normal.size() == n && root.size() == n,
+                   "the fields must have one value for each node");
+  std::vector<std::array<double, TargetPoint<Dim, double>::size>> rows(n);
+  parallel_for(
+      n,
+      [&](std::size_t i) {
+        rows[i][0] = distance[i];
+        for (int k = 0; k < Dim; ++k) rows[i][1 + k] = normal[i][k];
+        for (int k = 0; k < n_symmetric<Dim>; ++k) rows[i][1 + Dim + k] = root[i][k];
+      },
+      4096);
+  return rows;
+}
+
+}  // namespace
+
+template <int Dim>
+GeometryField<Dim>::GeometryField(const Octree<Dim>& grid, std::span<const double> distance,
+                                  std::span<const Vec<Dim>> normal,
+                                  std::span<const std::array<double, n_symmetric<Dim>>> root)
+    : grid_(&grid) {
+  store(rows_of<Dim>(static_cast<std::size_t>(grid.n_nodes()), distance, normal, root));
+}
+
+template <int Dim>
+GeometryField<Dim>::GeometryField(std::shared_ptr<const SplineSpace<Dim>> splines,
+                                  std::span<const double> distance, std::span<const Vec<Dim>> normal,
+                                  std::span<const std::array<double, n_symmetric<Dim>>> root)
+    : grid_(&splines->grid()), splines_(std::move(splines)) {
+  const auto nodal = rows_of<Dim>(static_cast<std::size_t>(grid_->n_nodes()), distance, normal, root);
+  store(splines_->coefficients(std::span<const Values>(nodal)));
+}
+
+template <int Dim>
+void GeometryField<Dim>::store(const std::vector<Values>& rows) {
+  main_.assign(rows.size(), Pack{});
+  if (n_rest > 0) rest_.assign(rows.size(), Pair{});
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (int i = 0; i < n_values; ++i) {
+      if (i < autodiff::pack_size)
+        main_[r][i] = rows[r][i];
+      else
+        rest_[r][i - autodiff::pack_size] = rows[r][i];
+    }
+}
+
+template <int Dim>
+inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec<Dim>& y) const {
+  const Vec<Dim> inside = y.cwiseMax(0.0).cwiseMin(1.0);
+  Place p;
+  p.leaf = grid_->locate(inside);
+  const auto& cell = grid_->cell(p.leaf);
+  const double scale = static_cast<double>(1 << cell.level);
+  for (int k = 0; k < Dim; ++k) {
+    p.t[k] = inside[k] * scale - cell.corner[k];
+    p.slope[k] = inside[k] == y[k] ? scale : 0.0;
+  }
+  return p;
+}
+
+// Collapses one axis after the other: what was derived along an axis is interpolated along those that follow.
+// Written so that few rows are alive at a time.
+template <int Dim>
+template <bool WithGradient>
+inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
+  const auto& local = splines_->of_leaf(p.leaf);
+  std::array<std::array<double, 3>, Dim> value, slope;
+  for (int k = 0; k < Dim; ++k) {
+    const SplineWeights w(p.t[k]);
+    value[k] = w.value;
+    for (int i = 0; i < 3; ++i) slope[k][i] = w.slope[i] * p.slope[k];
+  }
+  // One part of the rows at a time: whole packs, then the pairs.
+  const auto collapse = [&]<class Part>(const Part* rows, auto&& put) {
+    constexpr int n_slices = Dim == 3 ? 3 : 1;
+    std::array<Part, n_slices> v, dx, dy;
+    for (int z = 0; z < n_slices; ++z) {
+      std::array<Part, 3> vy, dxy;
+      for (int j = 0; j < 3; ++j) {
+        const Index* index = local.data() + 9 * z + 3 * j;
+        const Part a = rows[index[0]], b = rows[index[1]], c = rows[index[2]];
+        vy[j] = value[0][0] * a + value[0][1] * b + value[0][2] * c;
+        if (WithGradient) dxy[j] = slope[0][0] * a + slope[0][1] * b + slope[0][2] * c;
+      }
+      v[z] = value[1][0] * vy[0] + value[1][1] * vy[1] + value[1][2] * vy[2];
+      if (WithGradient) {
+        dx[z] = value[1][0] * dxy[0] + value[1][1] * dxy[1] + value[1][2] * dxy[2];
+        dy[z] = slope[1][0] * vy[0] + slope[1][1] * vy[1] + slope[1][2] * vy[2];
+      }
+    }
+    if constexpr (Dim == 2) {
+      put(0, v[0]);
+      if (WithGradient) {
+        put(1, dx[0]);
+        put(2, dy[0]);
+      }
+    } else {
+      const auto& w = value[2];
+      put(0, w[0] * v[0] + w[1] * v[1] + w[2] * v[2]);
+      if (WithGradient) {
+        put(1, w[0] * dx[0] + w[1] * dx[1] + w[2] * dx[2]);
+        put(2, w[0] * dy[0] + w[1] * dy[1] + w[2] * dy[2]);
+        put(3, slope[2][0] * v[0] + slope[2][1] * v[1] + slope[2][2] * v[2]);
+      }
+    }
+  };
+  collapse(main_.data(), [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0) collapse(rest_.data(), [&](int i, const Pair& x) { result[i].rest = x; });
+}
+
+template <int Dim>
+template <bool WithGradient>
+inline void GeometryField<Dim>::multilinear(const Place& p, Row* result) const {
+  const auto& nodes = grid_->cell(p.leaf).nodes;
+  const auto collapse = [&]<class Part>(const Part* rows, auto&& put) {
+    constexpr int n = n_corners<Dim>;
+    std::array<Part, n> v;
+    for (int c = 0; c < n; ++c) v[c] = rows[nodes[c]];
+    std::array<std::array<Part, n / 2>, Dim> d;
+    for (int k = 0, left = n / 2; k < Dim; ++k, left /= 2)
+      for (int i = 0; i < left; ++i) {
+        if (WithGradient)
+          for (int j = 0; j < k; ++j) d[j][i] = d[j][2 * i] + p.t[k] * (d[j][2 * i + 1] - d[j][2 * i]);
+        const Part difference = v[2 * i + 1] - v[2 * i];
+        if (WithGradient) d[k][i] = p.slope[k] * difference;
+        v[i] = v[2 * i] + p.t[k] * difference;
+      }
+    put(0, v[0]);
+    if (WithGradient)
+      for (int k = 0; k < Dim; ++k) put(1 + k, d[k][0]);
+  };
+  collapse(main_.data(), [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0) collapse(rest_.data(), [&](int i, const Pair& x) { result[i].rest = x; });
+}
+
+template <int Dim>
+template <bool WithGradient>
+inline void GeometryField<Dim>::row(const Vec<Dim>& y, Row* result) const {
+  const Place p = place_of(y);
+  if (is_smooth())
+    spline<WithGradient>(p, result);
+  else
+    multilinear<WithGradient>(p, result);
+}
+
+template <int Dim>
+typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y) const {
+  Row r;
+  row<false>(y, &r);
+  Values v;
+  for (int i = 0; i < n_values; ++i)
+    v[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
+  return v;
+}
+
+template <int Dim>
+typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
+                                                              std::array<Values, Dim>& derivative) const {
+  std::array<Row, 1 + Dim> rows;
+  row<true>(y, rows.data());
+  Values v;
+  for (int k = 0; k <= Dim; ++k)
+    for (int i = 0; i < n_values; ++i) {
+      const Row& r = rows[k];
+      (k == 0 ? v : derivative[k - 1])[i] =
+          i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
+    }
+  return v;
+}
+
+template <int Dim>
+template <bool WithGradient>
+void GeometryField<Dim>::look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
+                                       Packs* derivative) const {
+  constexpr int n_rows = WithGradient ? 1 + Dim : 1;
+  Row harmless{};
+  harmless.main[1] = 1;
+  std::array<std::array<Pack, autodiff::pack_size>, n_rows>
+      main;  // by lane, to be turned into one pack for each value
+  std::array<Pack, autodiff::pack_size> rest{};
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    std::array<Row, n_rows> r{};
+    r[0] = harmless;
+    if (weight[lane] > 0) {
+      Vec<Dim> place;
+      for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
+      row<WithGradient>(place, r.data());
+    }
+    for (int k = 0; k < n_rows; ++k) main[k][lane] = r[k].main;
+    if constexpr (n_rest > 0)
+      for (int k = 0; k < n_rows; ++k)
+        for (int i = 0; i < n_rest; ++i) rest[lane][n_rest * k + i] = r[k].rest[i];
+  }
+  for (int k = 0; k < n_rows; ++k) {
+    autodiff::transpose(main[k]);
+    Pack* to = k == 0 ? values : derivative[k - 1].data();
+    for (int i = 0; i < std::min(n_values, autodiff::pack_size); ++i) to[i] = main[k][i];
+  }
+  if constexpr (n_rest > 0) {
+    autodiff::transpose(rest);
+    for (int k = 0; k < n_rows; ++k) {
+      Pack* to = k == 0 ? values : derivative[k - 1].data();
+      for (int i = 0; i < n_rest; ++i) to[autodiff::pack_size + i] = rest[n_rest * k + i];
+    }
+  }
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values) const {
+  look_up_lanes<false>(weight, y, values, nullptr);
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
+                                 std::array<Packs, Dim>& derivative) const {
+  look_up_lanes<true>(weight, y, values, derivative.data());
+}
+
+template class GeometryField<2>;
+template class GeometryField<3>;
+
+}  // namespace shellmatch
