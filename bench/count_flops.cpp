@@ -2,7 +2,7 @@
 // counts (bench/counted/). Prints one line of JSON: for each loop the operations for one active quadrature point of the
 // band, or for one element. Multiplications and additions that are fused count as two.
 //
-// Not seen are what works on plain doubles: the look-up of the template's values (counted by hand below) and, in
+// Not seen are the look-up of the template's values, which is counted by hand below, and what works on plain doubles: in
 // Newton's volume term, the eigenvectors by Eigen.
 
 #include "base/error.h"
@@ -22,19 +22,14 @@ using namespace shellmatch;
 using autodiff::counted;
 using autodiff::OperationCount;
 
-/// Additions and multiplications of TargetField::value: one axis after the other is collapsed, by all numbers of a
-/// row, those that fill it up included.
+/// Additions and multiplications of GeometryField's look-up of one point in quadratic splines: three coefficients
+/// become one along each axis, for the values and for what has been derived.
 OperationCount look_up(bool with_derivatives) {
   OperationCount c;
-  for (int k = 0, left = n_corners<3> / 2; k < 3; ++k, left /= 2) {
-    const long numbers = static_cast<long>(left) * TargetField<3>::row_size;
-    c.additions += 2 * numbers;  // the difference, and the value between
-    c.multiplications += numbers;
-    if (!with_derivatives) continue;
-    c.multiplications += numbers;  // the slope along this axis
-    c.additions += 2 * k * numbers;  // slopes along the axes before, between
-    c.multiplications += k * numbers;
-  }
+  long sums = 0;
+  for (int axis = 0, left = 9; axis < 3; ++axis, left /= 3) sums += left * (with_derivatives ? axis + 2 : 1);
+  c.multiplications = 3 * sums * GeometryField<3>::n_values;
+  c.additions = 2 * sums * GeometryField<3>::n_values;
   return c;
 }
 
@@ -43,13 +38,20 @@ OperationCount operator+(const OperationCount& a, const OperationCount& b) {
           a.roots + b.roots, a.exponentials + b.exponentials};
 }
 
+/// Distance, normal and a positive definite root at any place; which does not matter to the count.
+GeometryField<3> field_of(const test::ExactShape<3>& shape) {
+  return GeometryField<3>([shape](const Vec<3>& x) {
+    const Vec<3> n = shape.normal(x);
+    return GeometryField<3>::Values{shape.distance(x), n[0], n[1], n[2], 2.0, 0.1, 0.1, 2.0, 0.1, 2.0};
+  });
+}
+
 /// A sphere and an ellipsoid on a grid, at a deformation that folds nothing.
 struct Problem {
   Octree<3> grid;
-  CoefficientFields<3> reference, target_values;
+  GeometryPair<3> geometry;
   EnergyOptions options;
   Unknowns<3> unknowns;
-  TargetField<3> target;
   MatchingEnergy<3> energy;
   EnergyHessian<3> hessian;
   std::vector<Vec<3>> phi;
@@ -58,13 +60,10 @@ struct Problem {
   /// sigma: half width of the band, in finest cells
   explicit Problem(double sigma)
       : grid(test::shape_grid<3>(3, 5, test::sphere<3>(0.25).distance)),
-        reference(test::exact_fields<3>(grid, test::sphere<3>(0.25))),
-        target_values(test::exact_fields<3>(grid, test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3)))),
+        geometry{field_of(test::sphere<3>(0.25)), field_of(test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3))), false},
         unknowns(grid, options.boundary),
-        target(grid, target_values.distance, target_values.normal, target_values.root),
-        energy(unknowns, {reference.distance, reference.normal, reference.root, false}, target, options,
-               sigma * grid.finest_side(), options.quadrature_order),
-        hessian(energy, unknowns, target, options),
+        energy(unknowns, geometry, options, sigma * grid.finest_side(), options.quadrature_order),
+        hessian(energy, unknowns, geometry.target, options),
         gradient(unknowns.size()) {
     for (Index node = 0; node < grid.n_nodes(); ++node) {
       const Vec<3> x = grid.node_position(node);
@@ -114,9 +113,19 @@ int main() {
   SHELLMATCH_CHECK(bare.energy.band().n_active_points() == 0, "there should be no band");
   const OperationCount newton_volume = bare.assemble(volume);
 
+  // One term at a time goes through the shell (interpolation, its transpose, sums) three times, all at once once.
+  OperationCount shell{};
+  for (const Term term : {Term::match, Term::membrane, Term::bending}) {
+    TermValues alone;
+    alone[term] = 1;
+    shell = shell + problem.evaluate(alone, true);
+  }
+  shell = shell - problem.evaluate(band, true);
+
   fmt::print("{{");
   print("band_value_by_point", each(problem.evaluate(band, false), points) + look_up(false));
   print("band_gradient_by_point", each(problem.evaluate(band, true), points) + look_up(true));
+  print("band_gradient_shell_by_point", each(shell, 2 * points) + look_up(true));
   print("volume_value_by_element", each(problem.evaluate(volume, false), elements));
   print("volume_gradient_by_element", each(problem.evaluate(volume, true), elements));
   print("barrier_by_element", each(problem.evaluate(barrier, false), elements));

@@ -30,6 +30,12 @@ using namespace shellmatch;
 
 struct Silent : Observer {};
 
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 /// The finest level of a cascade, at a smooth random deformation.
 struct Kernels {
   ExperimentOptions options;
@@ -40,6 +46,7 @@ struct Kernels {
   std::vector<Vec<3>> phi;
   TermValues weights;
   std::vector<double> gradient, direction;
+  double grid_seconds;  ///< CPU time of all threads for grid, distances, coefficients and what the energy precomputes
 
   Kernels(const std::string& reference, const std::string& target, int finest) {
     options.input.reference = "generate:" + reference;
@@ -50,6 +57,7 @@ struct Kernels {
     AnyShapePair any = open_shape_pair(options.input, silent);
     auto& pair = std::get<ShapePair<3>>(any);
     pair.place(options);
+    const double begin = cpu_seconds();
     d1.emplace(pair.reference.surface);
     d2.emplace(pair.template_shape.surface);
     shapes.emplace(*d1, *d2, options);
@@ -60,6 +68,7 @@ struct Kernels {
       shapes->compute_distances(*grid);
     }
     level = std::make_unique<LevelEnergy<3>>(*grid, shapes->geometry(*grid), options);
+    grid_seconds = cpu_seconds() - begin;
     phi = positions_of<3>(CheckState::parse("random:0.01"), *level, options.energy, {});
     const ScheduleStep step = schedule_of_level(options.cascade, finest).back();
     weights = term_weights(options.energy, step.nu, step.volume_weight);
@@ -71,12 +80,6 @@ struct Kernels {
   std::size_t points() const { return level->energy.band().n_active_points(); }
 };
 std::unique_ptr<Kernels> kernels;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Runs `work` on state.range(0) threads; counts CPU time of all of them for each of `n` things.
 void measure(benchmark::State& state, std::size_t n, const char* counter, const auto& work) {
@@ -191,7 +194,8 @@ int main(int argc, char** argv) {
                                     {"band_gradient_bytes", traffic.band_gradient},
                                     {"newton_model_bytes", traffic.newton_model},
                                     {"newton_product_bytes", traffic.newton_product},
-                                    {"blocks", traffic.n_blocks}})
+                                    {"blocks", traffic.n_blocks},
+                                    {"grid_microseconds", 1e6 * kernels->grid_seconds}})
     benchmark::AddCustomContext(name, fmt::format("{:.0f}", bytes));
   for (const auto& [name, count] : {std::pair<const char*, std::size_t>{"nodes", kernels->grid->n_nodes()},
                                     {"free_nodes", kernels->level->unknowns.nodes().size()},

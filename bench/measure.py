@@ -77,7 +77,12 @@ def run_and_measure(command, log):
     begin = time.monotonic()
     with open(log, "w") as out:
         process = subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT)
-        _, status, usage = os.wait4(process.pid, 0)
+        try:
+            _, status, usage = os.wait4(process.pid, 0)
+        except BaseException:  # stopped: the program must not go on alone
+            process.kill()
+            process.wait()
+            raise
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
         last = "\n".join(pathlib.Path(log).read_text().splitlines()[-5:])

@@ -6,7 +6,6 @@ import measure
 from comparison import markdown
 
 kernels = ("gradient", "newton_model", "newton_product")
-grid_phases = ("refinement", "distances", "coefficients", "set-up")
 # Name in the table, key of a row, colour in the plot.
 series = [
     ("grid, distances, coefficients", "grid_seconds", "#7a5195"),
@@ -18,25 +17,22 @@ series = [
 ]
 
 
-def measure_level(programs, pair, level, changes, seconds):
-    """A whole run that ends on this level, and single steps of the minimiser on its finest grid."""
-    run = measure.measure_cascade(programs, *pair, f"{min(3, level)}:{level}", changes)
-    names = "^(" + "|".join(kernels) + ")/threads:1/"
-    steps, sizes = measure.measure_kernels(programs, ",".join(pair), level, seconds, names)
+def measure_level(programs, pair, level, changes, seconds, whole_runs=True):
+    """A whole run that ends on this level, and its finest grid and single steps of the minimiser there."""
+    steps, sizes = measure.measure_kernels(programs, ",".join(pair), level, seconds, "^(" + "|".join(kernels) + ")/threads:1/")
 
     def cpu_seconds(name):
         ns, count = ("cpu_ns_per_free_node", "free_nodes") if name == "newton_product" else ("cpu_ns_per_point", "active_points")
         return 1e-9 * steps[name][ns] * sizes[count]
 
-    # The phases are told in seconds on the clock: their shares of the run's CPU seconds feel others' work less.
-    return {
-        "level": level, "nodes": run["nodes"], "free_nodes": run["free_nodes"], "band_cells": run["band_cells"],
-        "grid_seconds": run["cpu_seconds"] * sum(run["phase_shares"].get(phase, 0.0) for phase in grid_phases),
-        **{f"{name}_seconds": cpu_seconds(name) for name in kernels},
-        "run_seconds": run["cpu_seconds"], "bytes": run["peak_memory_bytes"],
-        "finest_level_seconds": run["finest_level_seconds"], "finest_level_iterations": run["finest_level_iterations"],
-        "phase_seconds": run["phase_seconds"], "kernel_sizes": sizes,
-    }
+    row = {"level": level, "nodes": sizes["nodes"], "free_nodes": sizes["free_nodes"],
+           "grid_seconds": 1e-6 * sizes["grid_microseconds"], **{f"{name}_seconds": cpu_seconds(name) for name in kernels}}
+    if whole_runs:
+        # level_kernels takes the shapes as they are, too: both have the same grid.
+        run = measure.measure_cascade(programs, *pair, f"{min(3, level)}:{level}", ["input.placement=as-is", *changes])
+        row.update({"run_seconds": run["cpu_seconds"], "bytes": run["peak_memory_bytes"], "run_free_nodes": run["free_nodes"],
+                    "steps": run["finest_level_iterations"], "phase_shares": run["phase_shares"]})
+    return row
 
 
 def exponent(sizes, values):
@@ -50,27 +46,37 @@ def exponent(sizes, values):
     return slope, math.sqrt(rest / (n - 2) / square) if n > 2 else 0.0
 
 
+def measured(rows):
+    """The series that every row has."""
+    return [entry for entry in series if all(entry[1] in row for row in rows)]
+
+
 def table(rows):
     def cell(row, key):
         value = row[key]
         return f"{value / 1e6:.0f} MB" if key == "bytes" else f"{value:.3g} s"
 
-    lines = [[row["level"], f"{row['nodes']:,}", f"{row['free_nodes']:,}", *(cell(row, key) for _, key, _ in series),
-              row["finest_level_iterations"]] for row in rows]
+    shown = measured(rows)
+    with_steps = all("steps" in row for row in rows)
+    lines = [[row["level"], f"{row['nodes']:,}", f"{row['free_nodes']:,}", *(cell(row, key) for _, key, _ in shown),
+              *([row["steps"]] if with_steps else [])] for row in rows]
     if len(rows) > 1:
         for what, key_of_size in (("nodes", "nodes"), ("free nodes", "free_nodes")):
-            fits = [exponent([row[key_of_size] for row in rows], [row[key] for row in rows]) for _, key, _ in series]
-            lines.append([f"exponent by {what}", "", "", *(f"**{slope:.2f}** ± {error:.2f}" for slope, error in fits), ""])
-    return markdown(["level", "nodes", "free nodes", *(name for name, _, _ in series), "steps on the finest level"], lines)
+            fits = [exponent([row[key_of_size] for row in rows], [row[key] for row in rows]) for _, key, _ in shown]
+            lines.append([f"exponent by {what}", "", "", *(f"**{slope:.2f}** ± {error:.2f}" for slope, error in fits),
+                          *([""] if with_steps else [])])
+    return markdown(["level", "nodes", "free nodes", *(name for name, _, _ in shown),
+                     *(["steps on the finest level"] if with_steps else [])], lines)
 
 
 def plot(rows):
     """Seconds (left) and bytes (right) over nodes, both logarithmic, as SVG; grey: exponent 1."""
-    width, height, left, right, top, bottom = 760, 460, 62, 230, 30, 50
+    width, height, left, right, top, bottom = 820, 460, 62, 290, 30, 50
     nodes = [row["nodes"] for row in rows]
     # Bytes share the axis: a gigabyte stands where a second stands.
     shift = 9
-    times = [row[key] / (10.0**shift if key == "bytes" else 1.0) for row in rows for _, key, _ in series]
+    shown = measured(rows)
+    times = [row[key] / (10.0**shift if key == "bytes" else 1.0) for row in rows for _, key, _ in shown]
     x_low, x_high = math.floor(math.log10(min(nodes))), math.ceil(math.log10(max(nodes)))
     y_low, y_high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
 
@@ -105,7 +111,7 @@ def plot(rows):
             parts.append(f'<line x1="{x_of(10**xa):.1f}" y1="{y_of(10**ya):.1f}" x2="{x_of(10**xb):.1f}" '
                          f'y2="{y_of(10**yb):.1f}" stroke="#cccccc" stroke-dasharray="3 4"/>')
     labels = []
-    for name, key, colour in series:
+    for name, key, colour in shown:
         values = [row[key] / (10.0**shift if key == "bytes" else 1.0) for row in rows]
         points = [(x_of(n), y_of(v)) for n, v in zip(nodes, values)]
         dash = ' stroke-dasharray="7 4"' if key == "bytes" else ""
@@ -117,7 +123,7 @@ def plot(rows):
     labels.sort()
     for above, here in zip(labels, labels[1:]):
         here[0] = max(here[0], above[0] + 15)
-    parts += [text(edge + 48, y + 4, words, "start", f'fill="{colour}"') for y, words, colour in labels]
+    parts += [text(edge + 66, y + 4, words, "start", f'fill="{colour}"') for y, words, colour in labels]
     parts.append(text((left + edge) / 2, height - 12, "nodes of the finest grid", "middle"))
     parts.append(text(left, 18, "CPU seconds on one thread (memory, dashed: right); numbers: exponents; grey: exponent 1"))
     return "\n".join(parts) + "\n</svg>\n"

@@ -46,9 +46,13 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   constexpr double place = sizeof(Unknowns<3>::Place), vec = sizeof(Vec<3>);
   const double all_cells = n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
   const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) * sizeof(Band<3>::Point);
-  // The template is looked up in about as many cells and at about as many nodes as the band has.
-  const double band_pass = n_band * (sizeof(Element<3>) + sizeof(Octree<3>::Cell)) + points +
-                           n_band_nodes * (vec + static_cast<double>(sizeof(TargetField<3>::Row)));
+  // The template is looked up in about as many cells as the band has; as splines, each has a coefficient (a row of
+  // values) and the numbers of its neighbours'.
+  const bool smooth = level.geometry.target.is_smooth();
+  const double rows = smooth ? n_band : n_band_nodes;
+  const double look_up = n_band * (sizeof(Octree<3>::Cell) + (smooth ? sizeof(SplineSpace<3>::Local) : 0)) +
+                         rows * static_cast<double>(sizeof(GeometryField<3>::Values));
+  const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
   const double by_element = n_corners<3> * vec;
   const double sum = n_cells * by_element + n_places * place + n_free * vec;
   const double finite = n_nodes * vec;

@@ -14,6 +14,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -32,6 +33,14 @@ tiny = ["--pairs", "leaf", "--levels", "3:4", "--only", "cascades"]
 
 def bench(*words, script=root / "scripts/bench"):
     return subprocess.run([str(script), *map(str, words)], capture_output=True, text=True, timeout=200)
+
+
+def command_of(pid):
+    """The program that a process runs, "" where it has gone."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_text().partition("\0")[0]
+    except OSError:
+        return ""
 
 
 class Folder(unittest.TestCase):
@@ -67,6 +76,7 @@ class Script(Folder):
         self.assertFalse(differs([1.0, 1.0, 1.0], [1.0, 1.0, 1.0]))
         self.assertFalse(differs([1.0, 1.1, 0.9], [1.05, 0.95, 1.0]))  # now one is faster, now the other
         self.assertFalse(differs([1.0, 1.4, 1.0], [1.02, 1.43, 1.02]))  # always slower, but by less than rounds differ
+        self.assertFalse(differs([1.0, 1.0, 1.0], [0.99, 1.1, 1.1]))  # mostly slower, but once faster
         self.assertFalse(differs([1.0], [2.0]))  # one round says nothing of noise
         self.assertTrue(differs([1.0, 1.01, 0.99], [1.2, 1.21, 1.19]))
         self.assertTrue(differs([1.0, 1.01, 0.99], [0.8, 0.81, 0.79]))
@@ -93,7 +103,7 @@ class Script(Folder):
         self.assertIn("2.5", machine.busy_warning(2.5))
 
     def test_the_plot_has_every_series(self):
-        rows = [{"level": level, "nodes": 10**level, "free_nodes": 6 * 10 ** (level - 1), "finest_level_iterations": 9,
+        rows = [{"level": level, "nodes": 10**level, "free_nodes": 6 * 10 ** (level - 1), "steps": 9,
                  **{key: 1e-4 * 10.0 ** (level - 3) for _, key, _ in scaling.series}, "bytes": 7e3 * 10**level}
                 for level in (3, 4, 5)]
         drawn = xml.etree.ElementTree.fromstring(scaling.plot(rows))
@@ -173,6 +183,26 @@ class Script(Folder):
         self.assertEqual(leaf["folded_cells"], 0)
         self.assertEqual(list(history.parent.iterdir()), [history])
         self.assertEqual(bench("history", "--history", history).stdout.count("leaf 3:4"), 2)
+
+    def test_what_is_stopped_leaves_nothing_running(self):
+        history = self.folder / "history.jsonl"
+        words = ["run", "--only", "cascades", "--pairs", "hand", "--levels", "3:8", "--no-build", "--build", build,
+                 "--history", history]
+        script = subprocess.Popen([root / "scripts/bench", *words], stderr=subprocess.PIPE)
+        self.addCleanup(script.stderr.close)
+        self.addCleanup(script.kill)
+        children = pathlib.Path(f"/proc/{script.pid}/task/{script.pid}/children")
+        # git comes first; the program stays.
+        for _ in range(1000):
+            child = next((pid for pid in children.read_text().split() if "shellmatch" in command_of(pid)), None)
+            if child:
+                break
+            time.sleep(0.02)
+        self.assertIsNotNone(child)
+        script.terminate()
+        self.assertEqual(script.wait(60), 143)
+        self.assertNotIn("shellmatch", command_of(child))
+        self.assertFalse(history.exists())
 
     def make_repository(self, with_kernels=True, cmake="message(FATAL_ERROR broken-on-purpose)"):
         """A repository with scripts/bench whose programs are what `cmake` makes of them."""
@@ -254,11 +284,13 @@ class Kernels(Folder):
         first = json.loads(output.with_suffix(".json").read_text())["rows"]
         self.assertEqual([row["level"] for row in first], [3, 4])
         self.assertEqual(first[0]["nodes"], 729)
-        self.assertEqual(first[0]["kernel_sizes"]["nodes"], 729)
+        self.assertGreater(first[0]["grid_seconds"], 0)
         # One level more: those that are there are not measured again.
         self.assertEqual(bench(*words, "--levels", "3:5").returncode, 0)
         rows = json.loads(output.with_suffix(".json").read_text())["rows"]
         self.assertEqual(rows[:2], first)
+        for row in rows:
+            self.assertEqual(row["run_free_nodes"], row["free_nodes"])
         self.assertIn("exponent by free nodes", output.read_text())
         self.assertTrue(output.with_suffix(".svg").exists())
 
