@@ -9,7 +9,8 @@ import subprocess
 import sys
 import time
 
-from paper.experiments import bending_levels, bending_pairs, data_pairs, experiments, first_order, root
+from paper.experiments import (bending_levels, bending_pairs, built_in_pairs, coarse_level, data_pairs, experiments,
+                               first_order, root)
 
 
 class Results:
@@ -32,6 +33,8 @@ class Results:
             high = max(low, min(high, self.arguments.max_level[3 - dimension]))
         if name.startswith("bending_"):
             high = min(high, bending_levels[3 - dimension])
+        if name.startswith("coarse_"):
+            high = min(high, coarse_level)
         return low, high
 
     def run(self, name, config, dimension, profile, changes=(), more=()):
@@ -85,6 +88,8 @@ class Results:
             files = self.data_files(reference, template)
             if files:
                 places = (f"input.reference={files[0]}", f"input.template={files[1]}")
+                if (reference, template) in {pair[3:] for pair in bending_pairs}:
+                    places += (f"input.correspondence={self.correspondence(name, files[1])}",)
                 works.append((name, config, dimension, places, ("--placement", "fit")))
         for name, config, dimension, reference, template in bending_pairs if profile == "paper" else ():
             files = self.data_files(reference, template)
@@ -94,10 +99,13 @@ class Results:
                 works.append((f"bending_{name}", config, dimension, places, ("--placement", "fit")))
                 places += ("energy.bending_weight=0",)
                 works.append((f"bending_{name}_without", config, dimension, places, ("--placement", "fit")))
+        if profile == "paper" and self.arguments.max_level[0] > coarse_level:
+            for name in built_in_pairs:
+                works += [(f"coarse_{run}", run, 3, (), ()) for run in (name, f"{name}_no_bending")]
         only = self.arguments.only
         if not only:
             return works
-        return [work for name in only for work in works if work[0] == name or name == "bending" and work[0].startswith("bending_")]
+        return [work for name in only for work in works if work[0] == name or name == "bending" and work[0].startswith(("bending_", "coarse_"))]
 
     def correspondence(self, name, template):
         """A file that says that vertex i belongs to the template's vertex i."""
@@ -108,7 +116,7 @@ class Results:
             vertices = [line.split()[1:4] for line in lines if line.startswith("v ")]
         else:
             vertices = [line.replace(",", " ").split() for line in lines if line[:1] in "+-.0123456789"]
-        path = (self.output / f"bending_{name}.correspondence").resolve()
+        path = (self.output / f"{name}.correspondence").resolve()
         path.write_text("".join(f"{i} {' '.join(v)}\n" for i, v in enumerate(vertices)))
         return path
 
@@ -122,6 +130,7 @@ class Results:
         """Every finished run that is there and was made by the configuration as it is."""
         configs = {name: name for name, _, _ in experiments} | {name: config for name, config, _, _, _ in data_pairs}
         configs |= {f"bending_{name}{kind}": config for name, config, _, _, _ in bending_pairs for kind in ("", "_without")}
+        configs |= {f"coarse_{run}": run for name in built_in_pairs for run in (name, f"{name}_no_bending")}
         for name, config in [*configs.items(), ("penalty", "penalty")]:
             for profile in ("paper", "default"):
                 folder = self.output / f"{name}-{profile}"
