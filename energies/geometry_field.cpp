@@ -46,15 +46,17 @@ GeometryField<Dim>::GeometryField(std::shared_ptr<const SplineSpace<Dim>> spline
 
 template <int Dim>
 void GeometryField<Dim>::store(const std::vector<Values>& rows) {
-  main_.assign(rows.size(), Pack{});
-  if (n_rest > 0) rest_.assign(rows.size(), Pair{});
+  std::vector<Pack> main(rows.size(), Pack{});
+  std::vector<Pair> rest(n_rest > 0 ? rows.size() : 0, Pair{});
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (int i = 0; i < n_values; ++i) {
       if (i < autodiff::pack_size)
-        main_[r][i] = rows[r][i];
+        main[r][i] = rows[r][i];
       else
-        rest_[r][i - autodiff::pack_size] = rows[r][i];
+        rest[r][i - autodiff::pack_size] = rows[r][i];
     }
+  main_ = std::make_shared<const std::vector<Pack>>(std::move(main));
+  rest_ = std::make_shared<const std::vector<Pair>>(std::move(rest));
 }
 
 template <int Dim>
@@ -62,11 +64,19 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
   const Vec<Dim> inside = y.cwiseMax(0.0).cwiseMin(1.0);
   Place p;
   p.leaf = grid_->locate(inside);
-  const auto& cell = grid_->cell(p.leaf);
-  const double scale = static_cast<double>(1 << cell.level);
-  for (int k = 0; k < Dim; ++k) {
-    p.t[k] = inside[k] * scale - cell.corner[k];
-    p.slope[k] = inside[k] == y[k] ? scale : 0.0;
+  const auto place = [&](int level, const typename Octree<Dim>::Coord& corner) {
+    const double scale = static_cast<double>(1 << level);
+    for (int k = 0; k < Dim; ++k) {
+      p.t[k] = inside[k] * scale - corner[k];
+      p.slope[k] = inside[k] == y[k] ? scale : 0.0;
+    }
+  };
+  if (is_smooth()) {
+    const auto& leaf = splines_->of_leaf(p.leaf);  // in memory beside the coefficients' numbers
+    place(leaf.level, leaf.corner);
+  } else {
+    const auto& cell = grid_->cell(p.leaf);
+    place(cell.level, cell.corner);
   }
   return p;
 }
@@ -76,7 +86,7 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
 template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
-  const auto& local = splines_->of_leaf(p.leaf);
+  const auto& local = splines_->of_leaf(p.leaf).coefficients;
   std::array<std::array<double, 3>, Dim> value, slope;
   for (int k = 0; k < Dim; ++k) {
     const SplineWeights w(p.t[k]);
@@ -117,8 +127,8 @@ inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
       }
     }
   };
-  collapse(main_.data(), [&](int i, const Pack& x) { result[i].main = x; });
-  if constexpr (n_rest > 0) collapse(rest_.data(), [&](int i, const Pair& x) { result[i].rest = x; });
+  collapse(main_->data(), [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0) collapse(rest_->data(), [&](int i, const Pair& x) { result[i].rest = x; });
 }
 
 template <int Dim>
@@ -142,8 +152,8 @@ inline void GeometryField<Dim>::multilinear(const Place& p, Row* result) const {
     if (WithGradient)
       for (int k = 0; k < Dim; ++k) put(1 + k, d[k][0]);
   };
-  collapse(main_.data(), [&](int i, const Pack& x) { result[i].main = x; });
-  if constexpr (n_rest > 0) collapse(rest_.data(), [&](int i, const Pair& x) { result[i].rest = x; });
+  collapse(main_->data(), [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0) collapse(rest_->data(), [&](int i, const Pair& x) { result[i].rest = x; });
 }
 
 template <int Dim>

@@ -17,9 +17,9 @@
 
 namespace shellmatch {
 
-/// Nodal fields between the nodes: multilinear on each cell, or C1 and of third order as quadratic splines.
-/// Positions outside the domain are projected onto it first (paper, section 6); the derivative in a projected
-/// direction is zero.
+/// Nodal fields between the nodes, which copies of this object share: multilinear on each cell, or C1 and of
+/// third order as quadratic splines. Positions outside the domain are projected onto it first (paper, section
+/// 6); the derivative in a projected direction is zero.
 template <int Dim>
 class GeometryField {
  public:
@@ -74,7 +74,7 @@ class GeometryField {
   void store(const std::vector<Values>& rows);
   Place place_of(const Vec<Dim>& y) const;
   double component(Index row, int i) const {
-    return i < autodiff::pack_size ? main_[row][i] : rest_[row][i - autodiff::pack_size];
+    return i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size];
   }
   // Value, then the derivatives by the coordinates.
   template <bool WithGradient>
@@ -89,8 +89,9 @@ class GeometryField {
 
   const Octree<Dim>* grid_;
   std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null: multilinear
-  std::vector<Pack> main_;                           ///< by node, or by coefficient
-  std::vector<Pair> rest_;
+  /// By node, or by coefficient; copies of the field share them.
+  std::shared_ptr<const std::vector<Pack>> main_;
+  std::shared_ptr<const std::vector<Pair>> rest_;
 };
 
 /// Both shapes, as the energy of one grid reads them.
@@ -126,7 +127,7 @@ TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
       else
         weight = weight * (i == 1 ? t : 1.0 - t);
     }
-    const Index row = is_smooth() ? splines_->of_leaf(leaf)[n] : cell.nodes[n];
+    const Index row = is_smooth() ? splines_->of_leaf(leaf).coefficients[n] : cell.nodes[n];
     for (int i = 0; i < n_values; ++i) sum[i] += weight * component(row, i);
   }
   TargetPoint<Dim, T> p;

@@ -54,6 +54,7 @@ struct CoefficientOptions {
   bool invert_at_point = true;
   FieldInterpolation interpolation = FieldInterpolation::smooth;
   double reach = 1.5;
+  int levels_ahead = 2;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("distance", self.distance, {.meaning = "signed distances at the nodes: exact, from the closest point of the surface, or fast_marching, as the paper: exact next to the surface, and of first order from there"});
@@ -67,6 +68,7 @@ struct CoefficientOptions {
     visit("invert_at_point", self.invert_at_point, {.meaning = "interpolate C(S1)^(1/2) and invert at the quadrature point, so that identical shapes cost no bending; false interpolates C(S1)^(-1/2), as the paper"});
     visit("interpolation", self.interpolation, {.meaning = "distances, normals and roots between the nodes: smooth, by quadratic splines that are C1 throughout, each shape on a grid of its own; multilinear, as the paper, both shapes on the grid of phi"});
     visit("reach", self.reach, {.unit = "cells", .min = 1, .max = 16, .meaning = "a shape's own grid is refined where a corner of a cell is nearer to the shape than so many of the cell's sides"});
+    visit("levels_ahead", self.levels_ahead, {.unit = "levels", .min = 0, .max = 12, .meaning = "a shape's own grid is finer than that of phi by so many levels, up to cascade.max_level: coarse levels then know where they are going, and the last ones share their fields"});
   }
 };
 

@@ -34,27 +34,26 @@ template <int Dim>
 SplineSpace<Dim>::SplineSpace(const Octree<Dim>& grid)
     : grid_(&grid),
       n_coefficients_(grid.n_cells()),
-      place_(static_cast<std::size_t>(grid.n_cells()), no_index),
-      local_(grid.leaves().size()),
+      leaves_(static_cast<std::size_t>(grid.n_cells())),
       made_(static_cast<std::size_t>(grid.n_cells()), 0) {
   const auto leaves = grid.leaves();
   parallel_for(
       leaves.size(),
       [&](std::size_t i) {
         const auto& cell = grid.cell(leaves[i]);
-        place_[leaves[i]] = static_cast<Index>(i);
-        local_[i] = find_neighbours(cell.level, cell.corner);
+        leaves_[leaves[i]] = {find_neighbours(cell.level, cell.corner), cell.corner, cell.level};
       },
       256);
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const auto& cell = grid.cell(leaves[i]);
-    if (!made_[leaves[i]]) make_cell(leaves[i], local_[i]);
+  for (const Index cell : leaves) {
+    Leaf& leaf = leaves_[cell];
+    if (!made_[cell]) make_cell(cell, leaf.coefficients);
     for (int n = 0; n < n_local; ++n) {
+      Index& c = leaf.coefficients[n];
+      if (c != no_index && made_[c]) continue;
       Coord neighbour;
       const auto step = step_to<Dim>(n);
-      for (int k = 0; k < Dim; ++k) neighbour[k] = cell.corner[k] + step[k];
-      if (local_[i][n] == no_index || !made_[local_[i][n]])
-        local_[i][n] = coefficient_at(cell.level, neighbour);
+      for (int k = 0; k < Dim; ++k) neighbour[k] = leaf.corner[k] + step[k];
+      c = coefficient_at(leaf.level, neighbour);
     }
   }
   made_ = {};

@@ -37,8 +37,14 @@ class SplineSpace {
 
   const Octree<Dim>& grid() const { return *grid_; }
   Index n_coefficients() const { return n_coefficients_; }
+  /// What a look-up in a leaf reads.
+  struct alignas(64) Leaf {
+    Local coefficients;
+    typename Octree<Dim>::Coord corner;  ///< in units of its side
+    std::int32_t level;
+  };
   /// \pre `leaf` is the number of a leaf's cell
-  const Local& of_leaf(Index leaf) const { return local_[place_[leaf]]; }
+  const Leaf& of_leaf(Index leaf) const { return leaves_[leaf]; }
 
   /// Coefficients of a function from its values at the nodes, hanging ones included: means over the corners
   /// of cells, sharpened so that quadratic polynomials are reproduced away from coarser neighbours and from
@@ -67,8 +73,7 @@ class SplineSpace {
 
   const Octree<Dim>* grid_;
   Index n_coefficients_;
-  std::vector<Index> place_;  ///< of a leaf among local_
-  std::vector<Local> local_;
+  std::vector<Leaf> leaves_;  ///< by cell; of no meaning where that is not a leaf
   std::vector<Sampled> sampled_;
   std::vector<Derived> derived_;  ///< none before its sources
   std::vector<char> made_;        ///< by cell

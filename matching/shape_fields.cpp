@@ -4,6 +4,7 @@
 #include "grid/constraints.h"
 #include "grid/elements.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace shellmatch {
@@ -38,34 +39,49 @@ ShapeFields<Dim>::ShapeFields(const SignedDistance<Dim>& reference, const Signed
 
 template <int Dim>
 void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
+  const DistanceMethod method = options_->coefficients.distance;
+  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
+  for (int s = 0; s < n_shapes; ++s) on_grid_[s].compute(grid, *shapes_[s], method);
+  if (!is_smooth()) return;
+  const int level =
+      std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
   for (int s = 0; s < 2; ++s) {
-    const DistanceMethod method = options_->coefficients.distance;
-    if (s == 0 || refines_at_template(*options_)) on_grid_[s].compute(grid, *shapes_[s], method);
-    if (own_[s]) own_[s]->distance.compute(own_[s]->grid, *shapes_[s], method);
+    FieldGrid<Dim>& own = *own_[s];
+    if (own.distance.values().empty()) own.distance.compute(own.grid, *shapes_[s], method);
+    while (own.grid.finest_level() < level) {
+      smooth_.reset();
+      own.refine(options_->coefficients.reach);
+      own.distance.compute(own.grid, *shapes_[s], method);
+    }
   }
 }
 
 template <int Dim>
-GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) const {
-  const bool smooth = own_[0].has_value();
+CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const GridPair<Dim>& grids,
+                                                    std::array<std::vector<double>, 2> distances) const {
   const auto compute = reads_shape_operators(options_->energy) ? compute_shape_operator_pair<Dim>
                                                                : compute_coefficient_pair<Dim>;
-  std::array<const Octree<Dim>*, 2> grids;
-  std::array<std::vector<double>, 2> distances;
-  for (int s = 0; s < 2; ++s) {
-    grids[s] = smooth ? &own_[s]->grid : &grid;
-    distances[s] = smooth ? own_[s]->distance.values() : conforming(grid, on_grid_[s].values());
-  }
-  const CoefficientPair<Dim> nodal = compute(grids, std::move(distances), options_->coefficients);
-  if (!smooth) return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
-  return {smooth_field(own_[0]->grid, nodal.reference), smooth_field(own_[1]->grid, nodal.target),
-          takes_inverse_root(*options_)};
+  return compute(grids, std::move(distances), options_->coefficients);
 }
 
 template <int Dim>
-void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
-  for (auto& own : own_)
-    if (own) own->refine(options_->coefficients.reach);
+GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
+  if (!is_smooth()) {
+    const auto nodal = coefficients(
+        {&grid, &grid}, {conforming(grid, on_grid_[0].values()), conforming(grid, on_grid_[1].values())});
+    return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
+  }
+  if (!smooth_) {
+    const auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid},
+                                    {own_[0]->distance.values(), own_[1]->distance.values()});
+    smooth_ = {smooth_field(own_[0]->grid, nodal.reference), smooth_field(own_[1]->grid, nodal.target),
+               takes_inverse_root(*options_)};
+  }
+  return *smooth_;
+}
+
+template <int Dim>
+void ShapeFields<Dim>::refine(Octree<Dim>& grid) const {
   const int n_shapes = refines_at_template(*options_) ? 2 : 1;
   grid.refine([&](Index leaf) {
     for (int s = 0; s < n_shapes; ++s)

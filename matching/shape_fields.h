@@ -23,22 +23,28 @@ class ShapeFields {
   ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
               const ExperimentOptions& options);
 
-  /// Distances at the nodes of this grid and of the shapes' own. To be called after every refinement.
+  /// Distances at the nodes of this grid and of the shapes' own, which grow with it. To be called after every
+  /// refinement.
   void compute_distances(const Octree<Dim>& grid);
 
   /// What the options' energy reads of both. It refers to the grids that it was made on. \pre
   /// compute_distances()
-  GeometryPair<Dim> geometry(const Octree<Dim>& grid) const;
+  GeometryPair<Dim> geometry(const Octree<Dim>& grid);
 
   /// Splits every leaf that meets the shapes (paper, section 5): the reference, or either. \pre
   /// compute_distances()
-  void refine(Octree<Dim>& grid);
+  void refine(Octree<Dim>& grid) const;
 
  private:
+  bool is_smooth() const { return own_[0].has_value(); }
+  CoefficientPair<Dim> coefficients(const GridPair<Dim>& grids,
+                                    std::array<std::vector<double>, 2> distances) const;
+
   std::array<const SignedDistance<Dim>*, 2> shapes_;
   const ExperimentOptions* options_;
   std::array<NodalDistance<Dim>, 2> on_grid_;         ///< of phi
   std::array<std::optional<FieldGrid<Dim>>, 2> own_;  ///< for smooth fields
+  std::optional<GeometryPair<Dim>> smooth_;           ///< of the shapes' own grids as they are
 };
 
 /// The geometry whose fields are multilinear on one grid, from their values at its nodes.

@@ -28,7 +28,7 @@ class Function {
     double value = 0;
     Vec<Dim> gradient = Vec<Dim>::Zero();
     for (int n = 0; n < SplineSpace<Dim>::n_local; ++n) {
-      const double c = coefficients_[space_.of_leaf(leaf)[n]][0];
+      const double c = coefficients_[space_.of_leaf(leaf).coefficients[n]][0];
       for (int derived = -1; derived < Dim; ++derived) {
         double product = c;
         for (int k = 0, rest = n; k < Dim; ++k, rest /= 3) {

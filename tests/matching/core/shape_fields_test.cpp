@@ -114,11 +114,31 @@ TEST(ShapeFields, TheGridOfPhiIsFineAtTheTemplateOnlyIfAskedForOrNeeded) {
   EXPECT_GT(n_fine_at_template(FieldInterpolation::multilinear, RefineWhere::reference), 5);
 }
 
+TEST(ShapeFields, OwnGridsAreAheadOfThatOfPhiUpToTheFinestLevel) {
+  const auto d = built_in<2>("circle");
+  ExperimentOptions o = options(FieldInterpolation::smooth);
+  o.cascade.max_level = 6;
+  for (const int ahead : {0, 2, 9}) {
+    o.coefficients.levels_ahead = ahead;
+    AtLevel<2> at(d, d, o, 3);
+    for (int level = 3; level <= 6; ++level) {
+      EXPECT_EQ(at.grid.finest_level(), level);
+      const auto geometry = at.fields.geometry(at.grid);
+      EXPECT_EQ(geometry.reference.grid().finest_level(), std::min(level + ahead, 6));
+      EXPECT_EQ(geometry.target.grid().finest_level(), std::min(level + ahead, 6));
+      EXPECT_LT(std::abs(geometry.target.value(Vec<2>(0.5, 0.7))[0] - d(Vec<2>(0.5, 0.7))), 0.05);
+      at.fields.refine(at.grid);
+      at.fields.compute_distances(at.grid);
+    }
+  }
+}
+
 template <int Dim>
 void check_identical(const std::string& name) {
   const auto d = built_in<Dim>(name);
   for (const auto interpolation : {FieldInterpolation::smooth, FieldInterpolation::multilinear}) {
-    const ExperimentOptions o = options(interpolation);
+    ExperimentOptions o = options(interpolation);
+    o.coefficients.levels_ahead = 0;
     AtLevel<Dim> at(d, d, o, 4);
     LevelEnergy<Dim> level(at.grid, at.fields.geometry(at.grid), o);
     TermValues ones, values;
