@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What one core of the machine can do at most, measured: the ceilings of the roofline in docs/performance.md.
+/// What one core of the machine can do at most, measured: the ceilings of the roofline in
+/// docs/performance.md.
 
 namespace shellmatch::bench {
 

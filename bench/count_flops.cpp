@@ -1,9 +1,10 @@
-// Floating-point operations of the energies' loops, counted by compiling these same loops with a Pack of one lane that
-// counts (bench/counted/). Prints one line of JSON: for each loop the operations for one active quadrature point of the
-// band, or for one element. Multiplications and additions that are fused count as two.
+// Floating-point operations of the energies' loops, counted by compiling these same loops with a Pack of one
+// lane that counts (bench/counted/). Prints one line of JSON: for each loop the operations for one active
+// quadrature point of the band, or for one element. Multiplications and additions that are fused count as
+// two.
 //
-// Not seen are the look-up of the template's values, which is counted by hand below, and what works on plain doubles: in
-// Newton's volume term, the eigenvectors by Eigen.
+// Not seen are the look-up of the template's values, which is counted by hand below, and what works on plain
+// doubles: in Newton's volume term, the eigenvectors by Eigen.
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -22,8 +23,8 @@ using namespace shellmatch;
 using autodiff::counted;
 using autodiff::OperationCount;
 
-/// Additions and multiplications of GeometryField's look-up of one point in quadratic splines: three coefficients
-/// become one along each axis, for the values and for what has been derived.
+/// Additions and multiplications of GeometryField's look-up of one point in quadratic splines: three
+/// coefficients become one along each axis, for the values and for what has been derived.
 OperationCount look_up(bool with_derivatives) {
   OperationCount c;
   long sums = 0;
@@ -60,7 +61,8 @@ struct Problem {
   /// sigma: half width of the band, in finest cells
   explicit Problem(double sigma)
       : grid(test::shape_grid<3>(3, 5, test::sphere<3>(0.25).distance)),
-        geometry{field_of(test::sphere<3>(0.25)), field_of(test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3))), false},
+        geometry{field_of(test::sphere<3>(0.25)), field_of(test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3))),
+                 false},
         unknowns(grid, options.boundary),
         energy(unknowns, geometry, options, sigma * grid.finest_side(), options.quadrature_order),
         hessian(energy, unknowns, geometry.target, options),
@@ -74,8 +76,9 @@ struct Problem {
   OperationCount evaluate(const TermValues& weights, bool with_gradient) {
     const OperationCount before = counted;
     TermValues values;
-    SHELLMATCH_CHECK(energy.evaluate(phi, weights, values, with_gradient ? std::span(gradient) : std::span<double>()),
-                     "the energy cannot be evaluated");
+    SHELLMATCH_CHECK(
+        energy.evaluate(phi, weights, values, with_gradient ? std::span(gradient) : std::span<double>()),
+        "the energy cannot be evaluated");
     return counted - before;
   }
   OperationCount assemble(const TermValues& weights) {
@@ -109,11 +112,13 @@ int main() {
   band[Term::match] = band[Term::membrane] = band[Term::bending] = 1;
   volume[Term::volume] = 1;
   barrier[Term::barrier] = 1;
-  const std::size_t points = problem.energy.band().n_active_points(), elements = problem.unknowns.elements().size();
+  const std::size_t points = problem.energy.band().n_active_points(),
+                    elements = problem.unknowns.elements().size();
   SHELLMATCH_CHECK(bare.energy.band().n_active_points() == 0, "there should be no band");
   const OperationCount newton_volume = bare.assemble(volume);
 
-  // One term at a time goes through the shell (interpolation, its transpose, sums) three times, all at once once.
+  // One term at a time goes through the shell (interpolation, its transpose, sums) three times, all at once
+  // once.
   OperationCount shell{};
   for (const Term term : {Term::match, Term::membrane, Term::bending}) {
     TermValues alone;

@@ -46,7 +46,8 @@ struct Kernels {
   std::vector<Vec<3>> phi;
   TermValues weights;
   std::vector<double> gradient, direction;
-  double grid_seconds;  ///< CPU time of all threads for grid, distances, coefficients and what the energy precomputes
+  double grid_seconds;  ///< CPU time of all threads for grid, distances, coefficients and what the energy
+                        ///< precomputes
 
   Kernels(const std::string& reference, const std::string& target, int finest) {
     options.input.reference = "generate:" + reference;

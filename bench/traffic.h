@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Bytes that one evaluation has to move between memory and the processor if nothing stays in the caches from one
-/// pass over an array to the next: every array that a pass touches once, read or written. What caches cannot keep
-/// within a pass comes on top, so these are lower bounds.
+/// Bytes that one evaluation has to move between memory and the processor if nothing stays in the caches from
+/// one pass over an array to the next: every array that a pass touches once, read or written. What caches
+/// cannot keep within a pass comes on top, so these are lower bounds.
 
 #include "matching/level_energy.h"
 
@@ -12,7 +12,7 @@ namespace shellmatch::bench {
 
 struct Traffic {
   double value, gradient, band_gradient, newton_model, newton_product;  ///< bytes
-  double n_blocks;                                                       ///< of the matrix by unknowns
+  double n_blocks;                                                      ///< of the matrix by unknowns
 };
 
 inline Traffic traffic_of(const LevelEnergy<3>& level) {
@@ -35,7 +35,8 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   for (std::size_t i = 0; i < seen.size(); ++i)
     for (const auto& place : unknowns.places_of(i)) {
       ++n_places;
-      for (const Index node : unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
+      for (const Index node :
+           unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
         for (const auto& carrier : unknowns.carriers_of(node))
           if (seen[carrier.unknown] != i) {
             seen[carrier.unknown] = i;
@@ -44,10 +45,12 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
     }
 
   constexpr double place = sizeof(Unknowns<3>::Place), vec = sizeof(Vec<3>);
-  const double all_cells = n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
-  const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) * sizeof(Band<3>::Point);
-  // The template is looked up in about as many cells as the band has; as splines, each has a coefficient (a row of
-  // values) and the numbers of its neighbours'.
+  const double all_cells =
+      n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
+  const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) *
+                        sizeof(Band<3>::Point);
+  // The template is looked up in about as many cells as the band has; as splines, each has a coefficient (a
+  // row of values) and the numbers of its neighbours'.
   const bool smooth = level.geometry.target.is_smooth();
   const double rows = smooth ? n_band : n_band_nodes;
   const double look_up = n_band * (sizeof(Octree<3>::Cell) + (smooth ? sizeof(SplineSpace<3>::Local) : 0)) +
@@ -64,8 +67,9 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   t.value = finite + 2 * all_cells + band_pass;  // volume and barrier each see all cells
   t.gradient = t.value + n_cells * by_element + 2 * n_band * by_element + sum;
   t.band_gradient = finite + n_cells * by_element + band_pass + 2 * n_band * by_element + sum;
-  t.newton_model = 2 * all_cells + n_cells * 2 * sizeof(double) + n_cells * matrix + band_pass + 2 * n_band * matrix +
-                   n_cells * matrix + n_blocks * block + n_free * 3 * 3 * (sizeof(float) + sizeof(double));
+  t.newton_model = 2 * all_cells + n_cells * 2 * sizeof(double) + n_cells * matrix + band_pass +
+                   2 * n_band * matrix + n_cells * matrix + n_blocks * block +
+                   n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (2 * vec + sizeof(std::size_t));
   return t;
 }

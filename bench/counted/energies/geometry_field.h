@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Stands in the place of the real energies/geometry_field.h when bench/count_flops compiles the energies: the real one
-/// makes whole packs of the numbers of one point, which a Pack of one lane cannot hold. Here a shape is functions, and
-/// bench/count_flops counts the look-up by hand.
+/// Stands in the place of the real energies/geometry_field.h when bench/count_flops compiles the energies:
+/// the real one makes whole packs of the numbers of one point, which a Pack of one lane cannot hold. Here a
+/// shape is functions, and bench/count_flops counts the look-up by hand.
 
 #include "energies/autodiff/pack.h"
 #include "energies/integrands.h"
@@ -28,7 +28,8 @@ class GeometryField {
   Values value(const Vec<Dim>& y, std::array<Values, Dim>& derivative) const {
     constexpr double step = 1e-5;
     for (int k = 0; k < Dim; ++k) {
-      const Values above = values_(y + step * Vec<Dim>::Unit(k)), below = values_(y - step * Vec<Dim>::Unit(k));
+      const Values above = values_(y + step * Vec<Dim>::Unit(k)),
+                   below = values_(y - step * Vec<Dim>::Unit(k));
       for (int i = 0; i < n_values; ++i) derivative[k][i] = (above[i] - below[i]) / (2 * step);
     }
     return values_(y);
@@ -38,7 +39,8 @@ class GeometryField {
     const Values v = values_(place(y));
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];
   }
-  void look_up(const Pack&, const std::array<Pack, Dim>& y, Pack* values, std::array<Packs, Dim>& derivative) const {
+  void look_up(const Pack&, const std::array<Pack, Dim>& y, Pack* values,
+               std::array<Packs, Dim>& derivative) const {
     std::array<Values, Dim> d;
     const Values v = value(place(y), d);
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];

@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Stands in the place of the real energies/autodiff/pack.h when bench/count_flops compiles the energies: one lane
-/// whose arithmetic is counted. So the very loops of the program are counted and no copy of them.
+/// Stands in the place of the real energies/autodiff/pack.h when bench/count_flops compiles the energies: one
+/// lane whose arithmetic is counted. So the very loops of the program are counted and no copy of them.
 ///
-/// Adding to a Pack that was only just made, Pack{} + 1.0 or the first term of a sum, is not counted: it costs nothing.
+/// Adding to a Pack that was only just made, Pack{} + 1.0 or the first term of a sum, is not counted: it
+/// costs nothing.
 
 #include <cmath>
 
