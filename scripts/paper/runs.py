@@ -91,7 +91,7 @@ class Results:
                 if (reference, template) in {pair[3:] for pair in bending_pairs}:
                     places += (f"input.correspondence={self.correspondence(name, files[1])}",)
                 works.append((name, config, dimension, places, ("--placement", "fit")))
-        for name, config, dimension, reference, template in bending_pairs if profile == "paper" else ():
+        for name, config, dimension, reference, template in bending_pairs:
             files = self.data_files(reference, template)
             if files:
                 truth = self.correspondence(name, files[1])
