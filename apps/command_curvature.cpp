@@ -49,7 +49,7 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
       options.input.placement == PlacementKind::fit ? fit_placement(shape, shape, options.input.margin).scale : 1;
   double measure = 0;
   for (Index f = 0; f < static_cast<Index>(shape.surface.facets.size()); ++f) measure += facet_measure(shape.surface, f);
-  check_size<Dim>(measure * std::pow(scale, Dim - 1), options.cascade.min_level, options.cascade.max_level,
+  check_size<Dim>({.phi = measure * std::pow(scale, Dim - 1)}, options.cascade.min_level, options.cascade.max_level,
                   folder.final_path());
   const auto comparison =
       compare_curvatures<Dim>(shape, formula_of<Dim>(shape.source), options, fit, [&](const CurvatureLevel& l) {

@@ -38,10 +38,13 @@ GeometryField<Dim>::GeometryField(const Octree<Dim>& grid, std::span<const doubl
 template <int Dim>
 GeometryField<Dim>::GeometryField(std::shared_ptr<const SplineSpace<Dim>> splines,
                                   std::span<const double> distance, std::span<const Vec<Dim>> normal,
-                                  std::span<const std::array<double, n_symmetric<Dim>>> root)
+                                  std::span<const std::array<double, n_symmetric<Dim>>> root,
+                                  bool keep_definite)
     : grid_(&splines->grid()), splines_(std::move(splines)) {
   const auto nodal = rows_of<Dim>(static_cast<std::size_t>(grid_->n_nodes()), distance, normal, root);
-  store(splines_->coefficients(std::span<const Values>(nodal)));
+  // Sharpening would overshoot at a sharp edge.
+  const std::size_t n_sharp = keep_definite ? 1 + Dim : n_values;
+  store(splines_->coefficients(std::span<const Values>(nodal), n_sharp));
 }
 
 template <int Dim>

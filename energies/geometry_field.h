@@ -34,9 +34,11 @@ class GeometryField {
   GeometryField(const Octree<Dim>& grid, std::span<const double> distance, std::span<const Vec<Dim>> normal,
                 std::span<const std::array<double, n_symmetric<Dim>>> root);
 
-  /// The same as splines; the grid of `splines` must outlive this object.
+  /// The same as splines; the grid of `splines` must outlive this object. What is positive definite at the
+  /// nodes stays so if `keep_definite`, at the price of second order instead of third.
   GeometryField(std::shared_ptr<const SplineSpace<Dim>> splines, std::span<const double> distance,
-                std::span<const Vec<Dim>> normal, std::span<const std::array<double, n_symmetric<Dim>>> root);
+                std::span<const Vec<Dim>> normal, std::span<const std::array<double, n_symmetric<Dim>>> root,
+                bool keep_definite = true);
 
   Values value(const Vec<Dim>& y) const;
 

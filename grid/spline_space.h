@@ -7,6 +7,7 @@
 
 #include <array>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace shellmatch {
@@ -47,11 +48,13 @@ class SplineSpace {
   const Leaf& of_leaf(Index leaf) const { return leaves_[leaf]; }
 
   /// Coefficients of a function from its values at the nodes, hanging ones included: means over the corners
-  /// of cells, sharpened so that quadratic polynomials are reproduced away from coarser neighbours and from
-  /// the boundary, linear ones everywhere. Error of third order. Row: an array of things that can be added
-  /// and multiplied by numbers.
+  /// of cells. The first `n_sharp` components are sharpened so that quadratic polynomials are reproduced away
+  /// from coarser neighbours and from the boundary, linear ones everywhere: error of third order. The others
+  /// are not, so that they stay within the range of the values around, which keeps matrices positive
+  /// definite: error of second order. Row: an array of numbers.
   template <class Row>
-  std::vector<Row> coefficients(std::span<const Row> nodal) const;
+  std::vector<Row> coefficients(std::span<const Row> nodal,
+                                std::size_t n_sharp = std::tuple_size_v<Row>) const;
 
  private:
   struct Sampled {
@@ -82,38 +85,40 @@ class SplineSpace {
 
 template <int Dim>
 template <class Row>
-std::vector<Row> SplineSpace<Dim>::coefficients(std::span<const Row> nodal) const {
-  const auto combine = [](Row& sum, double weight, const Row& row) {
-    for (std::size_t i = 0; i < row.size(); ++i) sum[i] += weight * row[i];
+std::vector<Row> SplineSpace<Dim>::coefficients(std::span<const Row> nodal, std::size_t n_sharp) const {
+  const auto combine = [](Row& sum, double weight, const Row& row, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) sum[i] += weight * row[i];
   };
+  const std::size_t n_all = std::tuple_size_v<Row>;
   std::vector<Row> mean(static_cast<std::size_t>(grid_->n_cells()), Row{});
   parallel_for(mean.size(), [&](std::size_t c) {
     for (const Index node : grid_->cell(static_cast<Index>(c)).nodes)
-      combine(mean[c], 1.0 / n_corners<Dim>, nodal[node]);
+      combine(mean[c], 1.0 / n_corners<Dim>, nodal[node], n_all);
   });
   std::vector<Row> result(static_cast<std::size_t>(n_coefficients_), Row{});
   parallel_for(sampled_.size(), [&](std::size_t i) {
     const Sampled& s = sampled_[i];
     Row& row = result[s.cell];
-    combine(row, 1, mean[s.cell]);
+    row = mean[s.cell];
     for (int k = 0; k < Dim; ++k) {
       const Index below = s.neighbours[2 * k], above = s.neighbours[2 * k + 1];
       if (below == s.cell || above == s.cell) continue;  // continued linearly
-      combine(row, 0.5, mean[s.cell]);
-      combine(row, -0.25, mean[below]);
-      combine(row, -0.25, mean[above]);
+      combine(row, 0.5, mean[s.cell], n_sharp);
+      combine(row, -0.25, mean[below], n_sharp);
+      combine(row, -0.25, mean[above], n_sharp);
     }
   });
   for (const Derived& d : derived_) {
     Row row{};
     if (d.outside) {
-      combine(row, 2, result[d.source[0]]);
-      combine(row, -1, result[d.source[1]]);
+      row = result[d.source[0]];
+      combine(row, 1, result[d.source[0]], n_sharp);
+      combine(row, -1, result[d.source[1]], n_sharp);
     } else {
       for (int c = 0; c < n_corners<Dim>; ++c) {
         double weight = 1;
         for (int k = 0; k < Dim; ++k) weight *= (c >> k) & 1 ? 0.25 : 0.75;
-        combine(row, weight, result[d.source[c]]);
+        combine(row, weight, result[d.source[c]], n_all);
       }
     }
     result[d.coefficient] = row;

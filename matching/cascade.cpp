@@ -77,6 +77,12 @@ class Level {
             result.fallbacks.push_back(fmt::format("level {}, step {}: {}", level, start.substep, change));
             observer.note(result.fallbacks.back());
           });
+      if (result.last.reason == StopReason::cannot_evaluate_start) {
+        result.fallbacks.push_back(fmt::format(
+            "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", level,
+            start.substep));
+        observer.note(result.fallbacks.back());
+      }
       observer.level_finished(start, result.last);
       interrupted = result.last.reason == StopReason::interrupted;
       phi = problem.positions(x);

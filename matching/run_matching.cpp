@@ -103,8 +103,10 @@ class Run {
  private:
   void match(bool restart) {
     placement_ = shapes_.place(options_);
-    check_size<Dim>(measure(reference_.surface) + measure(template_.surface), options_.cascade.min_level,
-                    options_.cascade.max_level, folder_.final_path());
+    const double first = measure(reference_.surface), both = first + measure(template_.surface);
+    const bool smooth = options_.coefficients.interpolation == FieldInterpolation::smooth;
+    check_size<Dim>({.phi = refines_at_template(options_) ? both : first, .fields = smooth ? both : 0},
+                    options_.cascade.min_level, options_.cascade.max_level, folder_.final_path());
     const SignedDistance<Dim> d1(reference_.surface), d2(template_.surface);
     const InputOptions& input = options_.input;
     const Correspondence<Dim> truth =

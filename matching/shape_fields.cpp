@@ -23,8 +23,10 @@ bool takes_inverse_root(const ExperimentOptions& o) {
 }
 
 template <int Dim>
-GeometryField<Dim> smooth_field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal) {
-  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root};
+GeometryField<Dim> smooth_field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal,
+                                bool keep_definite) {
+  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root,
+          keep_definite};
 }
 
 }  // namespace
@@ -74,8 +76,9 @@ GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
   if (!smooth_) {
     const auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid},
                                     {own_[0]->distance.values(), own_[1]->distance.values()});
-    smooth_ = {smooth_field(own_[0]->grid, nodal.reference), smooth_field(own_[1]->grid, nodal.target),
-               takes_inverse_root(*options_)};
+    const bool roots = !reads_shape_operators(options_->energy);
+    smooth_ = {smooth_field(own_[0]->grid, nodal.reference, roots),
+               smooth_field(own_[1]->grid, nodal.target, roots), takes_inverse_root(*options_)};
   }
   return *smooth_;
 }

@@ -11,20 +11,26 @@ namespace shellmatch {
 
 /// Of the finest level, from above: meant to be too large by a factor of at most about 2.
 struct SizeEstimate {
-  double n_nodes = 0;
-  double memory_bytes = 0;  ///< at the peak of the run
-  double disk_bytes = 0;    ///< of the output folder
+  double n_nodes = 0;        ///< of the grid of phi
+  double n_field_nodes = 0;  ///< of the shapes' own grids
+  double memory_bytes = 0;   ///< at the peak of the run
+  double disk_bytes = 0;     ///< of the output folder
 };
 
-/// The grid that is uniform at `min_level` and refined to `max_level` at surfaces whose lengths (plane) or
-/// areas (space) in the unit domain add up to `measure`.
+/// Lengths (plane) or areas (space), in the unit domain, of the surfaces that grids are refined at.
+struct RefinedMeasures {
+  double phi = 0;     ///< by the grid of phi
+  double fields = 0;  ///< by the shapes' own grids, 0 for none
+};
+
+/// Of grids that are uniform at `min_level` and refined to `max_level` at the surfaces.
 template <int Dim>
-SizeEstimate estimate_size(double measure, int min_level, int max_level);
+SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int max_level);
 
 /// \throws EnvironmentError if the machine has too little memory, or the disk of `folder` too little room,
-/// that
-///   says how much is there, how much is needed and which largest level would do
+/// that says how
+///   much is there, how much is needed and which largest level would do
 template <int Dim>
-void check_size(double measure, int min_level, int max_level, const std::string& folder);
+void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder);
 
 }  // namespace shellmatch

@@ -15,10 +15,11 @@ template <int Dim>
 class Function {
  public:
   using Row = std::array<double, 1>;
-  Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal) : space_(space) {
+  Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal, std::size_t n_sharp = 1)
+      : space_(space) {
     std::vector<Row> rows;
     for (const double v : nodal) rows.push_back({v});
-    coefficients_ = space.coefficients(std::span<const Row>(rows));
+    coefficients_ = space.coefficients(std::span<const Row>(rows), n_sharp);
   }
 
   /// Value and gradient of the leaf's polynomial at x, which need not lie in the leaf.
@@ -118,6 +119,26 @@ TYPED_TEST(Splines, ReproduceQuadraticFunctionsInside) {
     const Vec<Dim> x = random_point<Dim>(random, 0.26, 0.74);  // at least two cells from the boundary
     EXPECT_NEAR(f(x), q(x), 1e-13);
   }
+}
+
+// Without sharpening nothing leaves the range of the values, whatever they are.
+TYPED_TEST(Splines, StayWithinTheRangeOfTheValuesIfNotSharp) {
+  constexpr int Dim = TypeParam::value;
+  const Octree<Dim> grid = random_grid<Dim>(1, 3, 0.4, 8);
+  const SplineSpace<Dim> space(grid);
+  std::mt19937 random(8);
+  const auto jagged = values<Dim>(grid, [&](const Vec<Dim>&) { return random() % 2 ? 1.0 : 20.0; });
+  const Function<Dim> plain(space, jagged, 0), sharp(space, jagged);
+  double least = 1e9, greatest = 0, least_of_sharp = 1e9;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec<Dim> x = random_point<Dim>(random);
+    least = std::min(least, plain(x));
+    greatest = std::max(greatest, plain(x));
+    least_of_sharp = std::min(least_of_sharp, sharp(x));
+  }
+  EXPECT_GE(least, 1 - 1e-12);
+  EXPECT_LE(greatest, 20 + 1e-12);
+  EXPECT_LT(least_of_sharp, 0) << "which is why roots are not";
 }
 
 // Halving the cells divides the error by eight, and that of multilinear interpolation by four.
