@@ -35,7 +35,7 @@ bending_pairs = [
     ("foxes", "dolphin", 3, "fox_poses/fox_rest.off", "fox_poses/fox_survey.off"),
     ("hand_outlines", "leaves", 2, "hands2d_basel/hand00_registered.csv", "hands2d_basel/hand03_registered.csv"),
 ]
-bending_levels = 6, 8  # in space and in the plane: features are found on coarse levels or never
+bending_levels = 6, 8  # the finest, in space and in the plane
 # Built-in pairs of known correspondence that run with and without bending; on a coarse level, too, where their shape is hardly seen.
 built_in_pairs = "cubes", "hand", "dolphin"
 coarse_level = 5

@@ -79,6 +79,8 @@ class Page:
         self.add(f"One command, `scripts/paper-results`, runs them all, unattended. Those on this page took {self.results.seconds / 3600:.1f}",
                  f"hours, one after the other, with {' or '.join(map(str, threads))} thread{'' if threads == [1] else 's'} on a machine that others used as well.",
                  "Started again it repeats nothing that is finished.")
+        if len(self.results.programs) > 1:
+            self.add(f"They were made by {len(self.results.programs)} builds of the program.")
         lower = [f"{name} ({summary['levels'][-1]['level']})" for name, _, _ in experiments for summary in [self.results.get(name)]
                  if summary and summary["levels"][-1]["level"] < papers_level(name)]
         if lower:
