@@ -49,6 +49,12 @@ TEST(FieldGrid, IsFineAllAroundTheShapeAndNowhereElse) {
   const double side = own.grid.finest_side();
   for (Index i = 0; i < own.grid.n_nodes(); ++i)
     EXPECT_EQ(own.distance.values()[i], d(own.grid.node_position(i))) << "kept over refinements";
+  // What was not split at the last step is too far.
+  for (const Index leaf : own.grid.leaves()) {
+    if (own.grid.cell(leaf).level != 5) continue;
+    for (const Index node : own.grid.cell(leaf).nodes)
+      EXPECT_GT(std::abs(own.distance.values()[node]), 1.5 * 2 * side);
+  }
   int n_near = 0, n_far = 0;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
