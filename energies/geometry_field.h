@@ -17,8 +17,8 @@
 
 namespace shellmatch {
 
-/// Nodal fields between the nodes, which copies of this object share: multilinear on each cell, or C1 and of
-/// third order as quadratic splines. Positions outside the domain are projected onto it first (paper, section
+/// Nodal fields between the nodes, which copies of this object share: multilinear on each cell, or C1 as
+/// quadratic splines. Positions outside the domain are projected onto it first (paper, section
 /// 6); the derivative in a projected direction is zero.
 template <int Dim>
 class GeometryField {

@@ -25,7 +25,7 @@ struct SplineWeights {
 /// of what would be its neighbours are those that represent the larger cells' spline by smaller ones (knot
 /// insertion: 3/4 and 1/4 along each axis). So both splines are the same function next to the face between
 /// them, which is why the whole is C1: truncated hierarchical B-splines (Giannelli, Juettler, Speleers 2012)
-/// without a look-up over levels. Coefficients outside the domain continue those inside linearly.
+/// without a look-up over levels. Coefficients outside the domain continue those inside.
 template <int Dim>
 class SplineSpace {
  public:
@@ -64,7 +64,7 @@ class SplineSpace {
   };
   struct Derived {
     Index coefficient;
-    bool outside;                              ///< of the domain: 2 source[0] - source[1]
+    bool outside;  ///< of the domain: 2 source[0] - source[1], or source[0] if not sharp
     std::array<Index, n_corners<Dim>> source;  ///< else of larger cells: bit k says which are on the far side
   };
   using Coord = typename Octree<Dim>::Coord;
