@@ -41,6 +41,8 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.solver.name = "fletcher_reeves";
     options.solver.metric = Metric::l2;
     options.solver.stop = {};
+    // The first gradient measures nothing where bending's exponential has made it huge: the decrease decides alone.
+    options.solver.stop.gradient_norm = 0;
     FletcherReevesOptions& method = options.solver.fletcher_reeves;
     method.update = ConjugateUpdate::fletcher_reeves;
     method.interpolation = Interpolation::halving;
