@@ -14,6 +14,20 @@ def ended_by(level):
     return f"{level['stop_reason'].replace('_', ' ')}, {level['iterations']}"
 
 
+def cells_of(summary):
+    """What the tables say of a run's finest level, in words: by name."""
+    last, times, distance = summary["levels"][-1], summary["run"]["level_seconds"], summary["levels"][-1]["distance"]
+    known = summary.get("correspondence_error")
+    return {
+        "nodes": f"{last['nodes']}", "free nodes": f"{last['free_nodes']}",
+        "below": seconds(sum(times[:-1])), "finest": seconds(times[-1]),
+        "to template": text(distance["deformed_to_template"]["mean"]),
+        "from template": text(distance["template_to_deformed"]["mean"]),
+        "correspondence": f"{text(summary['correspondence_error_before'])}, {text(known)}" if known is not None else "",
+        "normals": f"{last['band']['normal_angle']:.1f}", "folded band": f"{100 * last['band']['folded_share']:.2g} %",
+        "folded cells": f"{last['folds']['folded_cells']}", "ended by": ended_by(last)}
+
+
 def papers_level(name):
     return int((root / "configs/paper" / f"{name}.yaml").read_text().split("max_level:")[1].split()[0])
 
@@ -159,16 +173,11 @@ class Page:
                 summary = self.results.get(name, profile)
                 if not summary:
                     continue
-                last, times = summary["levels"][-1], summary["run"]["level_seconds"]
-                known = summary.get("correspondence_error")
-                distance = last["distance"]
-                rows.append([
-                    name, profile, f"{summary['levels'][0]['level']}:{last['level']}", f"{last['nodes']}",
-                    f"{last['free_nodes']}", seconds(sum(times[:-1])), seconds(times[-1]),
-                    text(distance["deformed_to_template"]["mean"]) + " / " + text(distance["template_to_deformed"]["mean"]),
-                    f"{text(summary['correspondence_error_before'])}, {text(known)}" if known is not None else "",
-                    f"{last['band']['normal_angle']:.1f}", f"{100 * last['band']['folded_share']:.2g} %",
-                    f"{last['folds']['folded_cells']}", ended_by(last)])
+                levels, cells = summary["levels"], cells_of(summary)
+                rows.append([name, profile, f"{levels[0]['level']}:{levels[-1]['level']}",
+                             *(cells[c] for c in ("nodes", "free nodes", "below", "finest")),
+                             cells["to template"] + " / " + cells["from template"],
+                             *(cells[c] for c in ("correspondence", "normals", "folded band", "folded cells", "ended by"))])
         if rows:
             self.add("## Size, time and quality")
             self.add(table(["experiment", "profile", "levels", "nodes", "free nodes", "below the finest level", "at the finest", "distance to / from template", "correspondence",
@@ -230,15 +239,11 @@ class Page:
                 summary = self.results.get(name, profile)
                 if not summary:
                     continue
-                last, times = summary["levels"][-1], summary["run"]["level_seconds"]
-                known = summary.get("correspondence_error")
+                last, cells = summary["levels"][-1], cells_of(summary)
                 at_once = at_once or (last["stop_reason"] == "gradient_norm" and last["iterations"] < 5)
-                rows.append([name, config, profile, f"{last['level']}", f"{last['nodes']}", f"{last['free_nodes']}",
-                             seconds(sum(times[:-1])), seconds(times[-1]),
-                             text(last["distance"]["deformed_to_template"]["mean"]),
-                             text(last["distance"]["template_to_deformed"]["mean"]), f"{last['band']['normal_angle']:.1f}",
-                             f"{text(summary['correspondence_error_before'])}, {text(known)}" if known is not None else "",
-                             f"{last['folds']['folded_cells']}", ended_by(last)])
+                rows.append([name, config, profile, f"{last['level']}",
+                             *(cells[c] for c in ("nodes", "free nodes", "below", "finest", "to template", "from template",
+                                                  "normals", "correspondence", "folded cells", "ended by"))])
         if rows:
             self.add("## Real shapes", "The nearest public ones (`SHELLMATCH_DATA`), with the weights of the experiment named.")
             self.add(table(["pair", "as", "profile", "level", "nodes", "free nodes", "below", "at the finest", "to template",
