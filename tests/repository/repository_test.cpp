@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/repository/include_rules.h"
+#include "tests/repository/mutation_rules.h"
 #include "tests/repository/text_rules.h"
 
 // The rules held against this repository. That each rule can be broken is shown in rules_test.cpp.
@@ -28,6 +29,7 @@ TEST(Repository, FilesAreShort) { expect_none(check_lengths(this_repository()));
 TEST(Repository, NamesNoMachine) { expect_none(check_machine_paths(this_repository())); }
 TEST(Repository, DocumentsPointToWhatIsThere) { expect_none(check_links(this_repository())); }
 TEST(Repository, InstalledPackageFindsAllDependencies) { expect_none(check_dependencies(this_repository())); }
+TEST(Repository, ListedErrorsCanBeMade) { expect_none(check_mutations(this_repository())); }
 
 }  // namespace
 }  // namespace shellmatch::repository

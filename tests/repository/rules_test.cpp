@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/repository/include_rules.h"
+#include "tests/repository/mutation_rules.h"
 #include "tests/repository/text_rules.h"
 
 // Every rule of the repository against planted faults, each beside a near miss that is allowed.
@@ -162,6 +163,25 @@ TEST_F(Rules, AForgottenDependencyIsFound) {
         "find_package(Eigen3 3.4 REQUIRED)\nfind_package(NLopt REQUIRED)\nfind_package(GTest)\n");
   plant("cmake/ShellmatchConfig.cmake.in", "find_dependency(Eigen3 3.4)\n");
   expect_one(check_dependencies(tree()), "cmake/ShellmatchConfig.cmake.in", 0);
+}
+
+// One entry of two lines is right; the file has the second text twice and the third not at all.
+TEST_F(Rules, ErrorsThatCannotBeMadeAreFound) {
+  plant("tests/grid/CMakeLists.txt", "shellmatch_test(grid_octree SOURCES octree_test.cpp)\n");
+  plant("grid/octree.cpp", "int a = 1;\n  int b = 2;\nint c = 2;\n");
+  const std::string good = "# a comment\ngrid/octree.cpp: grid_octree/Octree*\n- a = 1;\n-   int b\n+ a = 2;\n~ why\n\n";
+  const auto findings_for = [&](const std::string& text) {
+    plant("tests/mutations.txt", good + text);
+    return check_mutations(tree());
+  };
+  EXPECT_TRUE(findings_for("").empty());
+  expect_one(findings_for("- = 2;\n+ = 3;\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("- d = 1;\n+\n\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("\n+ int d;\n"), "tests/mutations.txt", 9);
+  expect_one(findings_for("- int a\n+ int a\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("grid/quadtree.cpp: grid_octree\n- b\n+ c\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("grid/octree.cpp: octree\n- b\n+ d\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("grid/octree.cpp:\n- b\n+ d\n"), "tests/mutations.txt", 8);
 }
 
 }  // namespace
