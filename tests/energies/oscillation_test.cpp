@@ -77,6 +77,9 @@ TEST(Oscillation, CurvesCloseAndTendToTheCircle) {
     const double start = closing_start(k);
     EXPECT_NEAR(turn(k, start), 2 * pi, 1e-9);
     EXPECT_NEAR(radius(k, start, 2 * pi), start, 1e-12);
+    const double t = 1e-5;  // r' is the radial speed
+    for (const double xi : {0.1, 0.9, 4.0})
+      EXPECT_NEAR((radius(k, start, xi + t) - radius(k, start, xi - t)) / (2 * t), radial(k, xi), 1e-6);
     // Never nearer to the origin than at the start: the curve is simple, since its angle grows throughout.
     EXPECT_GT(start, 0.2);
     // All of the curve is within 2 R / k of the limit, the start included.

@@ -5,9 +5,7 @@
 #include "base/types.h"
 #include "energies/small_matrix.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <random>
 
@@ -23,41 +21,23 @@ Eigen::Matrix<double, Rows, Columns> random_matrix(std::mt19937& random) {
   return a;
 }
 
+// For Dim 1 (tangent spaces in the plane), 2 and 3.
+
 /// An orthogonal matrix of determinant 1. Its columns serve as an orthonormal basis, too.
 template <int Dim>
-Mat<Dim> random_rotation(std::mt19937& random) {
-  if constexpr (Dim == 1) {
-    return Mat<1>::Ones();
-  } else {
-    Mat<Dim> q = Eigen::HouseholderQR<Mat<Dim>>(random_matrix<Dim>(random)).householderQ();
-    if (q.determinant() < 0) q.col(0) = -q.col(0);
-    return q;
-  }
-}
+Mat<Dim> random_rotation(std::mt19937& random);
 
 /// Symmetric with eigenvalues in [low, high].
 template <int Dim>
-Mat<Dim> random_symmetric(std::mt19937& random, double low, double high) {
-  std::uniform_real_distribution<double> uniform(low, high);
-  const Mat<Dim> q = random_rotation<Dim>(random);
-  Vec<Dim> l;
-  for (int i = 0; i < Dim; ++i) l[i] = uniform(random);
-  return q * l.asDiagonal() * q.transpose();
-}
+Mat<Dim> random_symmetric(std::mt19937& random, double low, double high);
 
 /// Singular values in [low, high], determinant positive.
 template <int Dim>
-Mat<Dim> random_orientation_preserving(std::mt19937& random, double low, double high) {
-  return random_rotation<Dim>(random) * random_symmetric<Dim>(random, low, high);
-}
+Mat<Dim> random_orientation_preserving(std::mt19937& random, double low, double high);
 
 /// S^exponent of a symmetric positive definite S.
 template <int Dim>
-Mat<Dim> power(const Mat<Dim>& s, double exponent) {
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> e(s);
-  const Vec<Dim> l = e.eigenvalues().array().pow(exponent);
-  return e.eigenvectors() * l.asDiagonal() * e.eigenvectors().transpose();
-}
+Mat<Dim> power(const Mat<Dim>& s, double exponent);
 
 template <class T = double, int Dim>
 SmallMat<T, Dim> small(const Eigen::Matrix<double, Dim, Dim>& a) {
