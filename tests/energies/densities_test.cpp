@@ -150,7 +150,7 @@ TYPED_TEST(Densities, FullVolumeIsThePapersAndStationaryAtRotations) {
     EXPECT_NEAR(value<Dim>(FullVolumeDensity{}, q), 0, 1e-12);
     EXPECT_LT(derivative<Dim>(FullVolumeDensity{}, q).norm(), 1e-11);
     EXPECT_NEAR(value<Dim>(FullVolumeDensity{}, a), papers(a) - at_identity, 1e-11 * papers(a));
-    // At I: p n^(p/2-1) |E|^2 + p (p-2) n^(p/2-2) (tr E)^2 from |A|^p, for n = 3 with 56 (tr E)^2 from |cof A|^4,
+    // At I: p n^(p/2-1) |E|^2 + p (p-2) n^(p/2-2) (tr E)^2 from |A|^p, for n = 3 56 (tr E)^2 from |cof A|^4,
     // and s |E|^2 + s^2 (tr E)^2 from (det A)^-s.
     const Mat<Dim> strain = random_symmetric<Dim>(random, -1, 1);
     const double squares = strain.squaredNorm(), trace2 = strain.trace() * strain.trace(), root2 = std::sqrt(2.0);

@@ -124,6 +124,42 @@ TEST(GeometryField, IsContinuousAndIfSmoothSoIsItsDerivative) {
   }
 }
 
+// Least values of the distance, a normal's entry and a root's where all are 1 or 20 at the nodes, at random.
+template <int Dim>
+std::array<double, 3> least_of_jagged(bool keep_definite) {
+  const Octree<Dim> grid = hanging_grid<Dim>(0.4);
+  std::mt19937 random(4);
+  CoefficientFields<Dim> nodal;
+  for (Index i = 0; i < grid.n_nodes(); ++i) {
+    const double value = random() % 2 ? 1 : 20;
+    nodal.distance.push_back(value);
+    nodal.normal.push_back(Vec<Dim>::Constant(value));
+    nodal.root.push_back(pack_symmetric<Dim>(value * Mat<Dim>::Identity()));
+  }
+  const GeometryField<Dim> jagged(std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal,
+                                  nodal.root, keep_definite);
+  std::array<double, 3> least{20, 20, 20};
+  for (int i = 0; i < 3000; ++i) {
+    const auto v = jagged.value(random_point<Dim>(random));
+    for (int k = 0; k < 3; ++k) least[k] = std::min(least[k], v[std::array{0, 1, 1 + Dim}[k]]);
+  }
+  return least;
+}
+
+template <int Dim>
+void check_definite() {
+  const auto kept = least_of_jagged<Dim>(true), sharp = least_of_jagged<Dim>(false);
+  EXPECT_LT(kept[0], 0) << "distances are sharp,";
+  EXPECT_LT(kept[1], 0) << "and so are normals";
+  EXPECT_GE(kept[2], 1 - 1e-12);
+  EXPECT_LT(sharp[2], 0);
+}
+
+TEST(GeometryField, SmoothRootsStayPositiveDefinite) {
+  check_definite<2>();
+  check_definite<3>();
+}
+
 template <int Dim>
 void check_packs(bool smooth) {
   using Field = GeometryField<Dim>;
