@@ -33,6 +33,13 @@ void parallel_for(std::size_t n, Body&& body, std::size_t chunk_size = 1024) {
   });
 }
 
+/// Calls body(0) and body(1), at the same time where there are threads: for two shapes, whose work has parts that
+/// only one thread can do.
+template <class Body>
+void for_both(Body&& body) {
+  parallel_chunks(2, 1, [&](const Chunk& c) { body(static_cast<int>(c.index)); });
+}
+
 /// Sum of body(chunk) over all chunks, added in chunk order: the same bits whatever the number of threads.
 template <class T, class Body>
 T parallel_sum(std::size_t n, std::size_t chunk_size, T zero, Body&& body) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
@@ -61,28 +62,34 @@ template <int Dim>
 Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
                 const GeometryField<Dim>& reference, bool root_is_inverse, double sigma)
     : n_points_(shape.points.size()) {
-  // Which elements the band meets at all, and with how many points.
-  std::vector<int> active(elements.size(), 0);
+  std::vector<char> is_member(elements.size(), 0);
   parallel_for(
       elements.size(),
       [&](std::size_t e) {
         if (is_far(elements[e], reference, sigma)) return;
-        for (const auto& q : shape.points)
-          if (std::abs(reference.value(position<Dim>(elements[e], q.xi))[0]) < sigma) ++active[e];
+        is_member[e] = std::ranges::any_of(shape.points, [&](const auto& q) {
+          return std::abs(reference.value(position<Dim>(elements[e], q.xi))[0]) < sigma;
+        });
       },
       64);
   std::vector<Index> members;
   for (std::size_t e = 0; e < elements.size(); ++e)
-    if (active[e] > 0) {
-      members.push_back(static_cast<Index>(e));
-      n_active_points_ += static_cast<std::size_t>(active[e]);
-    }
+    if (is_member[e]) members.push_back(static_cast<Index>(e));
   n_elements_ = members.size();
   batches_.resize((members.size() + n_lanes - 1) / n_lanes);
   points_.resize(batches_.size() * n_points_);
 
-  measure_ = parallel_sum(batches_.size(), 256, 0.0, [&](const Chunk& chunk) {
-    double sum = 0;
+  struct Sums {
+    double measure = 0;
+    std::size_t n_active = 0;
+    Sums& operator+=(const Sums& o) {
+      measure += o.measure;
+      n_active += o.n_active;
+      return *this;
+    }
+  };
+  const Sums sums = parallel_sum(batches_.size(), 256, Sums{}, [&](const Chunk& chunk) {
+    Sums sum;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       Batch& batch = batches_[b];
       batch.n_elements = static_cast<int>(std::min<std::size_t>(n_lanes, members.size() - b * n_lanes));
@@ -97,13 +104,16 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
           Point& point = points_[b * n_points_ + q];
           const bool counts = lane < batch.n_elements;
           point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;
-          sum += point.weight[lane];
+          sum.measure += point.weight[lane];
+          sum.n_active += counts && std::abs(flat[0]) < sigma;
           for (int i = 0; i < n_reference; ++i) point.reference[i][lane] = flat[i];
         }
       }
     }
     return sum;
   });
+  measure_ = sums.measure;
+  n_active_points_ = sums.n_active;
 }
 
 template class Band<2>;

@@ -24,17 +24,19 @@ BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
         std::array<Pack, Dim * Dim> jacobian;
         batch.position(shape.points[q], place);
         batch.jacobian(shape.points[q], jacobian.data());
+        std::array<Pack, GeometryField<Dim>::n_values> there;
+        target.look_up(point.weight, place, there.data());
         for (int lane = 0; lane < autodiff::pack_size; ++lane) {
           const double weight = point.weight[lane];
           if (!(weight > 0)) continue;
           SmallMat<double, Dim> dphi;
           for (int i = 0; i < Dim * Dim; ++i) dphi.v[i] = jacobian[i][lane];
-          SmallVec<double, Dim> n1, y;
+          SmallVec<double, Dim> n1, n2;
           for (int k = 0; k < Dim; ++k) {
             n1[k] = point.reference[1 + k][lane];
-            y[k] = place[k][lane];
+            n2[k] = there[1 + k][lane];
           }
-          const SmallVec<double, Dim> n2 = target.at(y).n2, carried = times(cofactor(dphi), n1);
+          const SmallVec<double, Dim> carried = times(cofactor(dphi), n1);
           const double lengths = std::sqrt(dot(n2, n2) * dot(carried, carried));
           // Where either vanishes there is no angle; count it as a right one.
           const double cosine = lengths > 0 ? std::clamp(dot(n2, carried) / lengths, -1.0, 1.0) : 0.0;

@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace shellmatch {
 
@@ -29,8 +29,13 @@ class ElementMatrices {
   /// Where entry (i, j) stands, i <= j; i = c * Dim + k is component k at corner c.
   static constexpr int entry(int i, int j) { return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim; }
 
-  void resize(std::size_t n_elements) { matrices_.resize(n_elements); }
-  std::size_t size() const { return matrices_.size(); }
+  /// Room for so many; what it holds is of no meaning yet.
+  void resize(std::size_t n_elements) {
+    if (n_elements == size_) return;
+    matrices_ = std::make_unique_for_overwrite<Matrix[]>(n_elements);  // its pages are the threads' to touch first
+    size_ = n_elements;
+  }
+  std::size_t size() const { return size_; }
   Matrix& operator[](std::size_t e) { return matrices_[e]; }
   const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
 
@@ -61,7 +66,8 @@ class ElementMatrices {
       for (int j = i; j < n_dofs; ++j) places[at++] = entry(i, j);
     return places;
   }();
-  std::vector<Matrix> matrices_;
+  std::unique_ptr<Matrix[]> matrices_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace shellmatch

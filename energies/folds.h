@@ -7,6 +7,7 @@
 #include "energies/elements.h"
 
 #include <span>
+#include <vector>
 
 namespace shellmatch {
 
@@ -18,9 +19,16 @@ struct FoldReport {
   double folded_volume = 0;      ///< volume of the folded cells, as a share of the domain
 };
 
-/// Smallest value at the corners and smallest Bernstein coefficient of det Dphi on one element.
+/// Of det Dphi on one element.
+struct DeterminantBounds {
+  double smallest;  ///< value at the corners
+  double bound;     ///< smallest Bernstein coefficient
+};
+
+/// One for each element.
 template <int Dim>
-std::pair<double, double> determinant_bounds(const Element<Dim>& element, std::span<const Vec<Dim>> phi);
+std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> elements,
+                                                  std::span<const Vec<Dim>> phi);
 
 template <int Dim>
 FoldReport find_folds(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi);

@@ -161,8 +161,7 @@ inline void GeometryField<Dim>::multilinear(const Place& p, Row* result) const {
 
 template <int Dim>
 template <bool WithGradient>
-inline void GeometryField<Dim>::row(const Vec<Dim>& y, Row* result) const {
-  const Place p = place_of(y);
+inline void GeometryField<Dim>::row(const Place& p, Row* result) const {
   if (is_smooth())
     spline<WithGradient>(p, result);
   else
@@ -172,7 +171,7 @@ inline void GeometryField<Dim>::row(const Vec<Dim>& y, Row* result) const {
 template <int Dim>
 typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y) const {
   Row r;
-  row<false>(y, &r);
+  row<false>(place_of(y), &r);
   Values v;
   for (int i = 0; i < n_values; ++i)
     v[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
@@ -183,7 +182,7 @@ template <int Dim>
 typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
                                                               std::array<Values, Dim>& derivative) const {
   std::array<Row, 1 + Dim> rows;
-  row<true>(y, rows.data());
+  row<true>(place_of(y), rows.data());
   Values v;
   for (int k = 0; k <= Dim; ++k)
     for (int i = 0; i < n_values; ++i) {
@@ -204,14 +203,23 @@ void GeometryField<Dim>::look_up_lanes(const Pack& weight, const std::array<Pack
   std::array<std::array<Pack, autodiff::pack_size>, n_rows>
       main;  // by lane, to be turned into one pack for each value
   std::array<Pack, autodiff::pack_size> rest{};
+  // First where all of them are: the ways down the tree do not wait for each other, nor for the sums.
+  std::array<Place, autodiff::pack_size> places;
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    if (!(weight[lane] > 0)) continue;
+    Vec<Dim> place;
+    for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
+    places[lane] = place_of(place);
+    if (is_smooth()) {
+      const auto& local = splines_->of_leaf(places[lane].leaf).coefficients;
+      __builtin_prefetch(local.data());
+      for (int n = 1; n < SplineSpace<Dim>::n_local; n += 3) __builtin_prefetch(main_->data() + local[n]);
+    }
+  }
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
     std::array<Row, n_rows> r{};
     r[0] = harmless;
-    if (weight[lane] > 0) {
-      Vec<Dim> place;
-      for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
-      row<WithGradient>(place, r.data());
-    }
+    if (weight[lane] > 0) row<WithGradient>(places[lane], r.data());
     for (int k = 0; k < n_rows; ++k) main[k][lane] = r[k].main;
     if constexpr (n_rest > 0)
       for (int k = 0; k < n_rows; ++k)

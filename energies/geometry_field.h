@@ -84,7 +84,7 @@ class GeometryField {
   template <bool WithGradient>
   void spline(const Place& p, Row* result) const;
   template <bool WithGradient>
-  void row(const Vec<Dim>& y, Row* result) const;
+  void row(const Place& p, Row* result) const;
   template <bool WithGradient>
   void look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
                      Packs* derivative) const;

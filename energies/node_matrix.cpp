@@ -50,15 +50,21 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns) : unknowns_(&unknowns
   first_.assign(n + 1, 0);
   parallel_chunks(n, rows_per_chunk, [&](const Chunk& chunk) {
     std::vector<Index>& found = of_chunk[chunk.index];
+    static thread_local std::vector<char> is_found;  // by column, for the row at work; all false between rows
+    is_found.resize(std::max(is_found.size(), n), 0);
     std::vector<Index> row;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       row.clear();
       for (const auto& place : unknowns.places_of(i))
         for (const Index node :
              unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<Dim>].nodes)
-          for (const auto& carrier : unknowns.carriers_of(node)) row.push_back(carrier.unknown);
+          for (const auto& carrier : unknowns.carriers_of(node)) {
+            if (is_found[carrier.unknown]) continue;
+            is_found[carrier.unknown] = 1;
+            row.push_back(carrier.unknown);
+          }
+      for (const Index column : row) is_found[column] = 0;
       std::sort(row.begin(), row.end());
-      row.erase(std::unique(row.begin(), row.end()), row.end());
       first_[i + 1] = row.size();
       found.insert(found.end(), row.begin(), row.end());
     }
@@ -70,7 +76,11 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns) : unknowns_(&unknowns
 
 template <int Dim>
 void NodeMatrix<Dim>::assemble(const ElementMatrices<Dim>& elements) {
-  values_.resize(columns_.size() * block_size + BlockColumn<Dim>::width);
+  const std::size_t n_values = columns_.size() * block_size + BlockColumn<Dim>::width;
+  if (!values_) {
+    values_ = std::make_unique_for_overwrite<float[]>(n_values);  // its pages are the threads' to touch first
+    std::fill_n(values_.get() + columns_.size() * block_size, BlockColumn<Dim>::width, 0.0f);
+  }
   const std::size_t n = unknowns_->nodes().size();
   parallel_chunks(n, rows_per_chunk, [&](const Chunk& chunk) {
     static thread_local std::vector<Index> place;  // of a column within the row at work
@@ -93,7 +103,7 @@ void NodeMatrix<Dim>::assemble(const ElementMatrices<Dim>& elements) {
             row[place[carrier.unknown]] += at.weight * carrier.weight * block;
         }
       }
-      float* to = values_.data() + first_[i] * block_size;
+      float* to = values_.get() + first_[i] * block_size;
       for (const WideBlock& block : row) {
         std::memcpy(to, &block, block_size * sizeof(float));
         to += block_size;
@@ -119,7 +129,7 @@ void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
     for (const auto& row : unknowns_->carriers_of(nodes[c]))
       for (int d = 0; d < n_corners<Dim>; ++d)
         for (const auto& column : unknowns_->carriers_of(nodes[d])) {
-          float* block = values_.data() + place_of(row.unknown, column.unknown) * block_size;
+          float* block = values_.get() + place_of(row.unknown, column.unknown) * block_size;
           const double x = factor * static_cast<double>(row.weight * column.weight) * k[c][d];
           for (int a = 0; a < Dim; ++a) block[a * Dim + a] += static_cast<float>(x);
         }
@@ -131,7 +141,7 @@ void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) c
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       // A sum for each component of x: none waits for the one before.
       std::array<typename BlockColumn<Dim>::Doubles, Dim> sums{};
-      const float* value = values_.data() + first_[i] * block_size;
+      const float* value = values_.get() + first_[i] * block_size;
       for (std::size_t j = first_[i]; j < first_[i + 1]; ++j, value += block_size) {
         const double* from = x.data() + static_cast<std::size_t>(columns_[j]) * Dim;
         for (int k = 0; k < Dim; ++k) sums[k] += read_column<Dim>(value + k * Dim) * from[k];
@@ -144,7 +154,7 @@ void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) c
 
 template <int Dim>
 Mat<Dim> NodeMatrix<Dim>::diagonal(std::size_t i) const {
-  const float* block = values_.data() + place_of(static_cast<Index>(i), static_cast<Index>(i)) * block_size;
+  const float* block = values_.get() + place_of(static_cast<Index>(i), static_cast<Index>(i)) * block_size;
   Mat<Dim> m;
   for (int l = 0; l < Dim; ++l)
     for (int k = 0; k < Dim; ++k) m(k, l) = static_cast<double>(block[l * Dim + k]);

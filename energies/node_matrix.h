@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,7 +44,7 @@ class NodeMatrix {
   const Unknowns<Dim>* unknowns_;
   std::vector<std::size_t> first_;  ///< blocks of row i: [first_[i], first_[i + 1])
   std::vector<Index> columns_;      ///< ascending within a row
-  std::vector<float> values_;       ///< blocks by columns; and some more, that the last can be read in one go
+  std::unique_ptr<float[]> values_;  ///< blocks by columns; and some more, that the last can be read in one go
 };
 
 }  // namespace shellmatch

@@ -2,7 +2,6 @@
 
 #include "base/parallel.h"
 #include "grid/constraints.h"
-#include "grid/local_fit.h"
 #include "grid/matrix_root.h"
 #include "grid/projection.h"
 
@@ -42,6 +41,15 @@ NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> n
   if (nodes.empty()) nodes = grid.free_nodes();
   const auto hessians = fit_hessians(grid, nodal_distance, options, nodes);
   return assemble(grid, std::move(nodal_distance), options, hessians, nodes);
+}
+
+template <int Dim>
+NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> nodal_distance,
+                                  const CoefficientOptions& options, const Hessians<Dim>& hessians) {
+  const auto free = grid.free_nodes();
+  Hessians<Dim> at_free(free.size());
+  for (std::size_t i = 0; i < free.size(); ++i) at_free[i] = hessians[free[i]];
+  return assemble(grid, std::move(nodal_distance), options, at_free, free);
 }
 
 template <int Dim>
@@ -105,32 +113,20 @@ CoefficientFields<Dim> compute_coefficients(const Octree<Dim>& grid, std::vector
   return classify(grid, std::move(geometry), classifier, inverse_root);
 }
 
-namespace {
-
 template <int Dim>
-std::array<NodalGeometry<Dim>, 2> geometry_of_both(const GridPair<Dim>& grids,
-                                                   std::array<std::vector<double>, 2> distances,
-                                                   const CoefficientOptions& options) {
-  if (grids[0] == grids[1]) return nodal_geometry<Dim>(*grids[0], std::move(distances), options);
-  return {nodal_geometry<Dim>(*grids[0], std::move(distances[0]), options),
-          nodal_geometry<Dim>(*grids[1], std::move(distances[1]), options)};
-}
-
-}  // namespace
-
-template <int Dim>
-CoefficientPair<Dim> compute_coefficient_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
-                                              const CoefficientOptions& options) {
-  auto [reference, target] = geometry_of_both<Dim>(grids, std::move(distances), options);
-  const Classifier classifier = make_classifier(grids, options, reference, target);
-  return {classify(*grids[0], std::move(reference), classifier, !options.invert_at_point),
-          classify(*grids[1], std::move(target), classifier, false)};
+CoefficientPair<Dim> coefficient_pair(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry,
+                                      const CoefficientOptions& options) {
+  const Classifier classifier = make_classifier(grids, options, geometry[0], geometry[1]);
+  std::array<CoefficientFields<Dim>, 2> fields;
+  for_both([&](int s) {
+    fields[s] = classify(*grids[s], std::move(geometry[s]), classifier, s == 0 && !options.invert_at_point);
+  });
+  return {std::move(fields[0]), std::move(fields[1])};
 }
 
 template <int Dim>
-CoefficientPair<Dim> compute_shape_operator_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
-                                                 const CoefficientOptions& options) {
-  auto geometry = geometry_of_both<Dim>(grids, std::move(distances), options);
+CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry,
+                                         const CoefficientOptions& options) {
   const double cap = options.max_curvature_times_h / std::max(grids[0]->finest_side(), grids[1]->finest_side());
   const auto operators = [&](const Octree<Dim>& grid, NodalGeometry<Dim>& g) {
     const auto free = grid.free_nodes();
@@ -162,10 +158,12 @@ CoefficientPair<Dim> compute_shape_operator_pair(const GridPair<Dim>& grids, std
                                                 bool);                                                     \
   template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
                                                             const CoefficientOptions&, bool);              \
-  template CoefficientPair<Dim> compute_coefficient_pair<Dim>(                                             \
-      const GridPair<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&);                \
-  template CoefficientPair<Dim> compute_shape_operator_pair<Dim>(                                          \
-      const GridPair<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&);
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
+                                                  const CoefficientOptions&, const Hessians<Dim>&);        \
+  template CoefficientPair<Dim> coefficient_pair<Dim>(                                                     \
+      const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>, const CoefficientOptions&);                 \
+  template CoefficientPair<Dim> shape_operator_pair<Dim>(                                                  \
+      const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>, const CoefficientOptions&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -4,6 +4,7 @@
 /// (paper, section 5, computation of the coefficients).
 
 #include "grid/classification.h"
+#include "grid/local_fit.h"
 #include "grid/nodal.h"
 #include "grid/octree.h"
 #include "grid/options.h"
@@ -34,6 +35,11 @@ std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
                                                  std::array<std::vector<double>, 2> nodal_distances,
                                                  const CoefficientOptions& options,
                                                  std::span<const Index> nodes = {});
+
+/// The same with second derivatives of the distance that are known at all nodes.
+template <int Dim>
+NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> nodal_distance,
+                                  const CoefficientOptions& options, const Hessians<Dim>& hessians);
 
 /// The grids of two surfaces, often one and the same.
 template <int Dim>
@@ -69,14 +75,14 @@ struct CoefficientPair {
   CoefficientFields<Dim> reference, target;
 };
 
-/// Distances and results are those at the nodes of each surface's grid.
+/// Geometry and results are those at the nodes of each surface's grid.
 template <int Dim>
-CoefficientPair<Dim> compute_coefficient_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
-                                              const CoefficientOptions& options);
+CoefficientPair<Dim> coefficient_pair(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry,
+                                      const CoefficientOptions& options);
 
 /// The same with the shape operators S = P D^2 d P themselves in place of roots, their curvatures capped.
 template <int Dim>
-CoefficientPair<Dim> compute_shape_operator_pair(const GridPair<Dim>& grids, std::array<std::vector<double>, 2> distances,
-                                                 const CoefficientOptions& options);
+CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry,
+                                         const CoefficientOptions& options);
 
 }  // namespace shellmatch

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "grid/lattice_fit.h"
 #include "grid/quadratic_fit.h"
 
 #include <nanoflann.hpp>
@@ -10,14 +11,14 @@
 
 namespace shellmatch {
 
-namespace {
-
 template <int Dim>
-int n_neighbours(const CoefficientOptions& options) {
+std::size_t n_neighbours(const CoefficientOptions& options) {
   // 12 and 32 are whole shells of the regular lattice: all nodes within two cells.
   const int wanted = options.neighbours > 0 ? options.neighbours : (Dim == 2 ? 12 : 32);
-  return std::max(wanted, QuadraticFit<Dim, 1>::n_unknowns - 1);
+  return static_cast<std::size_t>(std::max(wanted, QuadraticFit<Dim, 1>::n_unknowns - 1));
 }
+
+namespace {
 
 // The free nodes in integer coordinates, so that equal distances are equal to the last bit.
 template <int Dim>
@@ -41,23 +42,32 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<do
 
 // What one thread needs for its queries.
 struct Scratch {
-  std::vector<Index> nearest;
-  std::vector<double> squares;
   std::vector<std::pair<Index, double>> ball;
+  std::vector<double> squares;
+  std::vector<Index> lattice;
+  double guess = 0;  // of a square that holds enough
 };
 
 // Fills scratch.ball with the free nodes no farther from the node than the n-th nearest of the others.
-// Returns the squares of the distances to the nearest and to the farthest of them.
+// Returns the squares of the distances to the nearest and to the farthest of them. \pre n + 1 <= all
 template <int Dim>
 std::pair<double, double> find_ball(const Tree<Dim>& tree, const std::array<double, Dim>& centre,
                                     std::size_t n, Scratch& scratch) {
-  scratch.nearest.resize(n + 1);  // the node itself comes first
-  scratch.squares.resize(n + 1);
-  tree.knnSearch(centre.data(), n + 1, scratch.nearest.data(), scratch.squares.data());
+  auto& ball = scratch.ball;
+  auto& squares = scratch.squares;
+  double& guess = scratch.guess;
   // Squares are whole numbers and the search takes what is strictly nearer.
-  tree.radiusSearch(centre.data(), scratch.squares[n] + 0.5, scratch.ball,
-                    nanoflann::SearchParams(0, 0.f, false));
-  return {scratch.squares[1], scratch.squares[n]};
+  while (tree.radiusSearch(centre.data(), guess + 0.5, ball, nanoflann::SearchParams(0, 0.f, false)) <= n)
+    guess = 2 * guess + 1;
+  squares.clear();
+  for (const auto& member : ball) squares.push_back(member.second);
+  std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(n));  // the node is the first
+  const double farthest = guess = squares[n];
+  std::erase_if(ball, [&](const auto& member) { return member.second > farthest; });
+  double nearest = farthest;
+  for (const auto& member : ball)
+    if (member.second > 0) nearest = std::min(nearest, member.second);
+  return {nearest, farthest};
 }
 
 template <int Fields>
@@ -106,15 +116,22 @@ std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, con
 template <int Dim, int Fields>
 std::array<Hessians<Dim>, Fields> fit_all(const Octree<Dim>& grid, const FieldPointers<Fields>& fields,
                                           const CoefficientOptions& options, std::span<const Index> nodes) {
-  const int n_others = n_neighbours<Dim>(options);
+  const std::size_t n_others = n_neighbours<Dim>(options);
   const FreeNodes<Dim> points(grid);
   const Tree<Dim> tree(Dim, points, nanoflann::KDTreeSingleIndexAdaptorParams(12));
+  const LatticeFit<Dim> lattice(grid, n_others, options.fit_weight);
   std::array<Hessians<Dim>, Fields> hessians;
   for (auto& h : hessians) h.resize(nodes.size());
   parallel_chunks(nodes.size(), 512, [&](const Chunk& chunk) {
     Scratch scratch;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       SHELLMATCH_CHECK(grid.free_index(nodes[i]) != no_index, "quadratics are fitted at free nodes");
+      if (const double side = lattice.find_neighbours(nodes[i], scratch.lattice); side > 0) {
+        for (int f = 0; f < Fields; ++f)
+          hessians[f][i] = lattice.hessian({fields[f], static_cast<std::size_t>(grid.n_nodes())}, nodes[i], side,
+                                           scratch.lattice);
+        continue;
+      }
       const auto at_node =
           fit_at<Dim, Fields>(grid, tree, fields, nodes[i], n_others, options.fit_weight, scratch);
       for (int f = 0; f < Fields; ++f) hessians[f][i] = at_node[f];
@@ -142,6 +159,7 @@ std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid,
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                             \
+  template std::size_t n_neighbours<Dim>(const CoefficientOptions&);                            \
   template Hessians<Dim> fit_hessians<Dim>(const Octree<Dim>&, const std::vector<double>&,      \
                                            const CoefficientOptions&, std::span<const Index>);  \
   template std::array<Hessians<Dim>, 2> fit_hessians<Dim>(                                      \

@@ -15,6 +15,10 @@ namespace shellmatch {
 template <int Dim>
 using Hessians = std::vector<SymmetricComponents<Dim>>;
 
+/// How many nodes beside the one in the middle a neighbourhood has at least: r of the options, or of the space.
+template <int Dim>
+std::size_t n_neighbours(const CoefficientOptions& options);
+
 /// Hessians at the given free nodes: those of the quadratics that fit the field best, in the sense of
 /// weighted least squares, at the node and at its r nearest free nodes (paper, section 5). Of free nodes that
 /// are equally far all are taken or none, so that the result has the symmetries of the grid. Where the

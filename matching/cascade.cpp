@@ -29,6 +29,12 @@ std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) 
   return steps;
 }
 
+std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
+                       double negligible) {
+  const double rise = match * (steps[s].nu / steps.back().nu - 1);
+  return s + 1 < steps.size() && rise < negligible * std::abs(value) ? steps.size() - 1 : s + 1;
+}
+
 namespace {
 
 /// One level: all its minimisations, from phi, which is replaced by the result.
@@ -55,7 +61,7 @@ class Level {
     start.n_substeps = static_cast<int>(steps.size());
     const SolverOptions solver = solver_at_level(options_.solver, level);
     TermValues weights;
-    for (std::size_t s = 0; s < steps.size() && !interrupted; ++s) {
+    for (std::size_t s = 0, next = 0; s < steps.size() && !interrupted; s = next) {
       start.substep = static_cast<int>(s) + 1;
       start.nu = steps[s].nu;
       start.volume_weight = steps[s].volume_weight;
@@ -67,10 +73,12 @@ class Level {
       if (level < options_.cascade.max_level || s + 1 < steps.size())
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       observer.level_started(start);
+      std::vector<double> terms;  // where the minimisation ends
       result.last = minimize_with_fallback(
           solver, problem, x, stop,
           [&](const IterationRecord& r) {
             check(r.iteration, start, problem.last_positions(), weights, observer);
+            terms = r.terms;
             return observer.iterated(start, r);
           },
           [&](const std::string& change) {
@@ -86,13 +94,16 @@ class Level {
       observer.level_finished(start, result.last);
       interrupted = result.last.reason == StopReason::interrupted;
       phi = problem.positions(x);
+      next = terms.empty() ? s + 1
+                           : step_after(steps, s, terms[static_cast<std::size_t>(Term::match)],
+                                        result.last.final_value, stop.relative_decrease);
       result.iterations += result.last.iterations;
       result.value_evaluations += result.last.value_evaluations;
       result.gradient_evaluations += result.last.gradient_evaluations;
       result.seconds += result.last.seconds;
     }
     level_.energy.evaluate(phi, weights, result.minimised, {});
-    const int finer = std::min(std::max(4, options_.energy.quadrature_order + 1), 5);
+    const int finer = std::min(options_.energy.quadrature_order + 1, 5);
     const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
                                                    phi, weights);
     result.reported = report.values;

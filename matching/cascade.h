@@ -12,6 +12,7 @@
 #include "matching/options.h"
 #include "matching/run_matching.h"
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -81,5 +82,11 @@ struct ScheduleStep {
   double nu, volume_weight;
 };
 std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& options, int level);
+
+/// Which step follows step `s`, that ended with these values of the match term and of all: the next one, or the
+/// last at once. The match term is in inverse ratio to nu, so that it tells by how much the last nu raises the
+/// energy; if that is a share of less than `negligible`, no step in between has more than that to win.
+std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
+                       double negligible);
 
 }  // namespace shellmatch

@@ -24,6 +24,14 @@ void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<D
 }
 
 template <int Dim>
+void FieldGrid<Dim>::compute(const SignedDistance<Dim>& shape, const CoefficientOptions& options) {
+  distance.compute(grid, shape, options.distance);
+  // Those of fast marching have changed everywhere.
+  if (options.distance == DistanceMethod::fast_marching) hessians = {};
+  hessians.update(grid, distance.values(), options);
+}
+
+template <int Dim>
 void FieldGrid<Dim>::refine(double reach) {
   const int finest = grid.finest_level();
   grid.refine([&](Index leaf) {

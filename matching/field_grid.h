@@ -4,6 +4,7 @@
 /// else; and distances that are kept while a grid grows.
 
 #include "geometry/signed_distance.h"
+#include "grid/hierarchical_fit.h"
 #include "grid/octree.h"
 #include "grid/options.h"
 
@@ -29,9 +30,14 @@ template <int Dim>
 struct FieldGrid {
   Octree<Dim> grid;
   NodalDistance<Dim> distance;
+  HierarchicalFit<Dim> hessians;  ///< of the distance
 
-  /// Uniform; distances are to be computed.
+  /// Uniform; nothing is computed yet.
   explicit FieldGrid(int level) : grid(level) {}
+
+  /// Distances and their second derivatives at the nodes. To be called at the beginning and after every
+  /// refinement.
+  void compute(const SignedDistance<Dim>& shape, const CoefficientOptions& options);
 
   /// Splits every finest cell with a corner nearer to the shape than `reach` of its sides, at least 1.
   /// \pre the distances are those of this grid

@@ -6,10 +6,12 @@ ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
   options.solver.name = "newton";
-  // Newton's steps are few and each of them counts.
-  options.solver.stop.relative_decrease = 1e-4;
-  options.solver.stop.decrease_window = 2;
+  // Newton's steps are few and each of them counts: one that gains little is the last.
+  options.solver.stop.relative_decrease = 3e-4;
+  options.solver.stop.decrease_window = 1;
   options.solver.stop.max_iterations = 300;
+  // Where the path bends, better systems cost more than they save.
+  options.solver.newton.max_forcing = 0.3;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten and c_vol by two once per refinement, with nothing in between.
     options.cascade.nu = 0.002;

@@ -71,7 +71,7 @@ struct CascadeOptions {
     visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells, those that meet either shape"});
     visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
     visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
-    visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level; 1 is the paper's"});
+    visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
     visit("intermediate_decrease", self.intermediate_decrease, {.min = 0, .max = 0.1, .meaning = "relative decrease at which every minimisation but the very last stops, where that is more than solver.stop.relative_decrease; 0 asks for the same of all"});
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
     visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});

@@ -220,6 +220,7 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
   const auto leaves = grid.leaves();
   CellField band{"in_band", std::vector<double>(leaves.size())};
   CellField determinant{"min_determinant", std::vector<double>(leaves.size())};
+  std::vector<Element<Dim>> elements(leaves.size());
   parallel_for(leaves.size(), [&](std::size_t i) {
     const auto& cell = grid.cell(leaves[i]);
     double low = distance1[cell.nodes[0]], high = low;
@@ -228,8 +229,10 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
       high = std::max(high, distance1[n]);
     }
     band.values[i] = low < sigma && high > -sigma;
-    determinant.values[i] = determinant_bounds<Dim>({cell.nodes, cell.side()}, phi).second;
+    elements[i] = {cell.nodes, cell.side()};
   });
+  const auto bounds = determinant_bounds<Dim>(elements, phi);
+  for (std::size_t i = 0; i < bounds.size(); ++i) determinant.values[i] = bounds[i].bound;
   return {std::move(band), std::move(determinant)};
 }
 

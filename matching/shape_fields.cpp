@@ -47,38 +47,49 @@ void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
   if (!is_smooth()) return;
   const int level =
       std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
-  for (int s = 0; s < 2; ++s) {
+  if (own_[0]->grid.finest_level() < level) smooth_.reset();
+  for_both([&](int s) {
     FieldGrid<Dim>& own = *own_[s];
-    if (own.distance.values().empty()) own.distance.compute(own.grid, *shapes_[s], method);
+    if (own.distance.values().empty()) own.compute(*shapes_[s], options_->coefficients);
     while (own.grid.finest_level() < level) {
-      smooth_.reset();
       own.refine(options_->coefficients.reach);
-      own.distance.compute(own.grid, *shapes_[s], method);
+      own.compute(*shapes_[s], options_->coefficients);
     }
-  }
+  });
 }
 
 template <int Dim>
 CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const GridPair<Dim>& grids,
-                                                    std::array<std::vector<double>, 2> distances) const {
-  const auto compute = reads_shape_operators(options_->energy) ? compute_shape_operator_pair<Dim>
-                                                               : compute_coefficient_pair<Dim>;
-  return compute(grids, std::move(distances), options_->coefficients);
+                                                    std::array<NodalGeometry<Dim>, 2> geometry) const {
+  const auto compute =
+      reads_shape_operators(options_->energy) ? shape_operator_pair<Dim> : coefficient_pair<Dim>;
+  return compute(grids, std::move(geometry), options_->coefficients);
 }
 
 template <int Dim>
 GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
   if (!is_smooth()) {
     const auto nodal = coefficients(
-        {&grid, &grid}, {conforming(grid, on_grid_[0].values()), conforming(grid, on_grid_[1].values())});
+        {&grid, &grid}, nodal_geometry<Dim>(grid,
+                                            {conforming(grid, on_grid_[0].values()),
+                                             conforming(grid, on_grid_[1].values())},
+                                            options_->coefficients));
     return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
   }
   if (!smooth_) {
-    const auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid},
-                                    {own_[0]->distance.values(), own_[1]->distance.values()});
+    std::array<NodalGeometry<Dim>, 2> geometry;
+    for_both([&](int s) {
+      const FieldGrid<Dim>& own = *own_[s];
+      geometry[s] =
+          nodal_geometry<Dim>(own.grid, own.distance.values(), options_->coefficients, own.hessians.values());
+    });
+    const auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid}, std::move(geometry));
     const bool roots = !reads_shape_operators(options_->energy);
-    smooth_ = {smooth_field(own_[0]->grid, nodal.reference, roots),
-               smooth_field(own_[1]->grid, nodal.target, roots), takes_inverse_root(*options_)};
+    std::array<std::optional<GeometryField<Dim>>, 2> fields;
+    for_both([&](int s) {
+      fields[s] = smooth_field(own_[s]->grid, s == 0 ? nodal.reference : nodal.target, roots);
+    });
+    smooth_ = {std::move(*fields[0]), std::move(*fields[1]), takes_inverse_root(*options_)};
   }
   return *smooth_;
 }

@@ -37,8 +37,7 @@ class ShapeFields {
 
  private:
   bool is_smooth() const { return own_[0].has_value(); }
-  CoefficientPair<Dim> coefficients(const GridPair<Dim>& grids,
-                                    std::array<std::vector<double>, 2> distances) const;
+  CoefficientPair<Dim> coefficients(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry) const;
 
   std::array<const SignedDistance<Dim>*, 2> shapes_;
   const ExperimentOptions* options_;

@@ -9,6 +9,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
@@ -66,8 +67,9 @@ class Messages {
   vtkNew<Window> window_;
 };
 
-vtkNew<vtkDoubleArray> new_array(const std::string& name, int n_components, Eigen::Index n_tuples) {
-  vtkNew<vtkDoubleArray> array;
+template <class Array>
+vtkNew<Array> new_array(const std::string& name, int n_components, Eigen::Index n_tuples) {
+  vtkNew<Array> array;
   array->SetName(name.c_str());
   array->SetNumberOfComponents(n_components);
   array->SetNumberOfTuples(n_tuples);
@@ -75,12 +77,12 @@ vtkNew<vtkDoubleArray> new_array(const std::string& name, int n_components, Eige
 }
 
 // Vectors of the plane become vectors of space.
-template <class Entry>
-vtkNew<vtkDoubleArray> vector_array(const std::string& name, int n_components, Index n, const Entry& entry) {
+template <class Array, class Entry>
+vtkNew<Array> vector_array(const std::string& name, int n_components, Index n, const Entry& entry) {
   const int written = n_components == 2 ? 3 : n_components;
-  auto array = new_array(name, written, n);
+  auto array = new_array<Array>(name, written, n);
   for (Index i = 0; i < n; ++i)
-    for (int k = 0; k < written; ++k) array->SetTypedComponent(i, k, k < n_components ? entry(i, k) : 0.0);
+    for (int k = 0; k < written; ++k) array->SetTypedComponent(i, k, k < n_components ? static_cast<typename Array::ValueType>(entry(i, k)) : 0);
   return array;
 }
 
@@ -107,10 +109,10 @@ void add_facts(const Similarity<Dim>& placement, vtkFieldData& facts) {
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
   facts.AddArray(dimension);
-  auto scale = new_array("placement_scale", 1, 1);
+  auto scale = new_array<vtkDoubleArray>("placement_scale", 1, 1);
   scale->SetValue(0, placement.scale);
   facts.AddArray(scale);
-  auto offset = new_array("placement_offset", Dim, 1);
+  auto offset = new_array<vtkDoubleArray>("placement_offset", Dim, 1);
   for (int k = 0; k < Dim; ++k) offset->SetTypedComponent(0, k, placement.offset[k]);
   facts.AddArray(offset);
   vtkNew<vtkStringArray> version;
@@ -217,20 +219,20 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   data->SetPoints(points);
   add_cells(grid, *data);
   data->GetPointData()->AddArray(
-      vector_array("phi", Dim, n, [&](Index i, int k) { return phi[i][k]; }));
-  data->GetPointData()->AddArray(vector_array("displacement", Dim, n, [&](Index i, int k) {
+      vector_array<vtkDoubleArray>("phi", Dim, n, [&](Index i, int k) { return phi[i][k]; }));
+  data->GetPointData()->AddArray(vector_array<vtkFloatArray>("displacement", Dim, n, [&](Index i, int k) {
     return phi[i][k] - grid.node_position(i)[k];
   }));
   for (const NodalField& field : nodal_fields) {
     const int m = field.n_components;
     SHELLMATCH_CHECK(m > 0 && field.values.size() == static_cast<std::size_t>(n) * m,
                      "a nodal field has values for each node");
-    data->GetPointData()->AddArray(vector_array(
+    data->GetPointData()->AddArray(vector_array<vtkFloatArray>(
         field.name, m, n, [&](Index i, int k) { return field.values[static_cast<std::size_t>(i) * m + k]; }));
   }
   for (const CellField& field : cell_fields) {
     SHELLMATCH_CHECK(field.values.size() == grid.leaves().size(), "a cell field has a value for each leaf");
-    data->GetCellData()->AddArray(vector_array(field.name, 1, static_cast<Index>(field.values.size()),
+    data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
                                                [&](Index i, int) { return field.values[i]; }));
   }
   add_facts(placement, *data->GetFieldData());
@@ -242,6 +244,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // higher ones take four times as long for a tenth less
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);

@@ -114,8 +114,10 @@ TYPED_TEST(Identities, RigidMotionsWithComputedCoefficients) {
   constexpr int Dim = TypeParam::value;
   const auto shape = test_ellipsoid<Dim>(), image = moved(shape, motion<Dim>());
   const TermValues orders = motion_orders<Dim>([&](const Octree<Dim>& grid) {
-    auto pair = compute_coefficient_pair<Dim>(
-        {&grid, &grid}, {exact_fields<Dim>(grid, shape).distance, exact_fields<Dim>(grid, image).distance}, {});
+    auto pair = coefficient_pair<Dim>(
+        {&grid, &grid},
+        nodal_geometry<Dim>(grid, {exact_fields<Dim>(grid, shape).distance, exact_fields<Dim>(grid, image).distance}, {}),
+        {});
     return std::pair(std::move(pair.reference), std::move(pair.target));
   });
   for (const Term term : {Term::match, Term::membrane, Term::bending})

@@ -123,9 +123,9 @@ TEST(Curvature, ThePairSharesItsClassifier) {
   options.classification = Classification::shift;
   options.max_curvature_times_h = 0.5;
   options.invert_at_point = false;
-  const auto pair = compute_coefficient_pair<2>({&grid, &grid}, {circle, hole}, options);
+  const auto pair = coefficient_pair<2>({&grid, &grid}, nodal_geometry<2>(grid, {circle, hole}, options), options);
   options.invert_at_point = true;
-  const auto plain = compute_coefficient_pair<2>({&grid, &grid}, {circle, hole}, options);
+  const auto plain = coefficient_pair<2>({&grid, &grid}, nodal_geometry<2>(grid, {circle, hole}, options), options);
   const auto geometry = nodal_geometry<2>(grid, {circle, hole}, options);
   const auto classifier = make_classifier<2>({&grid, &grid}, options, geometry[0], geometry[1]);
   EXPECT_GE(classifier.shift, 5 + options.tau) << "above the curvature of the hole";

@@ -53,6 +53,33 @@ TEST(Schedule, DividesNuByTenAndHalvesTheVolumePerLevel) {
   EXPECT_EQ(third.back().volume_weight, o.volume / 4);
 }
 
+// Lowering nu to a quarter at once triples a match term more: 3 * 1e-5 of 0.1.
+TEST(Schedule, StepsThatCanWinNothingAreLeftOut) {
+  const std::vector<ScheduleStep> steps{{4e-6, 1}, {2e-6, 1}, {1e-6, 1}};
+  EXPECT_EQ(step_after(steps, 0, 1e-5, 0.1, 2.9e-4), 1u);
+  EXPECT_EQ(step_after(steps, 0, 1e-5, 0.1, 3.1e-4), 2u);
+  EXPECT_EQ(step_after(steps, 0, 0, 0.1, 0), 1u) << "with nothing to spare";
+  EXPECT_EQ(step_after(steps, 1, 0, 0.1, 1e-3), 2u);
+  EXPECT_EQ(step_after(steps, 2, 0, 0.1, 1e-3), 3u) << "the last one ends the level";
+}
+
+TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
+  ExperimentOptions o = small(6);
+  o.cascade.nu_substeps = 4;
+  o.cascade.intermediate_decrease = 0.1;
+  struct Counter final : Observer {
+    void level_started(const LevelStart& start) override { steps[start.level].push_back(start.substep); }
+    std::map<int, std::vector<int>> steps;
+  } counter;
+  run<2>("circle", "ellipse/long", o, counter);
+  int n_left_out = 0;
+  for (const auto& [level, steps] : counter.steps) {
+    EXPECT_EQ(steps.back(), level == o.cascade.min_level ? 1 : 4) << "the last nu is never left out";
+    n_left_out += level == o.cascade.min_level ? 0 : 4 - static_cast<int>(steps.size());
+  }
+  EXPECT_GT(n_left_out, 2);
+}
+
 TEST(Cascade, EnergyNeverRisesWithinAMinimisation) {
   Steps steps;
   run<2>("circle", "ellipse/long", small(6), steps);

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Second derivatives at the nodes of a grid that is refined step by step: at each node from the finest lattice
+/// that surrounds it.
+
+#include "grid/local_fit.h"
+
+namespace shellmatch {
+
+/// On the uniform grid that it begins with, and at the boundary of the domain, these are the fits of
+/// grid/local_fit.h. From then on a node is fitted where a refinement has put it among cells of one size; one that
+/// lies where sizes change keeps what it had on the coarser lattice, or takes the multilinear mean of those that
+/// had it. So neighbourhoods are never lopsided (their fits would be of first order, the lattice's are of second),
+/// none has to be searched for, and only what is new is worked on.
+template <int Dim>
+class HierarchicalFit {
+ public:
+  /// To be called with the uniform grid first, and then after every refinement. \pre the field's earlier values
+  /// have not changed
+  void update(const Octree<Dim>& grid, const std::vector<double>& nodal, const CoefficientOptions& options);
+
+  /// At all nodes of the grid of the last update.
+  Hessians<Dim> values() const;
+
+ private:
+  using Components = Eigen::Matrix<double, Dim*(Dim + 1) / 2, 1>;
+  std::vector<Components> values_;
+};
+
+extern template class HierarchicalFit<2>;
+extern template class HierarchicalFit<3>;
+
+}  // namespace shellmatch
