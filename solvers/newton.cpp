@@ -70,10 +70,12 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   const LineSearchOptions search{.armijo = options_.armijo, .curvature = 0, .interpolation = Interpolation::cubic,
                                  .contraction = 0.5, .max_trials = options_.max_trials, .gradient_trials = 2};
   double value = run.start_value(), gradient_norm = run.start_gradient_norm();
+  const double least = std::min(options_.min_forcing, options_.max_forcing);
+  double ratio = 0;  // of gradient norms, after the last step and before it
   while (!run.over()) {
     model->prepare_second_derivative(x);
     const double relative = gradient_norm / run.start_gradient_norm();
-    const double forcing = std::min(options_.max_forcing, std::sqrt(relative));
+    const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
     int n_restraints = 0;
     do linear.solve(*model, g, d, forcing, options_.max_linear_iterations);
     while (n_restraints++ < options_.max_restraints && model->restrain(x, d));
@@ -98,6 +100,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     std::swap(x, line.x);
     std::swap(g, line.gradient);
     value = found.point.value;
+    ratio = found.point.gradient_norm / gradient_norm;
     gradient_norm = found.point.gradient_norm;
     run.accept(found.point.evaluation(), found.point.alpha * size.length);
   }

@@ -9,8 +9,9 @@ namespace shellmatch {
 
 /// Line search Newton with conjugate gradients: Nocedal & Wright, Numerical Optimization, algorithm 7.1. The
 /// objective's model of the second derivative is positive semidefinite, so that directions are descent
-/// directions; the linear system is solved to min(max_forcing, sqrt of the relative gradient norm), measured in
-/// the preconditioner's norm. When a line search fails, the preconditioned gradient is tried once.
+/// directions; the linear system is solved the better, the more the last step has lowered the gradient (S. C.
+/// Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17(1), 1996, choice 2, between min_forcing and max_forcing),
+/// and to the root of the relative gradient norm where that is smaller, measured in the preconditioner's norm. When a line search fails, the preconditioned gradient is tried once.
 ///
 /// The objective must be a SecondOrderObjective; others end with StopReason::library and a message.
 class Newton final : public Minimizer {

@@ -101,14 +101,15 @@ struct LbfgsOptions {
 /// Newton's method with an inexact linear solver, solvers/newton.h.
 struct NewtonOptions {
   double armijo = 1e-4;
-  double max_forcing = 0.1;
+  double max_forcing = 0.1, min_forcing = 0.1;
   int max_linear_iterations = 60;
   int max_restraints = 8;
   int max_trials = 30;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("armijo", self.armijo, {.min = 0, .max = 0.5, .min_excluded = true, .meaning = "c1: share of the linear decrease that a step must reach"});
-    visit("max_forcing", self.max_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the linear system is solved to this share of its residual, or to the root of the relative gradient norm where that is smaller"});
+    visit("max_forcing", self.max_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the linear system is solved to this share of its residual where the model predicts badly, and to the root of the relative gradient norm where that is smaller"});
+    visit("min_forcing", self.min_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the same where the model predicts well: in between, 0.9 of the square of the last step's ratio of gradient norms (Eisenstat and Walker 1996, choice 2)"});
     visit("max_linear_iterations", self.max_linear_iterations, {.unit = "iterations", .min = 1, .max = 10000, .meaning = "most iterations of conjugate gradients for one step"});
     visit("max_restraints", self.max_restraints, {.unit = "systems", .min = 0, .max = 100, .meaning = "a step that would fold cells is computed again with these cells stiffened, so many times at most; 0: only the line search shortens it"});
     visit("max_trials", self.max_trials, {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
