@@ -91,11 +91,9 @@ Index LatticeFit<Dim>::neighbour(Index node, const Offset& step) const {
 template <int Dim>
 double LatticeFit<Dim>::find_neighbours(Index node, std::vector<Index>& neighbours) const {
   if (terms_.empty() || around_[node][0] == no_index) return 0;
-  const int level = level_around(node);
-  for (const Offset& step : next_nodes_) {
-    const Index next = neighbour(node, step);
-    if (around_[next][0] == no_index || level_around(next) != level) return 0;
-  }
+  // A node and the next share a leaf, so that their leaves are of one size.
+  for (const Offset& step : next_nodes_)
+    if (around_[neighbour(node, step)][0] == no_index) return 0;
   neighbours.clear();
   for (const Term& term : terms_) {
     Offset first, rest;

@@ -43,7 +43,6 @@ class LatticeFit {
   void choose_terms(std::size_t n_others, double exponent);
   /// \pre there are leaves around the node; the step is at most 1 along each axis
   Index neighbour(Index node, const Offset& step) const;
-  int level_around(Index node) const { return grid_->cell(around_[node][0]).level; }
 
   const Octree<Dim>* grid_;
   std::vector<Around> around_;      ///< by node
