@@ -12,7 +12,7 @@ namespace shellmatch::bench {
 
 struct Traffic {
   double value, gradient, band_gradient, newton_model, newton_product;  ///< bytes
-  double n_blocks;                                                      ///< of the matrix by unknowns
+  double n_blocks;  ///< of the matrix by unknowns that are stored: on and above the diagonal
 };
 
 inline Traffic traffic_of(const LevelEnergy<3>& level) {
@@ -29,7 +29,7 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   double n_band_nodes = 0;
   for (const char c : in_band) n_band_nodes += c;
 
-  // Pairs of unknowns that share an element, and where unknowns count.
+  // Pairs of unknowns that share an element, each counted once, and where unknowns count.
   double n_blocks = 0, n_places = 0;
   std::vector<std::size_t> seen(unknowns.nodes().size(), unknowns.nodes().size());
   for (std::size_t i = 0; i < seen.size(); ++i)
@@ -38,11 +38,16 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
       for (const Index node :
            unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
         for (const auto& carrier : unknowns.carriers_of(node))
-          if (seen[carrier.unknown] != i) {
+          if (static_cast<std::size_t>(carrier.unknown) >= i && seen[carrier.unknown] != i) {
             seen[carrier.unknown] = i;
             ++n_blocks;
           }
     }
+
+  // Rows of all patches: an unknown that several patches reach is read and written again.
+  const auto& patches = level.energy.patches();
+  double n_rows = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) n_rows += static_cast<double>(patches.rows(p).size());
 
   constexpr double place = sizeof(Unknowns<3>::Place), vec = sizeof(Vec<3>);
   const double all_cells =
@@ -56,21 +61,20 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   const double look_up = n_band * (sizeof(Octree<3>::Cell) + (smooth ? sizeof(SplineSpace<3>::Local) : 0)) +
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
-  const double by_element = n_corners<3> * vec;
-  const double sum = n_cells * by_element + n_places * place + n_free * vec;
+  const double again = 2 * n_rows - n_free;
+  const double sum = n_rows * sizeof(Patches<3>::Row) + n_places * place;
   const double finite = n_nodes * vec;
-  const double matrix = sizeof(ElementMatrices<3>::Matrix);
-  const double block = NodeMatrix<3>::block_size * sizeof(float) + sizeof(Index);
+  const double values = NodeMatrix<3>::block_size * sizeof(float), block = values + sizeof(Index);
 
   Traffic t{};
   t.n_blocks = n_blocks;
   t.value = finite + 2 * all_cells + band_pass;  // volume and barrier each see all cells
-  t.gradient = t.value + n_cells * by_element + 2 * n_band * by_element + sum;
-  t.band_gradient = finite + n_cells * by_element + band_pass + 2 * n_band * by_element + sum;
-  t.newton_model = 2 * all_cells + n_cells * 2 * sizeof(double) + n_cells * matrix + band_pass +
-                   2 * n_band * matrix + n_cells * matrix + n_blocks * block +
+  t.gradient = t.value + sum + again * vec;
+  t.band_gradient = finite + band_pass + sum + again * vec;
+  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum +
+                   n_blocks * (sizeof(Index) + again / n_free * values) +
                    n_free * 3 * 3 * (sizeof(float) + sizeof(double));
-  t.newton_product = n_blocks * block + n_free * (2 * vec + sizeof(std::size_t));
+  t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));
   return t;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "energies/patches.h"
 #include "grid/bump.h"
 
 #include <Eigen/LU>
@@ -72,11 +73,19 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
         });
       },
       64);
-  std::vector<Index> members;
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    if (is_member[e]) members.push_back(static_cast<Index>(e));
-  n_elements_ = members.size();
-  batches_.resize((members.size() + n_lanes - 1) / n_lanes);
+  const std::size_t of_patch = elements_per_patch(elements.size());
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (e % of_patch == 0) first_batch_.push_back(batches_.size());
+    if (!is_member[e]) continue;
+    if (batches_.size() == first_batch_.back() || batches_.back().n_elements == n_lanes) {
+      batches_.push_back({.element = {}, .n_elements = 0});
+      batches_.back().element.fill(static_cast<Index>(e));
+    }
+    Batch& batch = batches_.back();
+    batch.element[batch.n_elements++] = static_cast<Index>(e);
+    ++n_elements_;
+  }
+  first_batch_.push_back(batches_.size());
   points_.resize(batches_.size() * n_points_);
 
   struct Sums {
@@ -91,10 +100,8 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
   const Sums sums = parallel_sum(batches_.size(), 256, Sums{}, [&](const Chunk& chunk) {
     Sums sum;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      Batch& batch = batches_[b];
-      batch.n_elements = static_cast<int>(std::min<std::size_t>(n_lanes, members.size() - b * n_lanes));
+      const Batch& batch = batches_[b];
       for (int lane = 0; lane < n_lanes; ++lane) {
-        batch.element[lane] = members[b * n_lanes + (lane < batch.n_elements ? lane : 0)];
         const Element<Dim>& element = elements[batch.element[lane]];
         double volume = 1;
         for (int k = 0; k < Dim; ++k) volume *= element.side;

@@ -27,7 +27,8 @@ class Band {
     std::array<autodiff::Pack, n_reference> reference;
   };
   struct Batch {
-    std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); the last batch repeats its first
+    std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); where there are fewer than lanes the
+                                         ///< first is repeated
     int n_elements;
   };
 
@@ -36,6 +37,10 @@ class Band {
        const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
 
   std::span<const Batch> batches() const { return batches_; }
+  /// Those of a patch of elements (energies/patches.h), first and one past the last: no batch has elements of two.
+  std::array<std::size_t, 2> batches_of(std::size_t patch) const {
+    return {first_batch_[patch], first_batch_[patch + 1]};
+  }
   /// Point q of batch b.
   const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
   std::size_t n_elements() const { return n_elements_; }
@@ -45,6 +50,7 @@ class Band {
 
  private:
   std::vector<Batch> batches_;
+  std::vector<std::size_t> first_batch_;  ///< by patch
   std::vector<Point> points_;
   std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
   double measure_ = 0;

@@ -4,8 +4,6 @@
 #include "energies/element_batch.h"
 #include "energies/matching_energy.h"
 
-#include "base/parallel.h"
-
 namespace shellmatch {
 
 namespace {
@@ -34,73 +32,74 @@ void look_up(const GeometryField<Dim>& target, const Pack& weight, const std::ar
 
 template <int Dim>
 template <bool WithGradient>
-TermValues MatchingEnergy<Dim>::band_terms(std::span<const Vec<Dim>> phi, const TermValues& weights) const {
+void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                         TermValues& values, double* gradients) const {
   constexpr int n_target = PointArrays<Dim>::n_target;
   constexpr int n_reference = ReferencePoint<Dim, double>::size;
-  if (!(weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return {};
+  if (!(weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return;
   const auto elements = elements_;
   const auto batches = band_.batches();
   const TermKernel<Dim> other_membrane = comparison_kernel<Dim, WithGradient>(options_.membrane);
   const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);
 
-  return parallel_sum(batches.size(), 32, TermValues{}, [&](const Chunk& chunk) {
-    ElementBatch<Dim> batch;
-    PointArrays<Dim> p;
-    p.passive[n_reference] = Pack{} + options_.lambda;
-    p.passive[n_reference + 1] = Pack{} + options_.mu;
-    std::array<Pack, 3> sums{};
-    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
-      batch.clear_gradient();
-      for (std::size_t q = 0; q < shape_.points.size(); ++q) {
-        const auto& point = band_.point(b, q);
-        if (autodiff::sum_lanes(point.weight) == 0) continue;
-        const auto& shape = shape_.points[q];
-        std::array<Pack, Dim> y;
-        batch.position(shape, y);
-        batch.jacobian(shape, p.active.data() + n_target);
-        look_up<Dim, WithGradient>(*target_, point.weight, y, p);
-        for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
-        if constexpr (WithGradient) p.adjoint.fill(Pack{});
-        if (weights[Term::match] > 0)
-          sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(
-              p, point.weight * weights[Term::match]);
-        if (weights[Term::membrane] > 0) {
-          const Pack seed = point.weight * weights[Term::membrane];
-          sums[1] += other_membrane ? other_membrane(p, seed)
-                                    : apply_term<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, seed);
-        }
-        if (weights[Term::bending] > 0) {
-          const Pack seed = point.weight * weights[Term::bending];
-          sums[2] += other_bending ? other_bending(p, seed)
-                                   : apply_term<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, seed);
-        }
-        if constexpr (WithGradient) {
-          std::array<Pack, Dim> by_position;
-          for (int k = 0; k < Dim; ++k) {
-            by_position[k] = p.adjoint[0] * p.derivative[k][0];
-            for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
-          }
-          batch.add_position_adjoint(shape, by_position);
-          batch.add_jacobian_adjoint(shape, p.adjoint.data() + n_target);
-        }
+  ElementBatch<Dim> batch;
+  PointArrays<Dim> p;
+  p.passive[n_reference] = Pack{} + options_.lambda;
+  p.passive[n_reference + 1] = Pack{} + options_.mu;
+  std::array<Pack, 3> sums{};
+  const auto [first, last] = band_.batches_of(patch.index);
+  for (std::size_t b = first; b < last; ++b) {
+    batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
+    batch.clear_gradient();
+    for (std::size_t q = 0; q < shape_.points.size(); ++q) {
+      const auto& point = band_.point(b, q);
+      if (autodiff::sum_lanes(point.weight) == 0) continue;
+      const auto& shape = shape_.points[q];
+      std::array<Pack, Dim> y;
+      batch.position(shape, y);
+      batch.jacobian(shape, p.active.data() + n_target);
+      look_up<Dim, WithGradient>(*target_, point.weight, y, p);
+      for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
+      if constexpr (WithGradient) p.adjoint.fill(Pack{});
+      if (weights[Term::match] > 0)
+        sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(
+            p, point.weight * weights[Term::match]);
+      if (weights[Term::membrane] > 0) {
+        const Pack seed = point.weight * weights[Term::membrane];
+        sums[1] += other_membrane ? other_membrane(p, seed)
+                                  : apply_term<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, seed);
       }
-      if constexpr (WithGradient)
-        for (int lane = 0; lane < batches[b].n_elements; ++lane) {
-          double* out =
-              element_gradients_.data() + static_cast<std::size_t>(batches[b].element[lane]) * batch.n_dofs;
-          for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
+      if (weights[Term::bending] > 0) {
+        const Pack seed = point.weight * weights[Term::bending];
+        sums[2] += other_bending ? other_bending(p, seed)
+                                 : apply_term<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, seed);
+      }
+      if constexpr (WithGradient) {
+        std::array<Pack, Dim> by_position;
+        for (int k = 0; k < Dim; ++k) {
+          by_position[k] = p.adjoint[0] * p.derivative[k][0];
+          for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
         }
+        batch.add_position_adjoint(shape, by_position);
+        batch.add_jacobian_adjoint(shape, p.adjoint.data() + n_target);
+      }
     }
-    TermValues values;
-    for (int t = 0; t < 3; ++t) values.v[t] = autodiff::sum_lanes(sums[t]);
-    return values;
-  });
+    if constexpr (WithGradient)
+      for (int lane = 0; lane < batches[b].n_elements; ++lane) {
+        double* out = gradients + (static_cast<std::size_t>(batches[b].element[lane]) - patch.begin) * batch.n_dofs;
+        for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
+      }
+  }
+  for (int t = 0; t < 3; ++t) values.v[t] = autodiff::sum_lanes(sums[t]);
 }
 
-template TermValues MatchingEnergy<2>::band_terms<true>(std::span<const Vec<2>>, const TermValues&) const;
-template TermValues MatchingEnergy<2>::band_terms<false>(std::span<const Vec<2>>, const TermValues&) const;
-template TermValues MatchingEnergy<3>::band_terms<true>(std::span<const Vec<3>>, const TermValues&) const;
-template TermValues MatchingEnergy<3>::band_terms<false>(std::span<const Vec<3>>, const TermValues&) const;
+template void MatchingEnergy<2>::add_band_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                    TermValues&, double*) const;
+template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                    TermValues&, double*) const;
+template void MatchingEnergy<3>::add_band_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                    TermValues&, double*) const;
+template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                    TermValues&, double*) const;
 
 }  // namespace shellmatch

@@ -5,6 +5,7 @@
 #include "energies/autodiff/pack.h"
 #include "energies/elements.h"
 
+#include <algorithm>
 #include <span>
 
 namespace shellmatch {
@@ -30,7 +31,20 @@ struct ElementBatch {
     }
   }
 
+  /// Elements [first, first + 8), or what there is of them; their number. Lanes that are left repeat the last.
+  std::size_t load_run(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, std::size_t first) {
+    const std::size_t n = std::min<std::size_t>(n_lanes, elements.size() - first);
+    load(elements, phi, [&](int lane) { return first + std::min(static_cast<std::size_t>(lane), n - 1); });
+    return n;
+  }
+
   void clear_gradient() { gradient.fill(Pack{}); }
+
+  /// Adds the gradients of the first n lanes to those of n elements that stand one after the other.
+  void add_gradients(std::size_t n, double* to) const {
+    for (std::size_t lane = 0; lane < n; ++lane, to += n_dofs)
+      for (int i = 0; i < n_dofs; ++i) to[i] += gradient[i][lane];
+  }
 
   /// Largest entry, in size, that Dphi has anywhere on the element: it is a mean of differences along edges.
   Pack largest_entry() const {

@@ -31,8 +31,10 @@ class ElementMatrices {
 
   /// Room for so many; what it holds is of no meaning yet.
   void resize(std::size_t n_elements) {
-    if (n_elements == size_) return;
-    matrices_ = std::make_unique_for_overwrite<Matrix[]>(n_elements);  // its pages are the threads' to touch first
+    if (n_elements > room_) {
+      matrices_ = std::make_unique_for_overwrite<Matrix[]>(n_elements);
+      room_ = n_elements;
+    }
     size_ = n_elements;
   }
   std::size_t size() const { return size_; }
@@ -58,6 +60,12 @@ class ElementMatrices {
     if (i / Dim == j / Dim) matrices_[e][entry(j, i)] = x;
   }
 
+  float trace(std::size_t e) const {
+    float sum = 0;
+    for (int i = 0; i < n_dofs; ++i) sum += matrices_[e][entry(i, i)];
+    return sum;
+  }
+
  private:
   static constexpr auto places_ = [] {
     std::array<int, n_packed> places{};
@@ -67,7 +75,7 @@ class ElementMatrices {
     return places;
   }();
   std::unique_ptr<Matrix[]> matrices_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, room_ = 0;
 };
 
 }  // namespace shellmatch

@@ -97,24 +97,6 @@ void Unknowns<Dim>::restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<do
     for (int k = 0; k < Dim; ++k) x[Dim * i + k] = nodal[nodes_[i]][k];
 }
 
-template <int Dim>
-void Unknowns<Dim>::sum_elements(std::span<const double> element_gradients,
-                                 std::span<double> gradient) const {
-  SHELLMATCH_CHECK(gradient.size() == size(), "size of the gradient");
-  parallel_for(
-      nodes_.size(),
-      [&](std::size_t i) {
-        std::array<double, Dim> sum{};
-        for (const Place& place : places_of(i)) {
-          const double* g = element_gradients.data() + static_cast<std::size_t>(place.element_corner) * Dim;
-          const double w = static_cast<double>(place.weight);
-          for (int k = 0; k < Dim; ++k) sum[k] += w * g[k];
-        }
-        for (int k = 0; k < Dim; ++k) gradient[Dim * i + k] = sum[k];
-      },
-      4096);
-}
-
 template struct ShapeTable<2>;
 template struct ShapeTable<3>;
 template class Unknowns<2>;

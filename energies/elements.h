@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Elements and unknowns of a grid as the energies use them: shape functions at quadrature points, batches of
-/// elements that are worked on together, and the sum of element gradients into the gradient by the unknowns.
+/// Elements and unknowns of a grid as the energies use them, and shape functions at quadrature points.
 
 #include "energies/options.h"
 #include "grid/octree.h"
@@ -69,10 +68,6 @@ class Unknowns {
 
   /// The unknowns' values of a nodal field.
   void restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<double> x) const;
-
-  /// Sum of element gradients, element after element, corner after corner, Dim components each, into the
-  /// gradient by the unknowns: the transpose of expand(). Bit-reproducible, parallel over unknowns.
-  void sum_elements(std::span<const double> element_gradients, std::span<double> gradient) const;
 
  private:
   const Octree<Dim>* grid_;

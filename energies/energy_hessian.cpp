@@ -13,16 +13,24 @@ EnergyHessian<Dim>::EnergyHessian(const MatchingEnergy<Dim>& energy, const Unkno
 
 template <int Dim>
 void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  matrices_.resize(unknowns_->elements().size());
-  measure_room(phi);
-  assemble_volume(phi, weights[Term::volume]);
-  if (weights[Term::barrier] > 0) assemble_barrier(phi, weights[Term::barrier]);
-  assemble_band(phi, weights);
+  const std::size_t n = unknowns_->elements().size();
+  traces_.resize(n);
+  restraint_.resize(n);
+  room_.resize(n_chunks(n, autodiff::pack_size));
   folds_cost_ =
       weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
-  keep_restraint();
   if (!sum_) sum_.emplace(*unknowns_);
-  sum_->assemble(matrices_);
+  energy_->patches().for_each([&](const Chunk& patch) {
+    static thread_local ElementMatrices<Dim> matrices;
+    matrices.resize(patch.end - patch.begin);
+    measure_room(patch, phi);
+    set_volume(patch, phi, weights[Term::volume], matrices);
+    if (weights[Term::barrier] > 0) add_barrier(patch, phi, weights[Term::barrier], matrices);
+    add_band(patch, phi, weights, matrices);
+    for (std::size_t e = patch.begin; e < patch.end; ++e) traces_[e] = matrices.trace(e - patch.begin);
+    add_kept_restraint(patch, matrices);
+    sum_->add(energy_->patches(), patch, matrices);
+  });
   invert_blocks();
 }
 

@@ -27,7 +27,7 @@ class EnergyHessian {
   EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
                 const GeometryField<Dim>& target, const EnergyOptions& options);
 
-  /// Computes the element matrices at phi. \pre the energy can be evaluated there.
+  /// Computes the model at phi. \pre the energy can be evaluated there.
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
 
   /// Where the step d (nodal) from phi would fold a cell, or nearly so, the model knows nothing of it: adds
@@ -43,19 +43,21 @@ class EnergyHessian {
   void precondition(std::span<const double> r, std::span<double> z) const;
 
  private:
-  void assemble_volume(std::span<const Vec<Dim>> phi, double weight);
-  void assemble_barrier(std::span<const Vec<Dim>> phi, double weight);
-  void assemble_band(std::span<const Vec<Dim>> phi, const TermValues& weights);
+  // The matrices of a patch's elements: the first writes, the others add.
+  void set_volume(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
+  void add_barrier(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
+  void add_band(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                ElementMatrices<Dim>& matrices) const;
+  void add_kept_restraint(const Chunk& patch, ElementMatrices<Dim>& matrices);
+  void measure_room(const Chunk& patch, std::span<const Vec<Dim>> phi);
   void invert_blocks();
-  void measure_room(std::span<const Vec<Dim>> phi);
-  void keep_restraint();
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
   const GeometryField<Dim>* target_;
   EnergyOptions options_;
-  ElementMatrices<Dim> matrices_;
-  std::optional<NodeMatrix<Dim>> sum_;  ///< of them; its pattern is found when it is first wanted
+  std::optional<NodeMatrix<Dim>> sum_;  ///< of the elements' matrices; its pattern is found when it is first wanted
+  std::vector<float> traces_;           ///< of the elements' matrices
   bool folds_cost_ = false;             ///< is there a term that forbids them?
   std::vector<float> restraint_;        ///< factor on the Laplacian's matrix, by element
   struct Room {

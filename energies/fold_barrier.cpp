@@ -2,13 +2,10 @@
 
 #include "energies/fold_barrier.h"
 
-#include "base/parallel.h"
 #include "energies/autodiff/compiled.h"
 #include "energies/autodiff/jet.h"
 #include "energies/element_batch.h"
 #include "energies/matching_energy.h"
-
-#include <algorithm>
 
 namespace shellmatch {
 
@@ -26,47 +23,39 @@ Pack least_determinant(const ElementBatch<Dim>& batch) {
 
 template <int Dim>
 template <bool WithGradient>
-double MatchingEnergy<Dim>::barrier_term(std::span<const Vec<Dim>> phi, double weight) const {
+double MatchingEnergy<Dim>::barrier_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
+                                         double* gradients) const {
   using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
   if (!(weight > 0)) return 0;
-  const auto elements = elements_;
-  const std::size_t n_batches = (elements.size() + pack_size - 1) / pack_size;
-  return parallel_sum(n_batches, 64, 0.0, [&](const Chunk& chunk) {
-    ElementBatch<Dim> batch;
-    Pack sum{};
-    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      batch.load(elements, phi,
-                 [&](int lane) { return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1)); });
-      Pack seed{}, scale;
-      for (int lane = 0; lane < pack_size; ++lane) {
-        double volume = 1;
-        for (int k = 0; k < Dim; ++k) volume /= batch.inverse_side[lane];
-        scale[lane] = 1.0 / (options_.fold_threshold * volume);
-        if (lane < n) seed[lane] = weight * volume;
-      }
-      const Pack value = Code::value(batch.u.data(), &scale) * seed;
-      sum += value;
-      if constexpr (WithGradient) {
-        // Not `> 0`: NaN must not pass for nothing to do, though the sum above has told already.
-        if (autodiff::sum_lanes(value) == 0) continue;
-        Code::gradient(batch.u.data(), &scale, seed, batch.gradient.data());
-        for (int lane = 0; lane < n; ++lane) {
-          double* out =
-              element_gradients_.data() + (b * pack_size + static_cast<std::size_t>(lane)) * batch.n_dofs;
-          for (int i = 0; i < batch.n_dofs; ++i) out[i] += batch.gradient[i][lane];
-        }
-      }
+  const auto elements = elements_.subspan(patch.begin, patch.end - patch.begin);
+  ElementBatch<Dim> batch;
+  Pack sum{};
+  for (std::size_t first = 0; first < elements.size(); first += pack_size) {
+    const std::size_t n = batch.load_run(elements, phi, first);
+    Pack seed{}, scale;
+    for (std::size_t lane = 0; lane < pack_size; ++lane) {
+      double volume = 1;
+      for (int k = 0; k < Dim; ++k) volume /= batch.inverse_side[lane];
+      scale[lane] = 1.0 / (options_.fold_threshold * volume);
+      if (lane < n) seed[lane] = weight * volume;
     }
-    return autodiff::sum_lanes(sum);
-  });
+    const Pack value = Code::value(batch.u.data(), &scale) * seed;
+    sum += value;
+    if constexpr (WithGradient) {
+      // Not `> 0`: NaN must not pass for nothing to do, though the sum above has told already.
+      if (autodiff::sum_lanes(value) == 0) continue;
+      Code::gradient(batch.u.data(), &scale, seed, batch.gradient.data());
+      batch.add_gradients(n, gradients + first * batch.n_dofs);
+    }
+  }
+  return autodiff::sum_lanes(sum);
 }
 
 template Pack least_determinant(const ElementBatch<2>&);
 template Pack least_determinant(const ElementBatch<3>&);
-template double MatchingEnergy<2>::barrier_term<true>(std::span<const Vec<2>>, double) const;
-template double MatchingEnergy<2>::barrier_term<false>(std::span<const Vec<2>>, double) const;
-template double MatchingEnergy<3>::barrier_term<true>(std::span<const Vec<3>>, double) const;
-template double MatchingEnergy<3>::barrier_term<false>(std::span<const Vec<3>>, double) const;
+template double MatchingEnergy<2>::barrier_term<true>(const Chunk&, std::span<const Vec<2>>, double, double*) const;
+template double MatchingEnergy<2>::barrier_term<false>(const Chunk&, std::span<const Vec<2>>, double, double*) const;
+template double MatchingEnergy<3>::barrier_term<true>(const Chunk&, std::span<const Vec<3>>, double, double*) const;
+template double MatchingEnergy<3>::barrier_term<false>(const Chunk&, std::span<const Vec<3>>, double, double*) const;
 
 }  // namespace shellmatch

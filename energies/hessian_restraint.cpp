@@ -38,33 +38,27 @@ const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& laplacian(
 }  // namespace
 
 template <int Dim>
-void EnergyHessian<Dim>::keep_restraint() {
-  restraint_.resize(unknowns_->elements().size());
+void EnergyHessian<Dim>::add_kept_restraint(const Chunk& patch, ElementMatrices<Dim>& matrices) {
   const auto& k = laplacian<Dim>();
-  parallel_for(restraint_.size(), [&](std::size_t e) {
+  for (std::size_t e = patch.begin; e < patch.end; ++e) {
     restraint_[e] *= static_cast<float>(decay);
-    if (restraint_[e] == 0) return;
+    if (restraint_[e] == 0) continue;
     for (int c = 0; c < n_corners<Dim>; ++c)
       for (int d = c; d < n_corners<Dim>; ++d)
         for (int a = 0; a < Dim; ++a)
-          matrices_.add(e, c * Dim + a, d * Dim + a,
-                        static_cast<float>(static_cast<double>(restraint_[e]) * k[c][d]));
-  });
+          matrices.add(e - patch.begin, c * Dim + a, d * Dim + a,
+                       static_cast<float>(static_cast<double>(restraint_[e]) * k[c][d]));
+  }
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::measure_room(std::span<const Vec<Dim>> phi) {
-  const auto elements = unknowns_->elements();
-  room_.resize(n_chunks(elements.size(), pack_size));
-  parallel_chunks(room_.size(), batches_per_chunk, [&](const Chunk& chunk) {
-    ElementBatch<Dim> batch;
-    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      batch.load(elements, phi, [&](int lane) {
-        return std::min(b * pack_size + static_cast<std::size_t>(lane), elements.size() - 1);
-      });
-      room_[b] = {least_determinant(batch), batch.largest_entry()};
-    }
-  });
+void EnergyHessian<Dim>::measure_room(const Chunk& patch, std::span<const Vec<Dim>> phi) {
+  const auto elements = unknowns_->elements().first(patch.end);
+  ElementBatch<Dim> batch;
+  for (std::size_t first = patch.begin; first < patch.end; first += pack_size) {
+    batch.load_run(elements, phi, first);
+    room_[first / pack_size] = {least_determinant(batch), batch.largest_entry()};
+  }
 }
 
 template <int Dim>
@@ -101,11 +95,8 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
       for (int lane = 0; lane < n; ++lane) {
         if (!(after[lane] < std::min(ample, share_left * before[lane]))) continue;
         const std::size_t e = member(lane);
-        double trace = 0;
-        for (int i = 0; i < n_dofs; ++i)
-          trace += static_cast<double>(matrices_[e][ElementMatrices<Dim>::entry(i, i)]);
         // To begin with, as stiff as the element is already.
-        const double next = std::max(growth * static_cast<double>(restraint_[e]), trace / unit);
+        const double next = std::max(growth * static_cast<double>(restraint_[e]), static_cast<double>(traces_[e]) / unit);
         of_chunk[chunk.index].push_back({e, next - static_cast<double>(restraint_[e])});
         restraint_[e] = static_cast<float>(next);
       }
@@ -121,10 +112,10 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
   return any;
 }
 
-template void EnergyHessian<2>::measure_room(std::span<const Vec<2>>);
-template void EnergyHessian<3>::measure_room(std::span<const Vec<3>>);
-template void EnergyHessian<2>::keep_restraint();
-template void EnergyHessian<3>::keep_restraint();
+template void EnergyHessian<2>::measure_room(const Chunk&, std::span<const Vec<2>>);
+template void EnergyHessian<3>::measure_room(const Chunk&, std::span<const Vec<3>>);
+template void EnergyHessian<2>::add_kept_restraint(const Chunk&, ElementMatrices<2>&);
+template void EnergyHessian<3>::add_kept_restraint(const Chunk&, ElementMatrices<3>&);
 template bool EnergyHessian<2>::restrain(std::span<const Vec<2>>, std::span<const double>);
 template bool EnergyHessian<3>::restrain(std::span<const Vec<3>>, std::span<const double>);
 

@@ -1,6 +1,5 @@
 // Second derivatives of the volume term and of the barrier.
 
-#include "base/parallel.h"
 #include "energies/element_batch.h"
 #include "energies/energy_hessian.h"
 #include "energies/fold_barrier.h"
@@ -55,78 +54,70 @@ autodiff::SecondOrder<Dim, Pack> density_of_stretches(const std::array<Pack, Dim
 }  // namespace
 
 template <int Dim>
-void EnergyHessian<Dim>::assemble_volume(std::span<const Vec<Dim>> phi, double weight) {
+void EnergyHessian<Dim>::set_volume(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
+                                    ElementMatrices<Dim>& matrices) const {
   static const auto products = gradient_products<Dim>();
-  const auto elements = unknowns_->elements();
-  parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
-    std::array<Pack, Dim * Dim * Dim * Dim> h;
-    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      h.fill(Pack{});
-      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      std::array<Stretches<Dim>, pack_size> stretches;
-      std::array<Pack, Dim> s;
-      for (int lane = 0; lane < pack_size; ++lane) {
-        stretches[lane] = principal_stretches<Dim>(centre_jacobian<Dim>(
-            elements[b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1))], phi));
-        for (int k = 0; k < Dim; ++k) s[k][lane] = stretches[lane].s[k];
-      }
-      const auto psi = density_of_stretches<Dim>(s, options_);
-      for (int lane = 0; lane < n; ++lane) {
-        // The gradients of the shape functions bring side^-2, the volume side^Dim.
-        const double scale =
-            weight * std::pow(elements[b * pack_size + static_cast<std::size_t>(lane)].side, Dim - 2);
-        const auto m = projected_hessian<Dim>(stretches[lane], psi, lane);
-        for (int i = 0; i < Dim * Dim; ++i)
-          for (int j = 0; j < Dim * Dim; ++j) h[i * Dim * Dim + j][lane] = scale * m(i, j);
-      }
-      for (int i = 0; i < n_dofs; ++i)
-        for (int j = i; j < n_dofs; ++j) {
-          const int k = i % Dim, l = j % Dim, c = i / Dim, d = j / Dim;
-          Pack sum{};
-          for (int p = 0; p < Dim; ++p)
-            for (int q = 0; q < Dim; ++q)
-              sum += products[c * Dim + p][d * Dim + q] * h[(k * Dim + p) * Dim * Dim + l * Dim + q];
-          for (int lane = 0; lane < n; ++lane)
-            matrices_.set(b * pack_size + static_cast<std::size_t>(lane), i, j,
-                          static_cast<float>(sum[lane]));
-        }
+  const auto elements = unknowns_->elements().subspan(patch.begin, patch.end - patch.begin);
+  std::array<Pack, Dim * Dim * Dim * Dim> h;
+  for (std::size_t first = 0; first < elements.size(); first += pack_size) {
+    h.fill(Pack{});
+    const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - first));
+    std::array<Stretches<Dim>, pack_size> stretches;
+    std::array<Pack, Dim> s;
+    for (int lane = 0; lane < pack_size; ++lane) {
+      const auto& element = elements[first + static_cast<std::size_t>(std::min(lane, n - 1))];
+      stretches[lane] = principal_stretches<Dim>(centre_jacobian<Dim>(element, phi));
+      for (int k = 0; k < Dim; ++k) s[k][lane] = stretches[lane].s[k];
     }
-  });
+    const auto psi = density_of_stretches<Dim>(s, options_);
+    for (int lane = 0; lane < n; ++lane) {
+      // The gradients of the shape functions bring side^-2, the volume side^Dim.
+      const double scale = weight * std::pow(elements[first + static_cast<std::size_t>(lane)].side, Dim - 2);
+      const auto m = projected_hessian<Dim>(stretches[lane], psi, lane);
+      for (int i = 0; i < Dim * Dim; ++i)
+        for (int j = 0; j < Dim * Dim; ++j) h[i * Dim * Dim + j][lane] = scale * m(i, j);
+    }
+    for (int i = 0; i < n_dofs; ++i)
+      for (int j = i; j < n_dofs; ++j) {
+        const int k = i % Dim, l = j % Dim, c = i / Dim, d = j / Dim;
+        Pack sum{};
+        for (int p = 0; p < Dim; ++p)
+          for (int q = 0; q < Dim; ++q)
+            sum += products[c * Dim + p][d * Dim + q] * h[(k * Dim + p) * Dim * Dim + l * Dim + q];
+        for (int lane = 0; lane < n; ++lane)
+          matrices.set(first + static_cast<std::size_t>(lane), i, j, static_cast<float>(sum[lane]));
+      }
+  }
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::assemble_barrier(std::span<const Vec<Dim>> phi, double weight) {
+void EnergyHessian<Dim>::add_barrier(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
+                                     ElementMatrices<Dim>& matrices) const {
   const auto elements = unknowns_->elements();
-  parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
-    for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      for (int lane = 0; lane < n; ++lane) {
-        if (room_[b].least_determinant[lane] >= options_.fold_threshold) continue;
-        const std::size_t e = b * pack_size + static_cast<std::size_t>(lane);
-        using Jet = ceres::Jet<double, n_dofs>;
-        std::array<Jet, n_dofs> jets;
-        for (int c = 0; c < n_corners<Dim>; ++c)
-          for (int k = 0; k < Dim; ++k) jets[c * Dim + k] = Jet(phi[elements[e].nodes[c]][k], c * Dim + k);
-        const double volume = std::pow(elements[e].side, Dim);
-        const double limit = options_.fold_threshold * volume;
-        for (const Jet& determinant : bernstein_determinant<Dim>(jets.data())) {
-          const double t = determinant.a / limit;
-          if (t >= 1) continue;
-          // B(t) = (1-t)^3/t, B''(t) = 2 (1/t^3 - 1) > 0
-          const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
-          const Eigen::Matrix<double, n_dofs, 1> g = determinant.v / limit;
-          for (int i = 0; i < n_dofs; ++i)
-            for (int j = i; j < n_dofs; ++j)
-              matrices_.add(e, i, j, static_cast<float>(curvature * g[i] * g[j]));
-        }
-      }
+  for (std::size_t e = patch.begin; e < patch.end; ++e) {
+    if (room_[e / pack_size].least_determinant[e % pack_size] >= options_.fold_threshold) continue;
+    using Jet = ceres::Jet<double, n_dofs>;
+    std::array<Jet, n_dofs> jets;
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int k = 0; k < Dim; ++k) jets[c * Dim + k] = Jet(phi[elements[e].nodes[c]][k], c * Dim + k);
+    const double volume = std::pow(elements[e].side, Dim);
+    const double limit = options_.fold_threshold * volume;
+    for (const Jet& determinant : bernstein_determinant<Dim>(jets.data())) {
+      const double t = determinant.a / limit;
+      if (t >= 1) continue;
+      // B(t) = (1-t)^3/t, B''(t) = 2 (1/t^3 - 1) > 0
+      const double curvature = weight * volume / n_bernstein_total<Dim> * 2 * (1 / (t * t * t) - 1);
+      const Eigen::Matrix<double, n_dofs, 1> g = determinant.v / limit;
+      for (int i = 0; i < n_dofs; ++i)
+        for (int j = i; j < n_dofs; ++j)
+          matrices.add(e - patch.begin, i, j, static_cast<float>(curvature * g[i] * g[j]));
     }
-  });
+  }
 }
 
-template void EnergyHessian<2>::assemble_volume(std::span<const Vec<2>>, double);
-template void EnergyHessian<3>::assemble_volume(std::span<const Vec<3>>, double);
-template void EnergyHessian<2>::assemble_barrier(std::span<const Vec<2>>, double);
-template void EnergyHessian<3>::assemble_barrier(std::span<const Vec<3>>, double);
+template void EnergyHessian<2>::set_volume(const Chunk&, std::span<const Vec<2>>, double, ElementMatrices<2>&) const;
+template void EnergyHessian<2>::add_barrier(const Chunk&, std::span<const Vec<2>>, double, ElementMatrices<2>&) const;
+template void EnergyHessian<3>::set_volume(const Chunk&, std::span<const Vec<3>>, double, ElementMatrices<3>&) const;
+template void EnergyHessian<3>::add_barrier(const Chunk&, std::span<const Vec<3>>, double, ElementMatrices<3>&) const;
 
 }  // namespace shellmatch

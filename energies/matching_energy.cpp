@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace shellmatch {
@@ -21,7 +23,7 @@ template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                                     const EnergyOptions& options, double sigma, int points_per_direction)
     : MatchingEnergy(unknowns.elements(), geometry, options, sigma, points_per_direction) {
-  unknowns_ = &unknowns;
+  patches_.emplace(unknowns);
 }
 
 template <int Dim>
@@ -34,31 +36,48 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
       band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {}
 
 template <int Dim>
-bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                   TermValues& values, std::span<double> gradient) const {
+template <bool WithGradient>
+TermValues MatchingEnergy<Dim>::all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                          double* gradients) const {
+  TermValues values;
+  values[Term::barrier] = barrier_term<WithGradient>(patch, phi, weights[Term::barrier], gradients);
+  if (!std::isfinite(values[Term::barrier])) return values;
+  values[Term::volume] = volume_term<WithGradient>(patch, phi, weights[Term::volume], gradients);
+  add_band_terms<WithGradient>(patch, phi, weights, values, gradients);
+  return values;
+}
+
+template <int Dim>
+bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                                   std::span<double> gradient, std::vector<double>* element_gradients) const {
+  constexpr std::size_t n_dofs = n_corners<Dim> * Dim;
   for (const Vec<Dim>& y : phi)
     if (!y.allFinite()) return false;
+  const std::size_t of_patch = elements_per_patch(elements_.size());
+  std::vector<TermValues> parts(n_chunks(elements_.size(), of_patch));
+  std::atomic<bool> possible = true;  // what is left need not be worked out where it is not
   if (gradient.empty()) {
-    // The cheapest way to find out that there is a fold comes first.
-    const double barrier = barrier_term<false>(phi, weights[Term::barrier]);
-    if (!std::isfinite(barrier)) return false;
-    values = band_terms<false>(phi, weights);
-    values[Term::volume] = volume_term<false>(phi, weights[Term::volume]);
-    values[Term::barrier] = barrier;
-    return std::isfinite(values.sum());
+    parallel_chunks(elements_.size(), of_patch, [&](const Chunk& patch) {
+      if (!possible) return;
+      parts[patch.index] = all_terms<false>(patch, phi, weights, nullptr);
+      if (!std::isfinite(parts[patch.index].sum())) possible = false;
+    });
+  } else {
+    SHELLMATCH_CHECK(patches_.has_value(), "a part of the energy has values only");
+    if (element_gradients) element_gradients->resize(elements_.size() * n_dofs);
+    patches_->for_each([&](const Chunk& patch) {
+      if (!possible) return;
+      static thread_local std::vector<double> gradients;
+      gradients.assign((patch.end - patch.begin) * n_dofs, 0.0);
+      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients.data());
+      if (!std::isfinite(parts[patch.index].sum())) possible = false;
+      patches_->add(patch, gradients.data(), gradient);
+      if (element_gradients) std::ranges::copy(gradients, element_gradients->data() + patch.begin * n_dofs);
+    });
   }
-  SHELLMATCH_CHECK(unknowns_ != nullptr, "a part of the energy has values only");
-  element_gradients_.resize(elements_.size() * (n_corners<Dim> * Dim));
-  // The volume term writes every element's gradient, the band terms add to those of the band.
-  const double volume = volume_term<true>(phi, weights[Term::volume]);
-  const double barrier = barrier_term<true>(phi, weights[Term::barrier]);
-  if (!std::isfinite(barrier)) return false;
-  values = band_terms<true>(phi, weights);
-  values[Term::volume] = volume;
-  values[Term::barrier] = barrier;
-  if (!std::isfinite(values.sum())) return false;
-  unknowns_->sum_elements(element_gradients_, gradient);
-  return true;
+  values = {};
+  for (const TermValues& part : parts) values += part;
+  return std::isfinite(values.sum());  // or else a patch was not
 }
 
 template class MatchingEnergy<2>;

@@ -4,10 +4,12 @@
 
 #include "energies/band.h"
 #include "energies/elements.h"
+#include "energies/patches.h"
 #include "energies/options.h"
 #include "energies/geometry_field.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -32,8 +34,7 @@ struct TermValues {
   double sum() const { return (((v[0] + v[1]) + v[2]) + v[3]) + v[4]; }
 };
 
-/// The discrete energy on one grid, as a function of nodal positions. Immutable but for its scratch: one
-/// evaluation at a time. Grid, unknowns and geometry must outlive it.
+/// The discrete energy on one grid, as a function of nodal positions. Grid, unknowns and geometry must outlive it.
 template <int Dim>
 class MatchingEnergy {
  public:
@@ -49,31 +50,36 @@ class MatchingEnergy {
   /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
   /// anything that is not finite. \pre phi has one position for each node, hanging nodes consistent.
+  /// \param element_gradients  if not null, and the gradient is wanted: what it is the sum of, by every element's
+  ///   corners, element after element
   bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
-                std::span<double> gradient) const;
-
-  /// By every element's corners, element after element: what the last
-  /// evaluation with a gradient summed up.
-  std::span<const double> element_gradients() const { return element_gradients_; }
+                std::span<double> gradient, std::vector<double>* element_gradients = nullptr) const;
 
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
+  /// \pre it is of a whole grid
+  const Patches<Dim>& patches() const { return *patches_; }
 
  private:
+  // On the elements of one patch; `gradients` are those of its elements, added to. The barrier comes first: the
+  // cheapest way to find out that there is a fold, which ends the patch.
   template <bool WithGradient>
-  TermValues band_terms(std::span<const Vec<Dim>> phi, const TermValues& weights) const;
+  TermValues all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                       double* gradients) const;
   template <bool WithGradient>
-  double volume_term(std::span<const Vec<Dim>> phi, double weight) const;
+  void add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                      double* gradients) const;
   template <bool WithGradient>
-  double barrier_term(std::span<const Vec<Dim>> phi, double weight) const;
+  double volume_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, double* gradients) const;
+  template <bool WithGradient>
+  double barrier_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, double* gradients) const;
 
-  const Unknowns<Dim>* unknowns_ = nullptr;  ///< none where only values are wanted
   std::span<const Element<Dim>> elements_;
   const GeometryField<Dim>* target_;
   EnergyOptions options_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
-  mutable std::vector<double> element_gradients_;  ///< elements x corners x Dim
+  std::optional<Patches<Dim>> patches_;  ///< none where only values are wanted
 };
 
 /// Weights of the terms for given nu and c_vol: 1/nu, delta, delta^3 and c_vol times the options' factors,

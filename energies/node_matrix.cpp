@@ -10,23 +10,40 @@ namespace shellmatch {
 
 namespace {
 
-constexpr std::size_t rows_per_chunk = 1024;
-
 // One column of a block: Dim entries, and what follows them where that makes a whole register.
 template <int Dim>
 struct BlockColumn;
 template <>
 struct BlockColumn<2> {
   static constexpr int width = 2;
-  typedef float Floats __attribute__((vector_size(8)));
   typedef double Doubles __attribute__((vector_size(16)));
+  static Doubles read(const float* from) { return Doubles{from[0], from[1]}; }
+  static void add(const Doubles& x, double* to) {
+    for (int k = 0; k < 2; ++k) to[k] += x[k];
+  }
+  // Entry k of the result is the sum of the entries of t[k].
+  static Doubles sums_of(const std::array<Doubles, 2>& t) {
+    return __builtin_shufflevector(t[0], t[1], 0, 2) + __builtin_shufflevector(t[0], t[1], 1, 3);
+  }
 };
 template <>
 struct BlockColumn<3> {
   static constexpr int width = 4;
-  typedef float Floats __attribute__((vector_size(16)));
   typedef double Doubles __attribute__((vector_size(32)));
+  static Doubles read(const float* from) { return Doubles{from[0], from[1], from[2], from[3]}; }
+  static void add(const Doubles& x, double* to) {
+    typedef double Pair __attribute__((vector_size(16), aligned(8)));
+    *reinterpret_cast<Pair*>(to) += Pair{x[0], x[1]};
+    to[2] += x[2];
+  }
+  static Doubles sums_of(const std::array<Doubles, 3>& t) {
+    const Doubles a = __builtin_shufflevector(t[0], t[1], 0, 4, 2, 6) + __builtin_shufflevector(t[0], t[1], 1, 5, 3, 7);
+    const Doubles b = __builtin_shufflevector(t[2], t[2], 0, 0, 2, 2) + __builtin_shufflevector(t[2], t[2], 1, 1, 3, 3);
+    return __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  }
 };
+
+std::size_t rows_per_slab(std::size_t n_rows) { return std::clamp<std::size_t>(n_rows / 64, 64, 512); }
 
 // A block and what follows it, and where its transpose finds its entries.
 typedef float WideBlock __attribute__((vector_size(64)));
@@ -34,82 +51,87 @@ typedef int WideIndex __attribute__((vector_size(64)));
 template <int Dim>
 constexpr WideIndex transposed = Dim == 2 ? WideIndex{0, 2, 1, 3} : WideIndex{0, 3, 6, 1, 4, 7, 2, 5, 8};
 
-template <int Dim>
-typename BlockColumn<Dim>::Doubles read_column(const float* from) {
-  typename BlockColumn<Dim>::Floats f;
-  std::memcpy(&f, from, sizeof f);
-  return __builtin_convertvector(f, typename BlockColumn<Dim>::Doubles);
-}
-
 }  // namespace
 
 template <int Dim>
-NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns) : unknowns_(&unknowns) {
-  const std::size_t n = unknowns.nodes().size();
-  std::vector<std::vector<Index>> of_chunk(n_chunks(n, rows_per_chunk));
+NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns)
+    : unknowns_(&unknowns), rows_per_slab_(rows_per_slab(unknowns.nodes().size())) {
+  const std::size_t n = unknowns.nodes().size(), n_slabs = n_chunks(n, rows_per_slab_);
+  std::vector<std::vector<Index>> of_slab(n_slabs), reached(n_slabs);
   first_.assign(n + 1, 0);
-  parallel_chunks(n, rows_per_chunk, [&](const Chunk& chunk) {
-    std::vector<Index>& found = of_chunk[chunk.index];
+  parallel_chunks(n, rows_per_slab_, [&](const Chunk& slab) {
+    std::vector<Index>& found = of_slab[slab.index];
     static thread_local std::vector<char> is_found;  // by column, for the row at work; all false between rows
     is_found.resize(std::max(is_found.size(), n), 0);
-    std::vector<Index> row;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      row.clear();
+    for (std::size_t i = slab.begin; i < slab.end; ++i) {
+      const std::size_t begin = found.size();
       for (const auto& place : unknowns.places_of(i))
         for (const Index node :
              unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<Dim>].nodes)
           for (const auto& carrier : unknowns.carriers_of(node)) {
-            if (is_found[carrier.unknown]) continue;
+            if (static_cast<std::size_t>(carrier.unknown) < i || is_found[carrier.unknown]) continue;
             is_found[carrier.unknown] = 1;
-            row.push_back(carrier.unknown);
+            found.push_back(carrier.unknown);
           }
-      for (const Index column : row) is_found[column] = 0;
-      std::sort(row.begin(), row.end());
-      first_[i + 1] = row.size();
-      found.insert(found.end(), row.begin(), row.end());
+      const auto row = found.begin() + static_cast<std::ptrdiff_t>(begin);
+      for (auto column = row; column != found.end(); ++column) is_found[*column] = 0;
+      std::sort(row, found.end());
+      first_[i + 1] = found.size() - begin;
     }
+    for (const Index column : found) {
+      if (is_found[column]) continue;
+      is_found[column] = 1;
+      reached[slab.index].push_back(column);
+    }
+    for (const Index column : reached[slab.index]) is_found[column] = 0;
   });
   for (std::size_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
   columns_.reserve(first_.back());
-  for (const auto& found : of_chunk) columns_.insert(columns_.end(), found.begin(), found.end());
+  for (auto& found : of_slab) {
+    columns_.insert(columns_.end(), found.begin(), found.end());
+    found = {};
+  }
+  waves_ = Waves(n_slabs, n, [&](std::size_t s) -> std::span<const Index> { return reached[s]; });
+  const std::size_t n_values = columns_.size() * block_size + BlockColumn<Dim>::width;
+  values_ = std::make_unique_for_overwrite<float[]>(n_values);  // its pages are the threads' to touch first
+  std::fill_n(values_.get() + columns_.size() * block_size, BlockColumn<Dim>::width, 0.0f);
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::assemble(const ElementMatrices<Dim>& elements) {
-  const std::size_t n_values = columns_.size() * block_size + BlockColumn<Dim>::width;
-  if (!values_) {
-    values_ = std::make_unique_for_overwrite<float[]>(n_values);  // its pages are the threads' to touch first
-    std::fill_n(values_.get() + columns_.size() * block_size, BlockColumn<Dim>::width, 0.0f);
-  }
-  const std::size_t n = unknowns_->nodes().size();
-  parallel_chunks(n, rows_per_chunk, [&](const Chunk& chunk) {
-    static thread_local std::vector<Index> place;  // of a column within the row at work
-    place.resize(std::max(place.size(), n));
-    std::vector<WideBlock> row;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const std::size_t n_blocks = first_[i + 1] - first_[i];
-      for (std::size_t j = 0; j < n_blocks; ++j) place[columns_[first_[i] + j]] = static_cast<Index>(j);
-      row.assign(n_blocks, WideBlock{});
-      for (const auto& at : unknowns_->places_of(i)) {
-        const auto e = static_cast<std::size_t>(at.element_corner) / n_corners<Dim>;
-        const int c = static_cast<int>(at.element_corner % n_corners<Dim>);
-        const auto& matrix = elements[e];
-        for (int d = 0; d < n_corners<Dim>; ++d) {
+void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch) {
+  static thread_local std::vector<Index> place;  // of a column within the row at work
+  place.resize(std::max(place.size(), unknowns_->nodes().size()));
+  static thread_local std::vector<WideBlock> sum;
+  for (const auto& row : patches.rows(patch.index)) {
+    const auto i = static_cast<std::size_t>(row.unknown);
+    const std::size_t n_blocks = first_[i + 1] - first_[i];
+    for (std::size_t j = 0; j < n_blocks; ++j) place[columns_[first_[i] + j]] = static_cast<Index>(j);
+    sum.assign(n_blocks, WideBlock{});
+    for (const auto& at : patches.places_of(row)) {
+      const auto e = static_cast<std::size_t>(at.element_corner) / n_corners<Dim>;
+      const int c = static_cast<int>(at.element_corner % n_corners<Dim>);
+      const auto& matrix = of_patch[e - patch.begin];
+      for (int d = 0; d < n_corners<Dim>; ++d)
+        for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d])) {
+          if (carrier.unknown < row.unknown) continue;
           WideBlock block;
           std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)),
                       sizeof block);
           if (c > d) block = __builtin_shuffle(block, transposed<Dim>);
-          for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d]))
-            row[place[carrier.unknown]] += at.weight * carrier.weight * block;
+          sum[place[carrier.unknown]] += at.weight * carrier.weight * block;
         }
-      }
-      float* to = values_.get() + first_[i] * block_size;
-      for (const WideBlock& block : row) {
-        std::memcpy(to, &block, block_size * sizeof(float));
-        to += block_size;
-      }
     }
-  });
+    float* to = values_.get() + first_[i] * block_size;
+    for (WideBlock& block : sum) {
+      if (!row.is_first) {
+        WideBlock before{};
+        std::memcpy(&before, to, block_size * sizeof(float));
+        block += before;
+      }
+      std::memcpy(to, &block, block_size * sizeof(float));
+      to += block_size;
+    }
+  }
 }
 
 template <int Dim>
@@ -129,6 +151,7 @@ void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
     for (const auto& row : unknowns_->carriers_of(nodes[c]))
       for (int d = 0; d < n_corners<Dim>; ++d)
         for (const auto& column : unknowns_->carriers_of(nodes[d])) {
+          if (column.unknown < row.unknown) continue;
           float* block = values_.get() + place_of(row.unknown, column.unknown) * block_size;
           const double x = factor * static_cast<double>(row.weight * column.weight) * k[c][d];
           for (int a = 0; a < Dim; ++a) block[a * Dim + a] += static_cast<float>(x);
@@ -136,25 +159,44 @@ void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) const {
-  parallel_chunks(unknowns_->nodes().size(), rows_per_chunk, [&](const Chunk& chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      // A sum for each component of x: none waits for the one before.
-      std::array<typename BlockColumn<Dim>::Doubles, Dim> sums{};
-      const float* value = values_.get() + first_[i] * block_size;
-      for (std::size_t j = first_[i]; j < first_[i + 1]; ++j, value += block_size) {
-        const double* from = x.data() + static_cast<std::size_t>(columns_[j]) * Dim;
-        for (int k = 0; k < Dim; ++k) sums[k] += read_column<Dim>(value + k * Dim) * from[k];
+void NodeMatrix<Dim>::add_product(std::size_t begin, std::size_t end, std::span<const double> x,
+                                  std::span<double> y) const {
+  using Column = BlockColumn<Dim>;
+  using Doubles = typename Column::Doubles;
+  const float* value = values_.get() + first_[begin] * block_size;
+  for (std::size_t i = begin; i < end; ++i) {
+    Doubles here{};  // an entry that fills up the register is 0
+    for (int k = 0; k < Dim; ++k) here[k] = x[i * Dim + k];
+    // A sum for each component of x: none waits for the one before.
+    std::array<Doubles, Dim> sums;
+    for (int k = 0; k < Dim; ++k) sums[k] = Column::read(value + k * Dim) * here[k];
+    value += block_size;
+    for (std::size_t j = first_[i] + 1; j < first_[i + 1]; ++j, value += block_size) {
+      const double* there = x.data() + static_cast<std::size_t>(columns_[j]) * Dim;
+      double* mirrored = y.data() + static_cast<std::size_t>(columns_[j]) * Dim;
+      std::array<Doubles, Dim> products;
+      for (int k = 0; k < Dim; ++k) {
+        const Doubles column = Column::read(value + k * Dim);
+        sums[k] += column * there[k];
+        products[k] = column * here;
       }
-      for (int k = 1; k < Dim; ++k) sums[0] += sums[k];
-      for (int k = 0; k < Dim; ++k) y[i * Dim + k] = sums[0][k];
+      Column::add(Column::sums_of(products), mirrored);
     }
-  });
+    for (int k = 1; k < Dim; ++k) sums[0] += sums[k];
+    Column::add(sums[0], y.data() + i * Dim);
+  }
+}
+
+template <int Dim>
+void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) const {
+  parallel_for(y.size(), [&](std::size_t i) { y[i] = 0; }, 1 << 16);
+  const std::size_t n = first_.size() - 1;
+  waves_.run([&](std::size_t s) { add_product(s * rows_per_slab_, std::min(n, (s + 1) * rows_per_slab_), x, y); });
 }
 
 template <int Dim>
 Mat<Dim> NodeMatrix<Dim>::diagonal(std::size_t i) const {
-  const float* block = values_.get() + place_of(static_cast<Index>(i), static_cast<Index>(i)) * block_size;
+  const float* block = values_.get() + first_[i] * block_size;
   Mat<Dim> m;
   for (int l = 0; l < Dim; ++l)
     for (int k = 0; k < Dim; ++k) m(k, l) = static_cast<double>(block[l * Dim + k]);

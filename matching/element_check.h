@@ -25,7 +25,7 @@ struct AssembledTerm {
   TermValues weights;
   double value = 0;
   std::vector<double> gradient;           ///< by the unknowns
-  std::vector<double> element_gradients;  ///< as MatchingEnergy::element_gradients
+  std::vector<double> element_gradients;  ///< as of MatchingEnergy::evaluate
 };
 
 /// Fills everything of `check` but directions and Newton model.

@@ -11,10 +11,7 @@ namespace shellmatch {
 template <int Dim>
 bool CheckedEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                                   std::span<double> gradient, std::vector<double>& element_gradients) const {
-  if (!level_.energy.evaluate(phi, weights, values, gradient)) return false;
-  const auto elements = level_.energy.element_gradients();
-  if (!gradient.empty()) element_gradients.assign(elements.begin(), elements.end());
-  return true;
+  return level_.energy.evaluate(phi, weights, values, gradient, &element_gradients);
 }
 
 namespace {

@@ -45,6 +45,16 @@ void check_moments() {
         EXPECT_EQ(weight > 0, lane < band.batches()[b].n_elements && std::abs(d1) < sigma);
       }
   }
+  const std::size_t of_patch = elements_per_patch(p.unknowns.elements().size());
+  std::size_t next = 0;
+  for (std::size_t patch = 0; patch < p.energy.patches().size(); ++patch) {
+    const auto [first, last] = band.batches_of(patch);
+    EXPECT_EQ(first, next);
+    next = last;
+    for (std::size_t b = first; b < last; ++b)
+      for (const Index e : band.batches()[b].element) EXPECT_EQ(static_cast<std::size_t>(e) / of_patch, patch);
+  }
+  EXPECT_EQ(next, band.batches().size());
   EXPECT_NEAR(moments[0], 1, 1e-3);
   EXPECT_NEAR(moments[1], 0, 1e-3);
   EXPECT_NEAR(moments[2], second_moment(), 1e-3);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace shellmatch::test {
 
@@ -18,6 +19,16 @@ TermValues only(Term term) {
 template <int Dim>
 Octree<Dim> hanging_grid(double radius) {
   return sphere_grid<Dim>(2, Dim == 2 ? 5 : 4, radius, Vec<Dim>::Constant(0.5));
+}
+
+template <int Dim>
+std::vector<double> sum_elements(const Unknowns<Dim>& unknowns, std::span<const double> element_gradients) {
+  const Patches<Dim> patches(unknowns);
+  std::vector<double> sum(unknowns.size(), std::numeric_limits<double>::quiet_NaN());  // as of before
+  patches.for_each([&](const Chunk& patch) {
+    patches.add(patch, element_gradients.data() + patch.begin * n_corners<Dim> * Dim, sum);
+  });
+  return sum;
 }
 
 template <int Dim>
@@ -104,6 +115,7 @@ std::vector<double> Problem<Dim>::gradient(const std::vector<Vec<Dim>>& phi, con
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                \
   template Octree<Dim> hanging_grid<Dim>(double);                                                                  \
+  template std::vector<double> sum_elements<Dim>(const Unknowns<Dim>&, std::span<const double>);                   \
   template std::vector<Vec<Dim>> at_nodes<Dim>(const Octree<Dim>&, const std::function<Vec<Dim>(const Vec<Dim>&)>&); \
   template std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field<Dim>(unsigned);                                   \
   template std::vector<Vec<Dim>> deformed<Dim>(const Octree<Dim>&, double, unsigned, bool);                        \

@@ -17,6 +17,10 @@ TermValues only(Term term);
 template <int Dim>
 Octree<Dim> hanging_grid(double radius);
 
+/// The sum of element gradients by the unknowns, patch by patch.
+template <int Dim>
+std::vector<double> sum_elements(const Unknowns<Dim>& unknowns, std::span<const double> element_gradients);
+
 /// Values of a vector field at the nodes, hanging nodes in their place between their parents.
 template <int Dim>
 std::vector<Vec<Dim>> at_nodes(const Octree<Dim>& grid, const std::function<Vec<Dim>(const Vec<Dim>&)>& field);

@@ -77,7 +77,7 @@ class Planted final : public CheckedEnergy<Dim> {
       elements[i] *= fault_ == Fault::every_element || i / n == wrong_ ? 0.01 : 0.0;
       element_gradients[i] += elements[i];
     }
-    this->level_.unknowns.sum_elements(elements, share);
+    share = sum_elements(this->level_.unknowns, std::span<const double>(elements));
     for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += share[i];
     return true;
   }
