@@ -55,10 +55,10 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) *
                         sizeof(Band<3>::Point);
   // The template is looked up in about as many cells as the band has; as splines, each has a coefficient (a
-  // row of values) and the numbers of its neighbours'.
+  // row of values), and eight have one list of the numbers of their neighbours'.
   const bool smooth = level.geometry.target.is_smooth();
   const double rows = smooth ? n_band : n_band_nodes;
-  const double look_up = n_band * (sizeof(Octree<3>::Cell) + (smooth ? sizeof(SplineSpace<3>::Local) : 0)) +
+  const double look_up = n_band * (smooth ? sizeof(SplineSpace<3>::Local) / 8 : sizeof(Octree<3>::Cell)) +
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
   const double again = 2 * n_rows - n_free;

@@ -7,23 +7,27 @@ namespace shellmatch {
 
 namespace {
 
+/// Component i of the values at a node, in the order of TargetPoint.
 template <int Dim>
-std::vector<std::array<double, TargetPoint<Dim, double>::size>> rows_of(
-    std::size_t n, std::span<const double> distance, std::span<const Vec<Dim>> normal,
-    std::span<const std::array<double, n_symmetric<Dim>>> root) {
-  SHELLMATCH_CHECK(distance.size() == n && normal.size() == n && root.size() == n,
-                   "the fields must have one value for each node");
-  std::vector<std::array<double, TargetPoint<Dim, double>::size>> rows(n);
-  parallel_for(
-      n,
-      [&](std::size_t i) {
-        rows[i][0] = distance[i];
-        for (int k = 0; k < Dim; ++k) rows[i][1 + k] = normal[i][k];
-        for (int k = 0; k < n_symmetric<Dim>; ++k) rows[i][1 + Dim + k] = root[i][k];
-      },
-      4096);
-  return rows;
-}
+class NodalValues {
+ public:
+  NodalValues(const Octree<Dim>& grid, std::span<const double> distance, std::span<const Vec<Dim>> normal,
+              std::span<const std::array<double, n_symmetric<Dim>>> root)
+      : distance_(distance), normal_(normal), root_(root) {
+    const auto n = static_cast<std::size_t>(grid.n_nodes());
+    SHELLMATCH_CHECK(distance.size() == n && normal.size() == n && root.size() == n,
+                     "the fields must have one value for each node");
+  }
+  double operator()(Index node, std::size_t i) const {
+    if (i == 0) return distance_[node];
+    return i <= Dim ? normal_[node][static_cast<Eigen::Index>(i) - 1] : root_[node][i - 1 - Dim];
+  }
+
+ private:
+  std::span<const double> distance_;
+  std::span<const Vec<Dim>> normal_;
+  std::span<const std::array<double, n_symmetric<Dim>>> root_;
+};
 
 }  // namespace
 
@@ -32,41 +36,54 @@ GeometryField<Dim>::GeometryField(const Octree<Dim>& grid, std::span<const doubl
                                   std::span<const Vec<Dim>> normal,
                                   std::span<const std::array<double, n_symmetric<Dim>>> root)
     : grid_(&grid) {
-  store(rows_of<Dim>(static_cast<std::size_t>(grid.n_nodes()), distance, normal, root));
+  const NodalValues<Dim> nodal(grid, distance, normal, root);
+  store(static_cast<std::size_t>(grid.n_nodes()), [&](const auto& at) {
+    parallel_for(
+        static_cast<std::size_t>(grid.n_nodes()),
+        [&](std::size_t node) {
+          for (std::size_t i = 0; i < n_values; ++i)
+            at(static_cast<Index>(node), i) = nodal(static_cast<Index>(node), i);
+        },
+        4096);
+  });
 }
 
 template <int Dim>
-GeometryField<Dim>::GeometryField(std::shared_ptr<const SplineSpace<Dim>> splines,
-                                  std::span<const double> distance, std::span<const Vec<Dim>> normal,
-                                  std::span<const std::array<double, n_symmetric<Dim>>> root,
-                                  bool keep_definite)
-    : grid_(&splines->grid()), splines_(std::move(splines)) {
-  const auto nodal = rows_of<Dim>(static_cast<std::size_t>(grid_->n_nodes()), distance, normal, root);
+GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span<const double> distance,
+                                              std::span<const Vec<Dim>> normal,
+                                              std::span<const std::array<double, n_symmetric<Dim>>> root,
+                                              bool keep_definite) {
+  const NodalValues<Dim> nodal(grid, distance, normal, root);
+  SplineSpace<Dim> splines(grid);
   // Sharpening would overshoot at a sharp edge.
   const std::size_t n_sharp = keep_definite ? 1 + Dim : n_values;
-  store(splines_->coefficients(std::span<const Values>(nodal), n_sharp));
+  GeometryField field;
+  field.store(static_cast<std::size_t>(splines.n_coefficients()),
+              [&](const auto& at) { splines.coefficients(n_values, n_sharp, nodal, at); });
+  splines.forget_grid();
+  field.splines_ = std::make_shared<const SplineSpace<Dim>>(std::move(splines));
+  return field;
 }
 
 template <int Dim>
-void GeometryField<Dim>::store(const std::vector<Values>& rows) {
-  std::vector<Pack> main(rows.size(), Pack{});
-  std::vector<Pair> rest(n_rest > 0 ? rows.size() : 0, Pair{});
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (int i = 0; i < n_values; ++i) {
-      if (i < autodiff::pack_size)
-        main[r][i] = rows[r][i];
-      else
-        rest[r][i - autodiff::pack_size] = rows[r][i];
-    }
-  main_ = std::make_shared<const std::vector<Pack>>(std::move(main));
-  rest_ = std::make_shared<const std::vector<Pair>>(std::move(rest));
+template <class Put>
+void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
+  const auto main = std::make_shared<std::vector<Pack>>(n_rows, Pack{});
+  const auto rest = std::make_shared<std::vector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
+  const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
+  put([=](Index row, std::size_t i) -> double& {
+    const auto r = static_cast<std::size_t>(row);
+    return i < autodiff::pack_size ? mains[r * autodiff::pack_size + i]
+                                   : rests[r * n_rest + i - autodiff::pack_size];
+  });
+  main_ = main;
+  rest_ = rest;
 }
 
 template <int Dim>
 inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec<Dim>& y) const {
   const Vec<Dim> inside = y.cwiseMax(0.0).cwiseMin(1.0);
   Place p;
-  p.leaf = grid_->locate(inside);
   const auto place = [&](int level, const typename Octree<Dim>::Coord& corner) {
     const double scale = static_cast<double>(1 << level);
     for (int k = 0; k < Dim; ++k) {
@@ -75,9 +92,10 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
     }
   };
   if (is_smooth()) {
-    const auto& leaf = splines_->of_leaf(p.leaf);  // in memory beside the coefficients' numbers
-    place(leaf.level, leaf.corner);
+    p.leaf = splines_->locate(inside);
+    place(splines_->level_of(p.leaf), splines_->corner_of(p.leaf));
   } else {
+    p.leaf = grid_->locate(inside);
     const auto& cell = grid_->cell(p.leaf);
     place(cell.level, cell.corner);
   }
@@ -89,7 +107,7 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
 template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
-  const auto& local = splines_->of_leaf(p.leaf).coefficients;
+  const auto local = splines_->coefficients_of(p.leaf);
   std::array<std::array<double, 3>, Dim> value, slope;
   for (int k = 0; k < Dim; ++k) {
     const SplineWeights w(p.t[k]);
@@ -211,8 +229,7 @@ void GeometryField<Dim>::look_up_lanes(const Pack& weight, const std::array<Pack
     for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
     places[lane] = place_of(place);
     if (is_smooth()) {
-      const auto& local = splines_->of_leaf(places[lane].leaf).coefficients;
-      __builtin_prefetch(local.data());
+      const auto local = splines_->coefficients_of(places[lane].leaf);
       for (int n = 1; n < SplineSpace<Dim>::n_local; n += 3) __builtin_prefetch(main_->data() + local[n]);
     }
   }

@@ -34,11 +34,12 @@ class GeometryField {
   GeometryField(const Octree<Dim>& grid, std::span<const double> distance, std::span<const Vec<Dim>> normal,
                 std::span<const std::array<double, n_symmetric<Dim>>> root);
 
-  /// The same as splines; the grid of `splines` must outlive this object. What is positive definite at the
-  /// nodes stays so if `keep_definite`, at the price of second order instead of third.
-  GeometryField(std::shared_ptr<const SplineSpace<Dim>> splines, std::span<const double> distance,
-                std::span<const Vec<Dim>> normal, std::span<const std::array<double, n_symmetric<Dim>>> root,
-                bool keep_definite = true);
+  /// The same as splines on `grid`, which is not needed afterwards. What is positive definite at the nodes
+  /// stays so if `keep_definite`, at the price of second order instead of third.
+  static GeometryField smooth(const Octree<Dim>& grid, std::span<const double> distance,
+                              std::span<const Vec<Dim>> normal,
+                              std::span<const std::array<double, n_symmetric<Dim>>> root,
+                              bool keep_definite = true);
 
   Values value(const Vec<Dim>& y) const;
 
@@ -55,8 +56,11 @@ class GeometryField {
   template <class T>
   TargetPoint<Dim, T> at(SmallVec<T, Dim> y) const;
 
-  const Octree<Dim>& grid() const { return *grid_; }
   bool is_smooth() const { return splines_ != nullptr; }
+  /// Of a multilinear field. \pre !is_smooth()
+  const Octree<Dim>& grid() const { return *grid_; }
+  /// Of the cells that it is made on.
+  int finest_level() const { return is_smooth() ? splines_->finest_level() : grid_->finest_level(); }
 
  private:
   // The values of a node or coefficient, a whole pack and what is left over in space.
@@ -68,12 +72,15 @@ class GeometryField {
     Pair rest;
   };
   struct Place {
-    Index leaf;
+    Index leaf;      ///< a cell's number, or SplineSpace's
     Vec<Dim> t;      ///< within the leaf, in [0, 1]
     Vec<Dim> slope;  ///< dt/dy: scale, or 0 where y is projected
   };
 
-  void store(const std::vector<Values>& rows);
+  GeometryField() = default;
+  // Fills the rows: put(at), where at(row, i) refers to a number that is 0 so far.
+  template <class Put>
+  void store(std::size_t n_rows, const Put& put);
   Place place_of(const Vec<Dim>& y) const;
   double component(Index row, int i) const {
     return i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size];
@@ -89,7 +96,7 @@ class GeometryField {
   void look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
                      Packs* derivative) const;
 
-  const Octree<Dim>* grid_;
+  const Octree<Dim>* grid_ = nullptr;                ///< null: smooth
   std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null: multilinear
   /// By node, or by coefficient; copies of the field share them.
   std::shared_ptr<const std::vector<Pack>> main_;
@@ -113,8 +120,9 @@ TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
     if (autodiff::scalar_part(y[k]) > 1) y[k] = T(1.0);
     place[k] = autodiff::scalar_part(y[k]);
   }
-  const Index leaf = grid_->locate(place);
-  const auto& cell = grid_->cell(leaf);
+  const Index leaf = is_smooth() ? splines_->locate(place) : grid_->locate(place);
+  const int level = is_smooth() ? splines_->level_of(leaf) : grid_->cell(leaf).level;
+  const auto corner = is_smooth() ? splines_->corner_of(leaf) : grid_->cell(leaf).corner;
   std::array<T, n_values> sum;
   sum.fill(T(0.0));
   const int per_axis = is_smooth() ? 3 : 2;
@@ -122,14 +130,14 @@ TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
   for (int n = 0; n < n_local; ++n) {
     T weight(1.0);
     for (int k = 0, rest = n; k < Dim; ++k, rest /= per_axis) {
-      const T t = y[k] * static_cast<double>(1 << cell.level) - static_cast<double>(cell.corner[k]);
+      const T t = y[k] * static_cast<double>(1 << level) - static_cast<double>(corner[k]);
       const int i = rest % per_axis;
       if (is_smooth())
         weight = weight * (i == 0 ? 0.5 * (1.0 - t) * (1.0 - t) : i == 1 ? 0.5 + t * (1.0 - t) : 0.5 * t * t);
       else
         weight = weight * (i == 1 ? t : 1.0 - t);
     }
-    const Index row = is_smooth() ? splines_->of_leaf(leaf).coefficients[n] : cell.nodes[n];
+    const Index row = is_smooth() ? splines_->coefficients_of(leaf)[n] : grid_->cell(leaf).nodes[n];
     for (int i = 0; i < n_values; ++i) sum[i] += weight * component(row, i);
   }
   TargetPoint<Dim, T> p;

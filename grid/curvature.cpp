@@ -13,9 +13,10 @@ namespace shellmatch {
 
 namespace {
 
+/// hessian(i): at nodes[i].
 template <int Dim>
 NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distance,
-                            const CoefficientOptions& options, const Hessians<Dim>& hessians,
+                            const CoefficientOptions& options, const auto& hessian,
                             std::span<const Index> nodes) {
   NodalGeometry<Dim> g;
   g.distance = std::move(distance);
@@ -27,7 +28,7 @@ NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distanc
   });
   parallel_for(nodes.size(), [&](std::size_t i) {
     g.extended_shape[nodes[i]] = pack_symmetric<Dim>(
-        extended_shape_operator<Dim>(unpack_symmetric<Dim>(hessians[i]), g.normal[nodes[i]]));
+        extended_shape_operator<Dim>(unpack_symmetric<Dim>(hessian(i)), g.normal[nodes[i]]));
   });
   distribute(grid, g.extended_shape);
   return g;
@@ -40,16 +41,16 @@ NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> n
                                   const CoefficientOptions& options, std::span<const Index> nodes) {
   if (nodes.empty()) nodes = grid.free_nodes();
   const auto hessians = fit_hessians(grid, nodal_distance, options, nodes);
-  return assemble(grid, std::move(nodal_distance), options, hessians, nodes);
+  return assemble<Dim>(
+      grid, std::move(nodal_distance), options, [&](std::size_t i) { return hessians[i]; }, nodes);
 }
 
 template <int Dim>
 NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> nodal_distance,
-                                  const CoefficientOptions& options, const Hessians<Dim>& hessians) {
+                                  const CoefficientOptions& options, const HierarchicalFit<Dim>& hessians) {
   const auto free = grid.free_nodes();
-  Hessians<Dim> at_free(free.size());
-  for (std::size_t i = 0; i < free.size(); ++i) at_free[i] = hessians[free[i]];
-  return assemble(grid, std::move(nodal_distance), options, at_free, free);
+  return assemble<Dim>(
+      grid, std::move(nodal_distance), options, [&](std::size_t i) { return hessians[free[i]]; }, free);
 }
 
 template <int Dim>
@@ -59,8 +60,11 @@ std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
                                                  std::span<const Index> nodes) {
   if (nodes.empty()) nodes = grid.free_nodes();
   const auto hessians = fit_hessians(grid, nodal_distances, options, nodes);
-  return {assemble(grid, std::move(nodal_distances[0]), options, hessians[0], nodes),
-          assemble(grid, std::move(nodal_distances[1]), options, hessians[1], nodes)};
+  const auto of = [&](int s) {
+    return assemble<Dim>(
+        grid, std::move(nodal_distances[s]), options, [&](std::size_t i) { return hessians[s][i]; }, nodes);
+  };
+  return {of(0), of(1)};
 }
 
 namespace {
@@ -159,7 +163,7 @@ CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<
   template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
                                                             const CoefficientOptions&, bool);              \
   template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
-                                                  const CoefficientOptions&, const Hessians<Dim>&);        \
+                                                  const CoefficientOptions&, const HierarchicalFit<Dim>&);        \
   template CoefficientPair<Dim> coefficient_pair<Dim>(                                                     \
       const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>, const CoefficientOptions&);                 \
   template CoefficientPair<Dim> shape_operator_pair<Dim>(                                                  \

@@ -4,6 +4,7 @@
 /// (paper, section 5, computation of the coefficients).
 
 #include "grid/classification.h"
+#include "grid/hierarchical_fit.h"
 #include "grid/local_fit.h"
 #include "grid/nodal.h"
 #include "grid/octree.h"
@@ -39,7 +40,7 @@ std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
 /// The same with second derivatives of the distance that are known at all nodes.
 template <int Dim>
 NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> nodal_distance,
-                                  const CoefficientOptions& options, const Hessians<Dim>& hessians);
+                                  const CoefficientOptions& options, const HierarchicalFit<Dim>& hessians);
 
 /// The grids of two surfaces, often one and the same.
 template <int Dim>

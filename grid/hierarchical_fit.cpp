@@ -31,13 +31,6 @@ void HierarchicalFit<Dim>::update(const Octree<Dim>& grid, const std::vector<dou
   });
 }
 
-template <int Dim>
-Hessians<Dim> HierarchicalFit<Dim>::values() const {
-  Hessians<Dim> all(values_.size());
-  for (std::size_t i = 0; i < all.size(); ++i) Components::Map(all[i].data()) = values_[i];
-  return all;
-}
-
 template class HierarchicalFit<2>;
 template class HierarchicalFit<3>;
 

@@ -19,8 +19,13 @@ class HierarchicalFit {
   /// have not changed
   void update(const Octree<Dim>& grid, const std::vector<double>& nodal, const CoefficientOptions& options);
 
-  /// At all nodes of the grid of the last update.
-  Hessians<Dim> values() const;
+  std::size_t size() const { return values_.size(); }
+  /// At a node of the grid of the last update.
+  SymmetricComponents<Dim> operator[](Index node) const {
+    SymmetricComponents<Dim> value;
+    typename Components::MapType(value.data()) = values_[node];
+    return value;
+  }
 
  private:
   using Components = Eigen::Matrix<double, Dim*(Dim + 1) / 2, 1>;

@@ -9,10 +9,6 @@ namespace shellmatch {
 
 namespace {
 
-// Level of the look-up table: about a megabyte of cells in the plane and in space.
-template <int Dim>
-constexpr int largest_table_level = Dim == 2 ? 9 : 6;
-
 constexpr std::size_t power(std::size_t base, int exponent) {
   std::size_t p = 1;
   while (exponent-- > 0) p *= base;
@@ -162,9 +158,9 @@ Index Octree<Dim>::add_node(const Coord& position) {
 template <int Dim>
 void Octree<Dim>::finish_refinement() {
   leaves_.clear();
-  first_child_.resize(cells_.size());
+  locator_.reset(n_cells(), finest_level_);
   for (Index c = 0; c < n_cells(); ++c) {
-    first_child_[c] = cells_[c].first_child;
+    locator_.put(c, cells_[c].level, cells_[c].corner, cells_[c].first_child);
     if (cells_[c].is_leaf()) leaves_.push_back(c);
   }
   find_hanging_nodes();
@@ -176,7 +172,6 @@ void Octree<Dim>::finish_refinement() {
       free_index_[n] = static_cast<Index>(free_.size());
       free_.push_back(n);
     }
-  fill_table();
 }
 
 // By the 2:1 balance, what hangs on a leaf are the midpoints of its edges and the centres of its faces: the
@@ -212,26 +207,6 @@ void Octree<Dim>::find_hanging_nodes() {
 }
 
 template <int Dim>
-void Octree<Dim>::fill_table() {
-  table_level_ = std::min(finest_level_, largest_table_level<Dim>);
-  table_.resize(std::size_t{1} << (Dim * table_level_));
-  for (Index c = 0; c < n_cells(); ++c) {
-    const Cell& cell = cells_[c];
-    if (cell.level > table_level_ || (cell.level < table_level_ && !cell.is_leaf())) continue;
-    const int shift = table_level_ - cell.level;
-    const std::size_t n_entries = std::size_t{1} << (Dim * shift);
-    for (std::size_t e = 0; e < n_entries; ++e) {
-      std::size_t entry = 0;
-      for (int k = Dim - 1; k >= 0; --k) {
-        const std::size_t offset = (e >> (k * shift)) & ((std::size_t{1} << shift) - 1);
-        entry = (entry << table_level_) | ((static_cast<std::size_t>(cell.corner[k]) << shift) + offset);
-      }
-      table_[entry] = c;
-    }
-  }
-}
-
-template <int Dim>
 bool Octree<Dim>::is_boundary_node(Index node) const {
   const Coord& p = node_coords_[node];
   return std::any_of(p.begin(), p.end(), [](std::int32_t v) { return v == 0 || v == (1 << max_level); });
@@ -254,10 +229,8 @@ template <int Dim>
 std::size_t Octree<Dim>::memory_bytes() const {
   return cells_.capacity() * sizeof(Cell) + node_coords_.capacity() * sizeof(Coord) +
          node_index_.memory_bytes() + cell_index_.memory_bytes() +
-         hanging_.capacity() * sizeof(HangingNode<Dim>) +
-         (leaves_.capacity() + free_.capacity() + free_index_.capacity() + table_.capacity() +
-          first_child_.capacity()) *
-             sizeof(Index);
+         locator_.memory_bytes() + hanging_.capacity() * sizeof(HangingNode<Dim>) +
+         (leaves_.capacity() + free_.capacity() + free_index_.capacity()) * sizeof(Index);
 }
 
 template class Octree<2>;

@@ -3,6 +3,7 @@
 /// Adaptive quadtree and octree of the unit square and cube.
 
 #include "base/types.h"
+#include "grid/cell_locator.h"
 #include "grid/key_map.h"
 
 #include <array>
@@ -30,7 +31,7 @@ struct HangingNode {
 template <int Dim>
 class Octree {
  public:
-  static constexpr int max_level = 19;
+  static constexpr int max_level = CellLocator<Dim>::max_level;
   using Coord = std::array<std::int32_t, Dim>;
 
   struct Cell {
@@ -69,7 +70,9 @@ class Octree {
 
   /// The leaf that contains x; x outside the domain is projected onto it first. A point on a face shared by
   /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
-  Index locate(const Vec<Dim>& x) const;
+  Index locate(const Vec<Dim>& x) const { return locator_.locate(x); }
+  /// To be copied where only look-ups are wanted.
+  const CellLocator<Dim>& locator() const { return locator_; }
   /// The node at this place, or no_index. \pre 0 <= coordinates <= 2^max_level
   Index find_node(const Coord& position_at_max_level) const;
   /// The cell, leaf or not, or no_index where there is none, as outside the domain.
@@ -87,7 +90,6 @@ class Octree {
   Index add_node(const Coord& position_at_max_level);
   void finish_refinement();
   void find_hanging_nodes();
-  void fill_table();
 
   std::vector<Cell> cells_;
   std::vector<Coord> node_coords_;  ///< in units of 2^-max_level
@@ -96,32 +98,8 @@ class Octree {
   std::vector<HangingNode<Dim>> hanging_;
   std::vector<Index> free_, free_index_;
   int finest_level_ = 0;
-  int table_level_ = 0;
-  std::vector<Index> table_;        ///< cell at table_level_, or the leaf above it, by coordinates
-  std::vector<Index> first_child_;  ///< copy of Cell::first_child, packed for the descent in locate
+  CellLocator<Dim> locator_;
 };
-
-template <int Dim>
-inline Index Octree<Dim>::locate(const Vec<Dim>& x) const {
-  constexpr double scale = static_cast<double>(1 << max_level);
-  std::array<std::uint32_t, Dim> u;
-  std::size_t entry = 0;
-  for (int k = Dim - 1; k >= 0; --k) {
-    // In this order the comparisons send not-a-number to 0.
-    double t = x[k] * scale;
-    t = t > 0 ? t : 0;
-    t = t < scale - 1 ? t : scale - 1;
-    u[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
-    entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
-  }
-  Index c = table_[entry];
-  int shift = max_level - table_level_ - 1;
-  for (Index child = first_child_[c]; child != no_index; child = first_child_[c], --shift) {
-    c = child;
-    for (int k = 0; k < Dim; ++k) c += static_cast<Index>(((u[k] >> shift) & 1u) << k);
-  }
-  return c;
-}
 
 template <int Dim>
 inline Vec<Dim> Octree<Dim>::node_position(Index node) const {

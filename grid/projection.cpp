@@ -50,6 +50,7 @@ std::vector<Vec<Dim>> project_gradient(const Octree<Dim>& grid, const std::vecto
   });
   std::vector<double> b(op.constraints().n_free() * Dim), x(b.size());
   op.sum_elements(elements, b, Dim);
+  elements = std::vector<double>();  // as much again is wanted by the solver
   for (std::size_t i = 0; i < b.size(); ++i) x[i] = b[i] / op.lumped()[i / Dim];
   if (mass == MassKind::consistent) op.solve(b, x, Dim, solver_tolerance);
 

@@ -1,17 +1,14 @@
 #include "grid/spline_space.h"
 
-#include <algorithm>
-
 namespace shellmatch {
 
 namespace {
 
-// Step to neighbour `number` of the 3^Dim around a cell, -1, 0 or 1 along each axis.
+// The corner of neighbour `number` of the 3^Dim around a cell, itself in the middle.
 template <int Dim>
-std::array<int, Dim> step_to(int number) {
-  std::array<int, Dim> step;
-  for (int k = 0; k < Dim; ++k, number /= 3) step[k] = number % 3 - 1;
-  return step;
+std::array<std::int32_t, Dim> stepped(std::array<std::int32_t, Dim> corner, int number) {
+  for (int k = 0; k < Dim; ++k, number /= 3) corner[k] += number % 3 - 1;
+  return corner;
 }
 
 // One number for each place of each level, those next to the domain included.
@@ -33,80 +30,98 @@ std::uint64_t key_of(int level, const std::array<std::int32_t, Dim>& corner) {
 template <int Dim>
 SplineSpace<Dim>::SplineSpace(const Octree<Dim>& grid)
     : grid_(&grid),
-      n_coefficients_(grid.n_cells()),
-      leaves_(static_cast<std::size_t>(grid.n_cells())),
-      made_(static_cast<std::size_t>(grid.n_cells()), 0) {
-  const auto leaves = grid.leaves();
+      locator_(grid.locator()),
+      finest_level_(grid.finest_level()),
+      siblings_(static_cast<std::size_t>(grid.n_cells() + n_siblings - 2) / n_siblings + 1),
+      n_of_cells_(static_cast<Index>(siblings_.size()) * n_siblings),
+      n_coefficients_(n_of_cells_),
+      made_(static_cast<std::size_t>(n_coefficients_), Made::no) {
   parallel_for(
-      leaves.size(),
-      [&](std::size_t i) {
-        const auto& cell = grid.cell(leaves[i]);
-        leaves_[leaves[i]] = {find_neighbours(cell.level, cell.corner), cell.corner, cell.level};
+      siblings_.size(),
+      [&](std::size_t group) {
+        const auto& cell = grid.cell(cell_of(static_cast<Index>(group) * n_siblings));
+        Siblings& s = siblings_[group];
+        s.level = cell.level;
+        for (int k = 0; k < Dim; ++k) s.corner[k] = cell.corner[k] >> 1;
+        for (int n = 0; n < n_local; ++n) s.first[n] = group_in_grid(s.level, stepped<Dim>(s.corner, n));
       },
       256);
-  for (const Index cell : leaves) {
-    Leaf& leaf = leaves_[cell];
-    if (!made_[cell]) make_cell(cell, leaf.coefficients);
-    for (int n = 0; n < n_local; ++n) {
-      Index& c = leaf.coefficients[n];
-      if (c != no_index && made_[c]) continue;
-      Coord neighbour;
-      const auto step = step_to<Dim>(n);
-      for (int k = 0; k < Dim; ++k) neighbour[k] = leaf.corner[k] + step[k];
-      c = coefficient_at(leaf.level, neighbour);
-    }
-  }
-  made_ = {};
+  for (const Index cell : grid.leaves()) ask_for_neighbours(number_of(cell));
   others_ = {};
 }
 
 template <int Dim>
-typename SplineSpace<Dim>::Local SplineSpace<Dim>::find_neighbours(int level, const Coord& corner) const {
-  Local found;
+void SplineSpace<Dim>::forget_grid() {
+  grid_ = nullptr;
+  // An empty list in braces would keep the memory.
+  made_ = std::vector<Made>();
+  derived_ = std::vector<Derived>();
+}
+
+// The first coefficient of the children of the cell `parent`, or no_index where they are no cells.
+template <int Dim>
+Index SplineSpace<Dim>::group_in_grid(int level, const Coord& parent) const {
+  if (level == 0) return parent == Coord{} ? 0 : no_index;
+  const Index cell = grid_->find_cell(level - 1, parent);
+  if (cell == no_index || grid_->cell(cell).is_leaf()) return no_index;
+  return number_of(grid_->cell(cell).first_child);
+}
+
+template <int Dim>
+void SplineSpace<Dim>::ask_for_neighbours(Index leaf) {
+  const int level = level_of(leaf);
+  const Coord corner = corner_of(leaf);
+  make(leaf, level, corner);
   for (int n = 0; n < n_local; ++n) {
-    Coord neighbour;
-    const auto step = step_to<Dim>(n);
-    for (int k = 0; k < Dim; ++k) neighbour[k] = corner[k] + step[k];
-    found[n] = grid_->find_cell(level, neighbour);
+    const Index known = neighbour(leaf, n);
+    if (known != no_index && made_[known] != Made::no) continue;
+    const Coord there = stepped<Dim>(corner, n);
+    const Index c = coefficient_at(level, there);
+    if (known != no_index) continue;
+    int group = 0;  // of those around
+    for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
+      group += stride * ((there[k] >> 1) - (corner[k] >> 1) + 1);
+    siblings_[leaf / n_siblings].first[group] = c - c % n_siblings;
   }
-  return found;
 }
 
 template <int Dim>
 Index SplineSpace<Dim>::coefficient_at(int level, const Coord& corner) {
-  if (const Index cell = grid_->find_cell(level, corner); cell != no_index) {
-    if (!made_[cell]) make_cell(cell, find_neighbours(level, corner));
-    return cell;
+  Coord parent;
+  int child = 0;
+  for (int k = 0; k < Dim; ++k) {
+    parent[k] = corner[k] >> 1;
+    child |= (corner[k] & 1) << k;
   }
-  const auto key = key_of<Dim>(level, corner);
-  if (const Index known = others_.find(key); known != no_index) return known;
-  const Index coefficient = n_coefficients_++;
-  others_.insert(key, coefficient);
-  derive(coefficient, level, corner);
-  return coefficient;
+  Index first = group_in_grid(level, parent);
+  if (first == no_index) {
+    first = others_.insert(key_of<Dim>(level, parent), n_coefficients_);
+    if (first == n_coefficients_) {
+      n_coefficients_ += n_siblings;
+      made_.resize(static_cast<std::size_t>(n_coefficients_), Made::no);
+    }
+  }
+  make(first + child, level, corner);
+  return first + child;
 }
 
-// The cell's own coefficient: sampled where the spline of its level is wanted all around it.
+// A cell's own coefficient is sampled where the spline of its level is wanted all around it.
 template <int Dim>
-void SplineSpace<Dim>::make_cell(Index cell, const Local& neighbours) {
-  made_[cell] = 1;
-  const auto& c = grid_->cell(cell);
-  const std::int32_t last = (1 << c.level) - 1;
+void SplineSpace<Dim>::make(Index coefficient, int level, const Coord& corner) {
+  if (made_[coefficient] != Made::no) return;
+  const bool sampled = is_of_cell(coefficient) && is_among_its_size(coefficient, level, corner);
+  made_[coefficient] = sampled ? Made::sampled : Made::derived;
+  if (!sampled) derive(coefficient, level, corner);
+}
+
+template <int Dim>
+bool SplineSpace<Dim>::is_among_its_size(Index coefficient, int level, const Coord& corner) const {
   for (int n = 0; n < n_local; ++n) {
-    if (neighbours[n] != no_index) continue;
-    const auto step = step_to<Dim>(n);
-    bool outside = false;
-    for (int k = 0; k < Dim; ++k)
-      outside = outside || c.corner[k] + step[k] < 0 || c.corner[k] + step[k] > last;
-    if (!outside) return derive(cell, c.level, c.corner);
+    if (is_of_cell(neighbour(coefficient, n))) continue;
+    const auto there = stepped<Dim>(corner, n);
+    if (std::ranges::all_of(there, [&](std::int32_t v) { return v >= 0 && v < (1 << level); })) return false;
   }
-  Sampled s{cell, {}};
-  for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
-    for (int side = 0; side < 2; ++side) {
-      const Index neighbour = neighbours[n_local / 2 + (side ? stride : -stride)];
-      s.neighbours[2 * k + side] = neighbour == no_index ? cell : neighbour;
-    }
-  sampled_.push_back(s);
+  return true;
 }
 
 template <int Dim>

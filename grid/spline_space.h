@@ -2,12 +2,15 @@
 /// \file
 /// Functions on the octree that are quadratic splines along each axis: C1 throughout, across levels too.
 
+#include "base/error.h"
 #include "base/parallel.h"
+#include "grid/cell_locator.h"
+#include "grid/key_map.h"
 #include "grid/octree.h"
 
+#include <algorithm>
 #include <array>
-#include <span>
-#include <tuple>
+#include <cstdint>
 #include <vector>
 
 namespace shellmatch {
@@ -32,98 +35,169 @@ class SplineSpace {
   static constexpr int n_local = Dim == 2 ? 9 : 27;
   /// Numbers of a leaf's coefficients; the first axis runs fastest, the leaf's own stands in the middle.
   using Local = std::array<Index, n_local>;
+  using Coord = typename Octree<Dim>::Coord;
 
-  /// `grid` must outlive it and must not be refined in its lifetime.
+  /// `grid` must not be refined, and must live on, until forget_grid().
   explicit SplineSpace(const Octree<Dim>& grid);
 
-  const Octree<Dim>& grid() const { return *grid_; }
-  Index n_coefficients() const { return n_coefficients_; }
-  /// What a look-up in a leaf reads.
-  struct alignas(64) Leaf {
-    Local coefficients;
-    typename Octree<Dim>::Coord corner;  ///< in units of its side
-    std::int32_t level;
-  };
-  /// \pre `leaf` is the number of a leaf's cell
-  const Leaf& of_leaf(Index leaf) const { return leaves_[leaf]; }
+  /// Frees what only coefficients() reads. Look-ups need the grid no longer.
+  void forget_grid();
 
-  /// Coefficients of a function from its values at the nodes, hanging ones included: means over the corners
+  Index n_coefficients() const { return n_coefficients_; }
+  int finest_level() const { return finest_level_; }
+
+  /// The leaf that contains x, projected onto the domain: the number of its own coefficient.
+  Index locate(const Vec<Dim>& x) const { return number_of(locator_.locate(x)); }
+  int level_of(Index leaf) const { return siblings_of(leaf).level; }
+  Coord corner_of(Index leaf) const;  ///< in units of its side
+  Local coefficients_of(Index leaf) const;
+
+  /// Coefficients of functions from their values at the nodes, hanging ones included: means over the corners
   /// of cells. The first `n_sharp` components are sharpened so that quadratic polynomials are reproduced away
   /// from coarser neighbours and from the boundary, linear ones everywhere: error of third order. The others
   /// are not, so that they stay within the range of the values around, which keeps matrices positive
-  /// definite: error of second order. Row: an array of numbers.
-  template <class Row>
-  std::vector<Row> coefficients(std::span<const Row> nodal,
-                                std::size_t n_sharp = std::tuple_size_v<Row>) const;
+  /// definite: error of second order. nodal(n, i): component i at node n. at(c, i): refers to that of
+  /// coefficient c, which must be 0 before.
+  /// \pre forget_grid() has not been called
+  template <class Nodal, class At>
+  void coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal, const At& at) const;
 
  private:
-  struct Sampled {
-    Index cell;
-    std::array<Index, 2 * Dim>
-        neighbours;  ///< below and above along each axis, the cell itself outside the domain
+  static constexpr int n_siblings = n_corners<Dim>;
+  /// The children of one cell, whose coefficients stand one after the other. Around them are 3^Dim such
+  /// groups of their size, in which all their neighbours lie: one record for all of them is not only smaller,
+  /// it is more often in the caches.
+  struct alignas(64) Siblings {
+    Local first;         ///< coefficient of each group around, or no_index where none of it was asked for
+    Coord corner;        ///< the parent's, in units of its side
+    std::int32_t level;  ///< of the siblings
   };
   struct Derived {
     Index coefficient;
     bool outside;  ///< of the domain: 2 source[0] - source[1], or source[0] if not sharp
     std::array<Index, n_corners<Dim>> source;  ///< else of larger cells: bit k says which are on the far side
   };
-  using Coord = typename Octree<Dim>::Coord;
+  enum class Made : char { no, sampled, derived };
 
-  Local find_neighbours(int level, const Coord& corner) const;
+  // Cells are numbered from the root, behind which siblings follow siblings. It gets a group to itself.
+  static Index number_of(Index cell) { return cell == 0 ? 0 : cell + n_siblings - 1; }
+  static Index cell_of(Index coefficient) { return coefficient == 0 ? 0 : coefficient - n_siblings + 1; }
+  bool is_of_cell(Index coefficient) const {
+    return coefficient == 0 || (coefficient >= n_siblings && coefficient < n_of_cells_);
+  }
+  const Siblings& siblings_of(Index coefficient) const { return siblings_[coefficient / n_siblings]; }
+  static constexpr auto steps();
+  Index neighbour(Index coefficient, int n) const;
+  Index group_in_grid(int level, const Coord& parent) const;
+  void ask_for_neighbours(Index leaf);
   Index coefficient_at(int level, const Coord& corner);
-  void make_cell(Index cell, const Local& neighbours);
+  void make(Index coefficient, int level, const Coord& corner);
+  bool is_among_its_size(Index coefficient, int level, const Coord& corner) const;
   void derive(Index coefficient, int level, const Coord& corner);
 
   const Octree<Dim>* grid_;
-  Index n_coefficients_;
-  std::vector<Leaf> leaves_;  ///< by cell; of no meaning where that is not a leaf
-  std::vector<Sampled> sampled_;
+  CellLocator<Dim> locator_;
+  int finest_level_;
+  std::vector<Siblings> siblings_;  ///< by number of a cell's coefficient over n_siblings
+  Index n_of_cells_, n_coefficients_;
+  std::vector<Made> made_;        ///< by coefficient
   std::vector<Derived> derived_;  ///< none before its sources
-  std::vector<char> made_;        ///< by cell
-  KeyMap others_;                 ///< coefficients that belong to no cell of the grid
+  KeyMap others_;                 ///< first coefficients of groups that are not of the grid
 };
 
+/// Where the neighbours of each sibling are: number of the group around, and number in it.
 template <int Dim>
-template <class Row>
-std::vector<Row> SplineSpace<Dim>::coefficients(std::span<const Row> nodal, std::size_t n_sharp) const {
-  const auto combine = [](Row& sum, double weight, const Row& row, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) sum[i] += weight * row[i];
+constexpr auto SplineSpace<Dim>::steps() {
+  struct Step {
+    std::uint8_t group, child;
   };
-  const std::size_t n_all = std::tuple_size_v<Row>;
-  std::vector<Row> mean(static_cast<std::size_t>(grid_->n_cells()), Row{});
-  parallel_for(mean.size(), [&](std::size_t c) {
-    for (const Index node : grid_->cell(static_cast<Index>(c)).nodes)
-      combine(mean[c], 1.0 / n_corners<Dim>, nodal[node], n_all);
-  });
-  std::vector<Row> result(static_cast<std::size_t>(n_coefficients_), Row{});
-  parallel_for(sampled_.size(), [&](std::size_t i) {
-    const Sampled& s = sampled_[i];
-    Row& row = result[s.cell];
-    row = mean[s.cell];
-    for (int k = 0; k < Dim; ++k) {
-      const Index below = s.neighbours[2 * k], above = s.neighbours[2 * k + 1];
-      if (below == s.cell || above == s.cell) continue;  // continued linearly
-      combine(row, 0.5, mean[s.cell], n_sharp);
-      combine(row, -0.25, mean[below], n_sharp);
-      combine(row, -0.25, mean[above], n_sharp);
-    }
-  });
-  for (const Derived& d : derived_) {
-    Row row{};
-    if (d.outside) {
-      row = result[d.source[0]];
-      combine(row, 1, result[d.source[0]], n_sharp);
-      combine(row, -1, result[d.source[1]], n_sharp);
-    } else {
-      for (int c = 0; c < n_corners<Dim>; ++c) {
-        double weight = 1;
-        for (int k = 0; k < Dim; ++k) weight *= (c >> k) & 1 ? 0.25 : 0.75;
-        combine(row, weight, result[d.source[c]], n_all);
+  std::array<std::array<Step, n_local>, n_siblings> all{};
+  for (int child = 0; child < n_siblings; ++child)
+    for (int n = 0; n < n_local; ++n) {
+      int group = 0, sibling = 0;
+      for (int k = 0, rest = n, stride = 1; k < Dim; ++k, rest /= 3, stride *= 3) {
+        const int place = ((child >> k) & 1) + rest % 3 + 1;  // two to a group
+        group += stride * (place / 2);
+        sibling |= (place % 2) << k;
       }
+      all[child][n] = {static_cast<std::uint8_t>(group), static_cast<std::uint8_t>(sibling)};
     }
-    result[d.coefficient] = row;
+  return all;
+}
+
+template <int Dim>
+inline Index SplineSpace<Dim>::neighbour(Index coefficient, int n) const {
+  static constexpr auto table = steps();
+  const auto step = table[coefficient % n_siblings][n];
+  const Index first = siblings_of(coefficient).first[step.group];
+  return first == no_index ? no_index : first + step.child;
+}
+
+template <int Dim>
+inline typename SplineSpace<Dim>::Coord SplineSpace<Dim>::corner_of(Index leaf) const {
+  Coord corner = siblings_of(leaf).corner;
+  for (int k = 0; k < Dim; ++k) corner[k] = 2 * corner[k] + ((leaf >> k) & 1);
+  return corner;
+}
+
+template <int Dim>
+inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index leaf) const {
+  static constexpr auto table = steps();
+  const Local& first = siblings_of(leaf).first;
+  const auto& step = table[leaf % n_siblings];
+  Local local;
+  for (int n = 0; n < n_local; ++n) local[n] = first[step[n].group] + step[n].child;
+  return local;
+}
+
+template <int Dim>
+template <class Nodal, class At>
+void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal,
+                                    const At& at) const {
+  SHELLMATCH_CHECK(grid_ != nullptr, "the grid of the splines is forgotten");
+  // Two components at a time, so that means take little memory.
+  constexpr std::size_t n_together = 2;
+  using Some = std::array<double, n_together>;
+  std::vector<Some> mean(static_cast<std::size_t>(grid_->n_cells()));
+  for (std::size_t begin = 0; begin < n_components; begin += n_together) {
+    const std::size_t n = std::min(n_together, n_components - begin);
+    const auto combine = [&](Some& sum, double weight, const Some& row, std::size_t n_all) {
+      for (std::size_t i = 0; i < n_together && begin + i < n_all; ++i) sum[i] += weight * row[i];
+    };
+    parallel_for(mean.size(), [&](std::size_t c) {
+      mean[c] = {};
+      for (const Index node : grid_->cell(static_cast<Index>(c)).nodes)
+        for (std::size_t i = 0; i < n; ++i) mean[c][i] += 1.0 / n_corners<Dim> * nodal(node, begin + i);
+    });
+    parallel_for(mean.size(), [&](std::size_t cell) {
+      const Index c = number_of(static_cast<Index>(cell));
+      if (made_[c] != Made::sampled) return;
+      Some row = mean[cell];
+      for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) {
+        const Index below = neighbour(c, n_local / 2 - stride), above = neighbour(c, n_local / 2 + stride);
+        if (!is_of_cell(below) || !is_of_cell(above)) continue;  // continued linearly
+        combine(row, 0.5, mean[cell], n_sharp);
+        combine(row, -0.25, mean[cell_of(below)], n_sharp);
+        combine(row, -0.25, mean[cell_of(above)], n_sharp);
+      }
+      for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = row[i];
+    });
   }
-  return result;
+  for (const Derived& d : derived_) {
+    if (d.outside) {
+      for (std::size_t i = 0; i < n_components; ++i) {
+        const double first = at(d.source[0], i);
+        at(d.coefficient, i) = i < n_sharp ? first + first - at(d.source[1], i) : first;
+      }
+      continue;
+    }
+    for (int c = 0; c < n_corners<Dim>; ++c) {
+      double weight = 1;
+      for (int k = 0; k < Dim; ++k) weight *= (c >> k) & 1 ? 0.25 : 0.75;
+      for (std::size_t i = 0; i < n_components; ++i)
+        at(d.coefficient, i) += weight * at(d.source[c], i);
+    }
+  }
 }
 
 extern template class SplineSpace<2>;

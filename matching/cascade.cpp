@@ -112,8 +112,6 @@ class Level {
     return result;
   }
 
-  const GeometryPair<Dim>& geometry() const { return level_.geometry; }
-
  private:
   // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
   // the minimiser may still need.
@@ -200,13 +198,15 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
       }
       if (ends()) keep_fields(*geometry);
     } else {
-      clock.start("set-up");
-      Level<Dim> problem(grid, std::move(*geometry), options);
-      clock.start("minimisation");
-      result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+      {  // the level's matrices are not to lie beside what follows
+        clock.start("set-up");
+        Level<Dim> problem(grid, *geometry, options);
+        clock.start("minimisation");
+        result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+      }
       clock.start("output");
       if (finished) finished(result.levels.back(), {grid, result.phi});
-      if (ends()) keep_fields(problem.geometry());
+      if (ends()) keep_fields(*geometry);
     }
     if (ends()) break;
 

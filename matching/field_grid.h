@@ -8,6 +8,7 @@
 #include "grid/octree.h"
 #include "grid/options.h"
 
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -21,6 +22,8 @@ class NodalDistance {
   void compute(const Octree<Dim>& grid, const SignedDistance<Dim>& shape, DistanceMethod method);
 
   const std::vector<double>& values() const { return values_; }
+  /// Gives them away.
+  std::vector<double> take() { return std::exchange(values_, {}); }
 
  private:
   std::vector<double> values_;

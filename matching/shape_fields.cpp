@@ -22,29 +22,26 @@ bool takes_inverse_root(const ExperimentOptions& o) {
   return reads_shape_operators(o.energy) || !o.coefficients.invert_at_point;
 }
 
-template <int Dim>
-GeometryField<Dim> smooth_field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal,
-                                bool keep_definite) {
-  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root,
-          keep_definite};
-}
-
 }  // namespace
 
 template <int Dim>
 ShapeFields<Dim>::ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                               const ExperimentOptions& options)
     : shapes_{&reference, &template_shape}, options_(&options) {
-  if (options.coefficients.interpolation == FieldInterpolation::smooth)
-    for (int s = 0; s < 2; ++s) own_[s].emplace(options.cascade.min_level);
+  if (is_smooth())
+    for (auto& own : own_) own.emplace(options.cascade.min_level);
+}
+
+template <int Dim>
+void ShapeFields<Dim>::compute_distances_on(const Octree<Dim>& grid) {
+  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
+  for (int s = 0; s < n_shapes; ++s) on_grid_[s].compute(grid, *shapes_[s], options_->coefficients.distance);
 }
 
 template <int Dim>
 void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
-  const DistanceMethod method = options_->coefficients.distance;
-  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
-  for (int s = 0; s < n_shapes; ++s) on_grid_[s].compute(grid, *shapes_[s], method);
-  if (!is_smooth()) return;
+  if (!is_smooth()) return compute_distances_on(grid);
+  if (!own_[0]) return;
   const int level =
       std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
   if (own_[0]->grid.finest_level() < level) smooth_.reset();
@@ -76,26 +73,35 @@ GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
                                             options_->coefficients));
     return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
   }
-  if (!smooth_) {
-    std::array<NodalGeometry<Dim>, 2> geometry;
-    for_both([&](int s) {
-      const FieldGrid<Dim>& own = *own_[s];
-      geometry[s] =
-          nodal_geometry<Dim>(own.grid, own.distance.values(), options_->coefficients, own.hessians.values());
-    });
-    const auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid}, std::move(geometry));
-    const bool roots = !reads_shape_operators(options_->energy);
-    std::array<std::optional<GeometryField<Dim>>, 2> fields;
-    for_both([&](int s) {
-      fields[s] = smooth_field(own_[s]->grid, s == 0 ? nodal.reference : nodal.target, roots);
-    });
-    smooth_ = {std::move(*fields[0]), std::move(*fields[1]), takes_inverse_root(*options_)};
-  }
+  if (!smooth_) smooth_ = smooth_geometry();
   return *smooth_;
 }
 
 template <int Dim>
-void ShapeFields<Dim>::refine(Octree<Dim>& grid) const {
+GeometryPair<Dim> ShapeFields<Dim>::smooth_geometry() {
+  // Nothing is refined after these: whatever has been read goes at once.
+  const bool last = own_[0]->grid.finest_level() == options_->cascade.max_level;
+  std::array<NodalGeometry<Dim>, 2> geometry;
+  for_both([&](int s) {
+    FieldGrid<Dim>& own = *own_[s];
+    geometry[s] = nodal_geometry<Dim>(own.grid, last ? own.distance.take() : own.distance.values(),
+                                      options_->coefficients, own.hessians);
+    if (last) own.hessians = {};
+  });
+  auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid}, std::move(geometry));
+  const bool roots = !reads_shape_operators(options_->energy);
+  const auto field = [&](int s, CoefficientFields<Dim> of) {
+    auto made = GeometryField<Dim>::smooth(own_[s]->grid, of.distance, of.normal, of.root, roots);
+    if (last) own_[s].reset();
+    return made;
+  };
+  auto reference = field(0, std::move(nodal.reference));
+  return {std::move(reference), field(1, std::move(nodal.target)), takes_inverse_root(*options_)};
+}
+
+template <int Dim>
+void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
+  if (is_smooth()) compute_distances_on(grid);  // for nothing else, and so not on the finest
   const int n_shapes = refines_at_template(*options_) ? 2 : 1;
   grid.refine([&](Index leaf) {
     for (int s = 0; s < n_shapes; ++s)

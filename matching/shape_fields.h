@@ -23,26 +23,28 @@ class ShapeFields {
   ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
               const ExperimentOptions& options);
 
-  /// Distances at the nodes of this grid and of the shapes' own, which grow with it. To be called after every
-  /// refinement.
+  /// Distances at the nodes of the shapes' own grids, which grow with this one, or of this grid. To be called
+  /// after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
-  /// What the options' energy reads of both. It refers to the grids that it was made on. \pre
-  /// compute_distances()
+  /// What the options' energy reads of both. Multilinear fields refer to `grid`. \pre compute_distances()
   GeometryPair<Dim> geometry(const Octree<Dim>& grid);
 
   /// Splits every leaf that meets the shapes (paper, section 5): the reference, or either. \pre
   /// compute_distances()
-  void refine(Octree<Dim>& grid) const;
+  void refine(Octree<Dim>& grid);
 
  private:
-  bool is_smooth() const { return own_[0].has_value(); }
+  bool is_smooth() const { return options_->coefficients.interpolation == FieldInterpolation::smooth; }
+  void compute_distances_on(const Octree<Dim>& grid);
+  GeometryPair<Dim> smooth_geometry();
   CoefficientPair<Dim> coefficients(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry) const;
 
   std::array<const SignedDistance<Dim>*, 2> shapes_;
   const ExperimentOptions* options_;
   std::array<NodalDistance<Dim>, 2> on_grid_;         ///< of phi
-  std::array<std::optional<FieldGrid<Dim>>, 2> own_;  ///< for smooth fields
+  /// For smooth fields; none once the last fields have been made on them.
+  std::array<std::optional<FieldGrid<Dim>>, 2> own_;
   std::optional<GeometryPair<Dim>> smooth_;           ///< of the shapes' own grids as they are
 };
 

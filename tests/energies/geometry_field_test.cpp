@@ -136,8 +136,8 @@ std::array<double, 3> least_of_jagged(bool keep_definite) {
     nodal.normal.push_back(Vec<Dim>::Constant(value));
     nodal.root.push_back(pack_symmetric<Dim>(value * Mat<Dim>::Identity()));
   }
-  const GeometryField<Dim> jagged(std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal,
-                                  nodal.root, keep_definite);
+  const auto jagged =
+      GeometryField<Dim>::smooth(grid, nodal.distance, nodal.normal, nodal.root, keep_definite);
   std::array<double, 3> least{20, 20, 20};
   for (int i = 0; i < 3000; ++i) {
     const auto v = jagged.value(random_point<Dim>(random));

@@ -78,7 +78,7 @@ CoefficientFields<Dim> linear_fields(const Octree<Dim>& grid) {
 template <int Dim>
 GeometryField<Dim> field(const Octree<Dim>& grid, const CoefficientFields<Dim>& nodal, bool smooth) {
   if (!smooth) return {grid, nodal.distance, nodal.normal, nodal.root};
-  return {std::make_shared<const SplineSpace<Dim>>(grid), nodal.distance, nodal.normal, nodal.root};
+  return GeometryField<Dim>::smooth(grid, nodal.distance, nodal.normal, nodal.root);
 }
 
 template <int Dim>

@@ -65,9 +65,8 @@ TYPED_TEST(HierarchicalFitTest, ExactForCubicsWhereSizesChangeToo) {
     field = sample_nodes<Dim>(grid, cubic<Dim>);
     fit.update(grid, field, {});
   });
-  const auto values = fit.values();
-  ASSERT_EQ(values.size(), static_cast<std::size_t>(grid.n_nodes()));
-  EXPECT_LT(error_in_the_middle<Dim>(grid, [&](Index node) { return values[node]; }), 1e-8);
+  ASSERT_EQ(fit.size(), static_cast<std::size_t>(grid.n_nodes()));
+  EXPECT_LT(error_in_the_middle<Dim>(grid, [&](Index node) { return fit[node]; }), 1e-8);
   const auto searched = fit_hessians<Dim>(grid, field, {}, grid.free_nodes());
   EXPECT_GT(error_in_the_middle<Dim>(grid, [&](Index node) { return searched[grid.free_index(node)]; }), 1e-2);
 }
@@ -84,10 +83,9 @@ TYPED_TEST(HierarchicalFitTest, IsTheSearchedFitOtherwise) {
     Octree<Dim> grid(3);
     HierarchicalFit<Dim> fit;
     refine_step_by_step<Dim>(grid, neighbours == 0 ? 3 : 5, [&] { fit.update(grid, field(grid), options); });
-    const auto values = fit.values();
     const auto expected = fit_hessians<Dim>(grid, field(grid), options, grid.free_nodes());
     for (std::size_t i = 0; i < expected.size(); ++i)
-      EXPECT_EQ(values[grid.free_nodes()[i]], expected[i]) << neighbours;
+      EXPECT_EQ(fit[grid.free_nodes()[i]], expected[i]) << neighbours;
   }
 }
 

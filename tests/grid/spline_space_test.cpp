@@ -14,22 +14,23 @@ using namespace test;
 template <int Dim>
 class Function {
  public:
-  using Row = std::array<double, 1>;
   Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal, std::size_t n_sharp = 1)
-      : space_(space) {
-    std::vector<Row> rows;
-    for (const double v : nodal) rows.push_back({v});
-    coefficients_ = space.coefficients(std::span<const Row>(rows), n_sharp);
+      : space_(space), coefficients_(space.n_coefficients(), 0.0) {
+    space.coefficients(
+        1, n_sharp, [&](Index node, std::size_t) { return nodal[node]; },
+        [&](Index c, std::size_t) -> double& { return coefficients_[c]; });
   }
 
   /// Value and gradient of the leaf's polynomial at x, which need not lie in the leaf.
   std::pair<double, Vec<Dim>> of_leaf(Index leaf, const Vec<Dim>& x) const {
-    const double side = space_.grid().cell(leaf).side();
-    const Vec<Dim> t = (x - space_.grid().cell_corner(leaf)) / side;
+    const double side = std::ldexp(1.0, -space_.level_of(leaf));
+    Vec<Dim> t = x / side;
+    for (int k = 0; k < Dim; ++k) t[k] -= space_.corner_of(leaf)[k];
+    const auto local = space_.coefficients_of(leaf);
     double value = 0;
     Vec<Dim> gradient = Vec<Dim>::Zero();
     for (int n = 0; n < SplineSpace<Dim>::n_local; ++n) {
-      const double c = coefficients_[space_.of_leaf(leaf).coefficients[n]][0];
+      const double c = coefficients_[local[n]];
       for (int derived = -1; derived < Dim; ++derived) {
         double product = c;
         for (int k = 0, rest = n; k < Dim; ++k, rest /= 3) {
@@ -41,11 +42,11 @@ class Function {
     }
     return {value, gradient};
   }
-  double operator()(const Vec<Dim>& x) const { return of_leaf(space_.grid().locate(x), x).first; }
+  double operator()(const Vec<Dim>& x) const { return of_leaf(space_.locate(x), x).first; }
 
  private:
   const SplineSpace<Dim>& space_;
-  std::vector<Row> coefficients_;
+  std::vector<double> coefficients_;
 };
 
 template <int Dim>
@@ -71,18 +72,18 @@ TYPED_TEST(Splines, AreContinuouslyDifferentiable) {
     std::normal_distribution<double> normal;
     const Function<Dim> f(space, values<Dim>(grid, [&](const Vec<Dim>&) { return normal(random); }));
     int n_between_levels = 0;
-    for (const Index leaf : grid.leaves()) {
-      const double side = grid.cell(leaf).side();
+    for (const Index cell : grid.leaves()) {
+      const double side = grid.cell(cell).side();
+      const Index leaf = space.locate(grid.cell_centre(cell));
       for (int face = 0; face < 2 * Dim; ++face) {
-        Vec<Dim> x = grid.cell_corner(leaf) + side * random_point<Dim>(random);
-        x[face / 2] = grid.cell_corner(leaf)[face / 2] + (face % 2) * side;
+        Vec<Dim> x = grid.cell_corner(cell) + side * random_point<Dim>(random);
+        x[face / 2] = grid.cell_corner(cell)[face / 2] + (face % 2) * side;
         Vec<Dim> beyond = x;
         beyond[face / 2] += face % 2 ? 1e-9 : -1e-9;
         if (beyond[face / 2] < 0 || beyond[face / 2] > 1) continue;
-        const Index other = grid.locate(beyond);
         const auto [a, gradient_a] = f.of_leaf(leaf, x);
-        const auto [b, gradient_b] = f.of_leaf(other, x);
-        n_between_levels += grid.cell(other).level != grid.cell(leaf).level;
+        const auto [b, gradient_b] = f.of_leaf(space.locate(beyond), x);
+        n_between_levels += grid.cell(grid.locate(beyond)).level != grid.cell(cell).level;
         EXPECT_NEAR(a, b, 1e-12);
         EXPECT_LT((gradient_a - gradient_b).norm(), 1e-11 / side);
       }
@@ -101,7 +102,7 @@ TYPED_TEST(Splines, ReproduceLinearFunctionsEverywhere) {
   for (int i = 0; i < 500; ++i) {
     const Vec<Dim> x = random_point<Dim>(random);
     EXPECT_NEAR(f(x), 0.4 + slope.dot(x), 1e-13);
-    EXPECT_LT((f.of_leaf(grid.locate(x), x).second - slope).norm(), 1e-11);
+    EXPECT_LT((f.of_leaf(space.locate(x), x).second - slope).norm(), 1e-11);
   }
 }
 

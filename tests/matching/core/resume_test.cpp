@@ -100,9 +100,8 @@ void expect_same_bits(const std::string& a, const std::string& b) {
     EXPECT_TRUE(second.contains(name) && second.at(name) == contents) << name << " differs";
 }
 
-TEST(Resume, AfterAStopAtAnyLevelTheResultIsTheSameToTheBit) {
+void check_every_stop(const ExperimentOptions& o) {
   const TemporaryFolder tmp;
-  const ExperimentOptions o = experiment(Pictures::all);
   run(o, tmp / "whole");
   for (const int level : {4, 5, 100}) {
     SCOPED_TRACE(level);
@@ -125,6 +124,13 @@ TEST(Resume, AfterAStopAtAnyLevelTheResultIsTheSameToTheBit) {
     fs::remove_all(out);
     EXPECT_EQ(std::distance(fs::directory_iterator(tmp / ""), fs::directory_iterator()), 1) << "something was left";
   }
+}
+
+TEST(Resume, AfterAStopAtAnyLevelTheResultIsTheSameToTheBit) {
+  check_every_stop(experiment(Pictures::all));
+  ExperimentOptions o = experiment();
+  o.coefficients.interpolation = FieldInterpolation::multilinear;
+  check_every_stop(o);
 }
 
 TEST(Resume, StoppedAgainAndAgainTimesAddUp) {

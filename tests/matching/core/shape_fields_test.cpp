@@ -130,13 +130,52 @@ TEST(ShapeFields, OwnGridsAreAheadOfThatOfPhiUpToTheFinestLevel) {
     for (int level = 3; level <= 6; ++level) {
       EXPECT_EQ(at.grid.finest_level(), level);
       const auto geometry = at.fields.geometry(at.grid);
-      EXPECT_EQ(geometry.reference.grid().finest_level(), std::min(level + ahead, 6));
-      EXPECT_EQ(geometry.target.grid().finest_level(), std::min(level + ahead, 6));
+      EXPECT_EQ(geometry.reference.finest_level(), std::min(level + ahead, 6));
+      EXPECT_EQ(geometry.target.finest_level(), std::min(level + ahead, 6));
       EXPECT_LT(std::abs(geometry.target.value(Vec<2>(0.5, 0.7))[0] - d(Vec<2>(0.5, 0.7))), 0.05);
       at.fields.refine(at.grid);
       at.fields.compute_distances(at.grid);
     }
   }
+}
+
+template <int Dim>
+void check_lifetimes(const std::string& name) {
+  const auto d = built_in<Dim>(name);
+  ExperimentOptions o = options(FieldInterpolation::smooth);
+  o.cascade.max_level = 5;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Vec<Dim>> places(300);
+  for (auto& x : places)
+    for (int k = 0; k < Dim; ++k) x[k] = uniform(random);
+  const auto values_at_places = [&](const GeometryPair<Dim>& geometry) {
+    std::vector<double> all;
+    for (const auto& x : places)
+      for (const auto* field : {&geometry.reference, &geometry.target})
+        for (const double v : field->value(x)) all.push_back(v);
+    return all;
+  };
+  std::vector<GeometryPair<Dim>> kept;
+  std::vector<std::vector<double>> values;
+  {
+    AtLevel<Dim> at(d, d, o, 3);
+    for (int level = 3; level <= 5; ++level) {
+      kept.push_back(at.fields.geometry(at.grid));
+      values.push_back(values_at_places(kept.back()));
+      at.fields.refine(at.grid);
+      at.fields.compute_distances(at.grid);
+    }
+    EXPECT_NE(values[0], values[1]);
+    EXPECT_EQ(values[1], values[2]) << "those of the finest level serve twice";
+  }
+  for (std::size_t l = 0; l < kept.size(); ++l) EXPECT_EQ(values_at_places(kept[l]), values[l]) << l;
+}
+
+// Their grids are refined after the first fields and go after the last.
+TEST(ShapeFields, SmoothFieldsOutliveTheirGrids) {
+  check_lifetimes<2>("ellipse/long");
+  check_lifetimes<3>("ellipsoid/long");
 }
 
 template <int Dim>
