@@ -1,7 +1,7 @@
 #include "energies/geometry_field.h"
 
 #include "base/error.h"
-#include "energies/autodiff/transpose.h"
+#include "energies/spline_sum.h"
 
 namespace shellmatch {
 
@@ -102,8 +102,6 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
   return p;
 }
 
-// Collapses one axis after the other: what was derived along an axis is interpolated along those that follow.
-// Written so that few rows are alive at a time.
 template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
@@ -114,42 +112,14 @@ inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
     value[k] = w.value;
     for (int i = 0; i < 3; ++i) slope[k][i] = w.slope[i] * p.slope[k];
   }
+  const auto value_of = [&](int k, int i) { return value[k][i]; };
+  const auto slope_of = [&](int k, int i) { return slope[k][i]; };
   // One part of the rows at a time: whole packs, then the pairs.
-  const auto collapse = [&]<class Part>(const Part* rows, auto&& put) {
-    constexpr int n_slices = Dim == 3 ? 3 : 1;
-    std::array<Part, n_slices> v, dx, dy;
-    for (int z = 0; z < n_slices; ++z) {
-      std::array<Part, 3> vy, dxy;
-      for (int j = 0; j < 3; ++j) {
-        const Index* index = local.data() + 9 * z + 3 * j;
-        const Part a = rows[index[0]], b = rows[index[1]], c = rows[index[2]];
-        vy[j] = value[0][0] * a + value[0][1] * b + value[0][2] * c;
-        if (WithGradient) dxy[j] = slope[0][0] * a + slope[0][1] * b + slope[0][2] * c;
-      }
-      v[z] = value[1][0] * vy[0] + value[1][1] * vy[1] + value[1][2] * vy[2];
-      if (WithGradient) {
-        dx[z] = value[1][0] * dxy[0] + value[1][1] * dxy[1] + value[1][2] * dxy[2];
-        dy[z] = slope[1][0] * vy[0] + slope[1][1] * vy[1] + slope[1][2] * vy[2];
-      }
-    }
-    if constexpr (Dim == 2) {
-      put(0, v[0]);
-      if (WithGradient) {
-        put(1, dx[0]);
-        put(2, dy[0]);
-      }
-    } else {
-      const auto& w = value[2];
-      put(0, w[0] * v[0] + w[1] * v[1] + w[2] * v[2]);
-      if (WithGradient) {
-        put(1, w[0] * dx[0] + w[1] * dx[1] + w[2] * dx[2]);
-        put(2, w[0] * dy[0] + w[1] * dy[1] + w[2] * dy[2]);
-        put(3, slope[2][0] * v[0] + slope[2][1] * v[1] + slope[2][2] * v[2]);
-      }
-    }
-  };
-  collapse(main_->data(), [&](int i, const Pack& x) { result[i].main = x; });
-  if constexpr (n_rest > 0) collapse(rest_->data(), [&](int i, const Pair& x) { result[i].rest = x; });
+  sum_spline<Dim, WithGradient>([&](int n) { return (*main_)[local[n]]; }, value_of, slope_of,
+                                [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0)
+    sum_spline<Dim, WithGradient>([&](int n) { return (*rest_)[local[n]]; }, value_of, slope_of,
+                                  [&](int i, const Pair& x) { result[i].rest = x; });
 }
 
 template <int Dim>
@@ -213,61 +183,26 @@ typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
 
 template <int Dim>
 template <bool WithGradient>
-void GeometryField<Dim>::look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
-                                       Packs* derivative) const {
-  constexpr int n_rows = WithGradient ? 1 + Dim : 1;
-  Row harmless{};
-  harmless.main[1] = 1;
-  std::array<std::array<Pack, autodiff::pack_size>, n_rows>
-      main;  // by lane, to be turned into one pack for each value
-  std::array<Pack, autodiff::pack_size> rest{};
-  // First where all of them are: the ways down the tree do not wait for each other, nor for the sums.
-  std::array<Place, autodiff::pack_size> places;
+void GeometryField<Dim>::multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y,
+                                                  LaneRows<WithGradient>& rows) const {
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
     if (!(weight[lane] > 0)) continue;
     Vec<Dim> place;
     for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
-    places[lane] = place_of(place);
-    if (is_smooth()) {
-      const auto local = splines_->coefficients_of(places[lane].leaf);
-      for (int n = 1; n < SplineSpace<Dim>::n_local; n += 3) __builtin_prefetch(main_->data() + local[n]);
+    std::array<Row, LaneRows<WithGradient>::n_rows> r;
+    multilinear<WithGradient>(place_of(place), r.data());
+    for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
+      rows.main[k][lane] = r[k].main;
+      for (int i = 0; i < n_rest; ++i) rows.rest[n_rest * k + i][lane] = r[k].rest[i];
     }
   }
-  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
-    std::array<Row, n_rows> r{};
-    r[0] = harmless;
-    if (weight[lane] > 0) row<WithGradient>(places[lane], r.data());
-    for (int k = 0; k < n_rows; ++k) main[k][lane] = r[k].main;
-    if constexpr (n_rest > 0)
-      for (int k = 0; k < n_rows; ++k)
-        for (int i = 0; i < n_rest; ++i) rest[lane][n_rest * k + i] = r[k].rest[i];
-  }
-  for (int k = 0; k < n_rows; ++k) {
-    autodiff::transpose(main[k]);
-    Pack* to = k == 0 ? values : derivative[k - 1].data();
-    for (int i = 0; i < std::min(n_values, autodiff::pack_size); ++i) to[i] = main[k][i];
-  }
-  if constexpr (n_rest > 0) {
-    autodiff::transpose(rest);
-    for (int k = 0; k < n_rows; ++k) {
-      Pack* to = k == 0 ? values : derivative[k - 1].data();
-      for (int i = 0; i < n_rest; ++i) to[autodiff::pack_size + i] = rest[n_rest * k + i];
-    }
-  }
-}
-
-template <int Dim>
-void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values) const {
-  look_up_lanes<false>(weight, y, values, nullptr);
-}
-
-template <int Dim>
-void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
-                                 std::array<Packs, Dim>& derivative) const {
-  look_up_lanes<true>(weight, y, values, derivative.data());
 }
 
 template class GeometryField<2>;
 template class GeometryField<3>;
+template void GeometryField<2>::multilinear_lanes<true>(const Pack&, const std::array<Pack, 2>&, LaneRows<true>&) const;
+template void GeometryField<2>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 2>&, LaneRows<false>&) const;
+template void GeometryField<3>::multilinear_lanes<true>(const Pack&, const std::array<Pack, 3>&, LaneRows<true>&) const;
+template void GeometryField<3>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 3>&, LaneRows<false>&) const;
 
 }  // namespace shellmatch

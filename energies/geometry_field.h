@@ -92,6 +92,17 @@ class GeometryField {
   void spline(const Place& p, Row* result) const;
   template <bool WithGradient>
   void row(const Place& p, Row* result) const;
+  // What eight points read, on its way to one pack for each value.
+  template <bool WithGradient>
+  struct LaneRows {
+    static constexpr int n_rows = WithGradient ? 1 + Dim : 1;          ///< values, then derivatives by each coordinate
+    std::array<std::array<Pack, autodiff::pack_size>, n_rows> main{};  ///< by lane
+    std::array<Pack, n_rows * n_rest> rest{};                          ///< one pack for each value already
+  };
+  template <bool WithGradient>
+  void multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y, LaneRows<WithGradient>& rows) const;
+  template <bool WithGradient>
+  void spline_lanes(const Pack& weight, const std::array<Pack, Dim>& y, LaneRows<WithGradient>& rows) const;
   template <bool WithGradient>
   void look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
                      Packs* derivative) const;

@@ -14,6 +14,7 @@ constexpr int largest_table_level = Dim == 2 ? 9 : 6;
 
 template <int Dim>
 void CellLocator<Dim>::reset(Index n_cells, int finest_level) {
+  finest_level_ = finest_level;
   table_level_ = std::min(finest_level, largest_table_level<Dim>);
   table_.resize(std::size_t{1} << (Dim * table_level_));
   first_child_.resize(static_cast<std::size_t>(n_cells));

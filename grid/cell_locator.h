@@ -27,25 +27,34 @@ class CellLocator {
   /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
   Index locate(const Vec<Dim>& x) const;
 
+  /// The same for n points at once, coordinate by coordinate: their ways down the tree do not wait for each
+  /// other.
+  template <std::size_t n>
+  void locate(const std::array<std::array<double, n>, Dim>& x, std::array<Index, n>& leaf) const;
+
   std::size_t memory_bytes() const { return (table_.capacity() + first_child_.capacity()) * sizeof(Index); }
 
  private:
-  int table_level_ = 0;
+  // In units of 2^-max_level, on the domain. In this order the comparisons send not-a-number to 0.
+  static std::uint32_t projected(double x) {
+    constexpr double scale = static_cast<double>(1 << max_level);
+    double t = x * scale;
+    t = t > 0 ? t : 0;
+    t = t < scale - 1 ? t : scale - 1;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
+  }
+
+  int table_level_ = 0, finest_level_ = 0;
   std::vector<Index> table_;        ///< cell at table_level_, or the leaf above it, by coordinates
   std::vector<Index> first_child_;  ///< by cell
 };
 
 template <int Dim>
 inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
-  constexpr double scale = static_cast<double>(1 << max_level);
   std::array<std::uint32_t, Dim> u;
   std::size_t entry = 0;
   for (int k = Dim - 1; k >= 0; --k) {
-    // In this order the comparisons send not-a-number to 0.
-    double t = x[k] * scale;
-    t = t > 0 ? t : 0;
-    t = t < scale - 1 ? t : scale - 1;
-    u[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
+    u[k] = projected(x[k]);
     entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
   Index c = table_[entry];
@@ -55,6 +64,27 @@ inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
     for (int k = 0; k < Dim; ++k) c += static_cast<Index>(((u[k] >> shift) & 1u) << k);
   }
   return c;
+}
+
+template <int Dim>
+template <std::size_t n>
+inline void CellLocator<Dim>::locate(const std::array<std::array<double, n>, Dim>& x,
+                                     std::array<Index, n>& leaf) const {
+  std::array<std::array<std::uint32_t, n>, Dim> u;
+  for (int k = 0; k < Dim; ++k)
+    for (std::size_t i = 0; i < n; ++i) u[k][i] = projected(x[k][i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t entry = 0;
+    for (int k = Dim - 1; k >= 0; --k) entry = (entry << table_level_) | (u[k][i] >> (max_level - table_level_));
+    leaf[i] = table_[entry];
+  }
+  for (int shift = max_level - table_level_ - 1; shift >= max_level - finest_level_; --shift)
+    for (std::size_t i = 0; i < n; ++i) {
+      Index child = first_child_[leaf[i]];
+      const bool ends = child == no_index;
+      for (int k = 0; k < Dim; ++k) child += static_cast<Index>(((u[k][i] >> shift) & 1u) << k);
+      leaf[i] = ends ? leaf[i] : child;
+    }
 }
 
 extern template class CellLocator<2>;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace shellmatch {
@@ -33,8 +34,12 @@ template <int Dim>
 class SplineSpace {
  public:
   static constexpr int n_local = Dim == 2 ? 9 : 27;
-  /// Numbers of a leaf's coefficients; the first axis runs fastest, the leaf's own stands in the middle.
-  using Local = std::array<Index, n_local>;
+  /// Numbers of a leaf's coefficients; the first axis runs fastest, the leaf's own stands in the middle. And
+  /// some more, without meaning, that fill up registers.
+  struct alignas(64) Local {
+    std::array<Index, Dim == 2 ? 16 : 32> c;
+    Index operator[](int n) const { return c[n]; }
+  };
   using Coord = typename Octree<Dim>::Coord;
 
   /// `grid` must not be refined, and must live on, until forget_grid().
@@ -48,6 +53,17 @@ class SplineSpace {
 
   /// The leaf that contains x, projected onto the domain: the number of its own coefficient.
   Index locate(const Vec<Dim>& x) const { return number_of(locator_.locate(x)); }
+  /// The same for n points at once, coordinate by coordinate.
+  template <std::size_t n>
+  void locate(const std::array<std::array<double, n>, Dim>& x, std::array<Index, n>& leaf) const {
+    locator_.locate(x, leaf);
+    for (Index& i : leaf) i = number_of(i);
+  }
+  /// Asks for what the next three read, early.
+  void prefetch(Index leaf) const {
+    const char* record = reinterpret_cast<const char*>(&siblings_of(leaf));
+    for (std::size_t line = 0; line < sizeof(Siblings); line += 64) __builtin_prefetch(record + line);
+  }
   int level_of(Index leaf) const { return siblings_of(leaf).level; }
   Coord corner_of(Index leaf) const;  ///< in units of its side
   Local coefficients_of(Index leaf) const;
@@ -64,11 +80,14 @@ class SplineSpace {
 
  private:
   static constexpr int n_siblings = n_corners<Dim>;
+  static constexpr int n_registers = Dim - 1;  ///< of 16 numbers, for those of a leaf
+  typedef Index Numbers __attribute__((vector_size(64)));
   /// The children of one cell, whose coefficients stand one after the other. Around them are 3^Dim such
   /// groups of their size, in which all their neighbours lie: one record for all of them is not only smaller,
   /// it is more often in the caches.
   struct alignas(64) Siblings {
-    Local first;         ///< coefficient of each group around, or no_index where none of it was asked for
+    std::array<Index, n_local>
+        first;           ///< coefficient of each group around, or no_index where none of it was asked for
     Coord corner;        ///< the parent's, in units of its side
     std::int32_t level;  ///< of the siblings
   };
@@ -87,6 +106,7 @@ class SplineSpace {
   }
   const Siblings& siblings_of(Index coefficient) const { return siblings_[coefficient / n_siblings]; }
   static constexpr auto steps();
+  static constexpr auto steps_in_registers();
   Index neighbour(Index coefficient, int n) const;
   Index group_in_grid(int level, const Coord& parent) const;
   void ask_for_neighbours(Index leaf);
@@ -125,6 +145,21 @@ constexpr auto SplineSpace<Dim>::steps() {
   return all;
 }
 
+/// The same by register: 16 numbers of groups, 16 of children.
+template <int Dim>
+constexpr auto SplineSpace<Dim>::steps_in_registers() {
+  struct alignas(64) Steps {
+    std::array<Index, 16 * n_registers> group, child;
+  };
+  std::array<Steps, n_siblings> all{};
+  for (int child = 0; child < n_siblings; ++child)
+    for (int n = 0; n < n_local; ++n) {
+      all[child].group[n] = steps()[child][n].group;
+      all[child].child[n] = steps()[child][n].child;
+    }
+  return all;
+}
+
 template <int Dim>
 inline Index SplineSpace<Dim>::neighbour(Index coefficient, int n) const {
   static constexpr auto table = steps();
@@ -142,11 +177,23 @@ inline typename SplineSpace<Dim>::Coord SplineSpace<Dim>::corner_of(Index leaf) 
 
 template <int Dim>
 inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index leaf) const {
-  static constexpr auto table = steps();
-  const Local& first = siblings_of(leaf).first;
-  const auto& step = table[leaf % n_siblings];
+  static constexpr auto table = steps_in_registers();
+  // Eight groups are among them at most, each several times: what stands where is known from the sibling alone.
+  const Siblings& s = siblings_of(leaf);
+  const auto& [group, child] = table[leaf % n_siblings];
+  static_assert(sizeof(Siblings) == sizeof(Local));
   Local local;
-  for (int n = 0; n < n_local; ++n) local[n] = first[step[n].group] + step[n].child;
+  Numbers first[n_registers];
+  std::memcpy(first, &s, sizeof first);
+  for (int r = 0; r < n_registers; ++r) {
+    Numbers at;
+    std::memcpy(&at, group.data() + 16 * r, sizeof at);
+    const Numbers found = n_registers == 1 ? __builtin_shuffle(first[0], at) : __builtin_shuffle(first[0], first[n_registers - 1], at);
+    Numbers add;
+    std::memcpy(&add, child.data() + 16 * r, sizeof add);
+    const Numbers sum = found + add;
+    std::memcpy(local.c.data() + 16 * r, &sum, sizeof sum);
+  }
   return local;
 }
 

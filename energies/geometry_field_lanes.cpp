@@ -1,0 +1,129 @@
+// Look-ups of a shape's fields at eight points at once: where most of the time of a gradient goes.
+
+#include "energies/autodiff/transpose.h"
+#include "energies/geometry_field.h"
+#include "energies/spline_sum.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace shellmatch {
+
+using autodiff::pack_size;
+
+// In stages over all lanes, so that none waits for what another one has to fetch from memory.
+template <int Dim>
+template <bool WithGradient>
+inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const std::array<Pack, Dim>& y,
+                                             LaneRows<WithGradient>& rows) const {
+  using Lanes = std::array<double, pack_size>;
+  std::array<Pack, Dim> inside;
+  std::array<Lanes, Dim> place;
+  for (int k = 0; k < Dim; ++k) {
+    const Pack at = weight > 0 ? y[k] : Pack{};
+    inside[k] = autodiff::max_of(at, Pack{});
+    inside[k] = inside[k] < 1.0 ? inside[k] : Pack{} + 1.0;
+    place[k] = std::bit_cast<Lanes>(inside[k]);
+  }
+  std::array<Index, pack_size> leaf;
+  splines_->locate(place, leaf);
+  for (const Index l : leaf) splines_->prefetch(l);
+  std::array<typename SplineSpace<Dim>::Local, pack_size> local;
+  Lanes scale;
+  std::array<Lanes, Dim> corner;
+  for (int lane = 0; lane < pack_size; ++lane) {
+    local[lane] = splines_->coefficients_of(leaf[lane]);
+    scale[lane] = static_cast<double>(1 << splines_->level_of(leaf[lane]));
+    const auto c = splines_->corner_of(leaf[lane]);
+    for (int k = 0; k < Dim; ++k) corner[k][lane] = c[k];
+  }
+
+  std::array<std::array<Pack, 3>, Dim> value, slope;
+  std::array<std::array<Lanes, 3>, Dim> value_of_lane, slope_of_lane;
+  for (int k = 0; k < Dim; ++k) {
+    const Pack size = std::bit_cast<Pack>(scale), t = inside[k] * size - std::bit_cast<Pack>(corner[k]);
+    const Pack by_y = inside[k] == y[k] ? size : Pack{};  // none where y is projected
+    value[k] = {0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t};
+    slope[k] = {(t - 1.0) * by_y, (1.0 - 2.0 * t) * by_y, t * by_y};
+    for (int i = 0; i < 3; ++i) {
+      value_of_lane[k][i] = std::bit_cast<Lanes>(value[k][i]);
+      slope_of_lane[k][i] = std::bit_cast<Lanes>(slope[k][i]);
+    }
+  }
+  for (int lane = 0; lane < pack_size; ++lane) {
+    if (!(weight[lane] > 0)) continue;
+    const auto& c = local[lane];
+    const Pack* from = main_->data();
+    sum_spline<Dim, WithGradient>(
+        [&](int n) { return from[c[n]]; }, [&](int k, int i) { return value_of_lane[k][i][lane]; },
+        [&](int k, int i) { return slope_of_lane[k][i][lane]; },
+        [&](int i, const Pack& x) { rows.main[i][lane] = x; });
+  }
+  if constexpr (n_rest > 0) {
+    // Pairs of four lanes make a pack.
+    typedef double Quad __attribute__((vector_size(32)));
+    std::array<std::array<Pack, LaneRows<WithGradient>::n_rows>, 2> half;
+    const auto sum_half = [&]<int h>() {
+      const auto spread = [](const Pack& x) {
+        constexpr int f = 4 * h;
+        return __builtin_shufflevector(x, x, f, f, f + 1, f + 1, f + 2, f + 2, f + 3, f + 3);
+      };
+      const Pair* from = rest_->data();
+      sum_spline<Dim, WithGradient>(
+          [&](int n) {
+            const auto two = [&](int lane) -> Quad {
+              return __builtin_shufflevector(from[local[lane][n]], from[local[lane + 1][n]], 0, 1, 2, 3);
+            };
+            return __builtin_shufflevector(two(4 * h), two(4 * h + 2), 0, 1, 2, 3, 4, 5, 6, 7);
+          },
+          [&](int k, int i) { return spread(value[k][i]); }, [&](int k, int i) { return spread(slope[k][i]); },
+          [&](int i, const Pack& x) { half[h][i] = x; });
+    };
+    sum_half.template operator()<0>();
+    sum_half.template operator()<1>();
+    for (int i = 0; i < LaneRows<WithGradient>::n_rows; ++i) {
+      rows.rest[n_rest * i] = __builtin_shufflevector(half[0][i], half[1][i], 0, 2, 4, 6, 8, 10, 12, 14);
+      rows.rest[n_rest * i + 1] = __builtin_shufflevector(half[0][i], half[1][i], 1, 3, 5, 7, 9, 11, 13, 15);
+    }
+  }
+}
+
+template <int Dim>
+template <bool WithGradient>
+void GeometryField<Dim>::look_up_lanes(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
+                                       Packs* derivative) const {
+  LaneRows<WithGradient> rows;
+  if (is_smooth())
+    spline_lanes(weight, y, rows);
+  else
+    multilinear_lanes(weight, y, rows);
+  constexpr int n_main = std::min<int>(n_values, pack_size);
+  for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
+    autodiff::transpose(rows.main[k]);
+    Pack* to = k == 0 ? values : derivative[k - 1].data();
+    for (int i = 0; i < n_main; ++i) to[i] = rows.main[k][i];
+    for (int i = 0; i < n_rest; ++i) to[n_main + i] = weight > 0 ? rows.rest[n_rest * k + i] : Pack{};
+  }
+  values[1] = weight > 0 ? values[1] : Pack{} + 1.0;
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values) const {
+  look_up_lanes<false>(weight, y, values, nullptr);
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const std::array<Pack, Dim>& y, Pack* values,
+                                 std::array<Packs, Dim>& derivative) const {
+  look_up_lanes<true>(weight, y, values, derivative.data());
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
+  template void GeometryField<Dim>::look_up(const Pack&, const std::array<Pack, Dim>&, Pack*) const;        \
+  template void GeometryField<Dim>::look_up(const Pack&, const std::array<Pack, Dim>&, Pack*,               \
+                                            std::array<Packs, Dim>&) const;
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch
