@@ -58,7 +58,7 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   // row of values), and eight have one list of the numbers of their neighbours'.
   const bool smooth = level.geometry.target.is_smooth();
   const double rows = smooth ? n_band : n_band_nodes;
-  const double look_up = n_band * (smooth ? sizeof(SplineSpace<3>::Local) / 8 : sizeof(Octree<3>::Cell)) +
+  const double look_up = n_band * (smooth ? sizeof(SplineSpace<3>::Local) / 8.0 : Octree<3>::bytes_per_cell()) +
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
   const double again = 2 * n_rows - n_free;

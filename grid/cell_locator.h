@@ -1,36 +1,42 @@
 #pragma once
 /// \file
-/// Which leaf of an octree contains a point: all that look-ups need of the tree.
+/// Where the cells of an octree are: all that look-ups need of it.
 
 #include "base/types.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace shellmatch {
 
-/// Some five bytes for each cell, so that what is only looked up need not keep the tree: a copy lives on when
-/// the tree has gone or has been refined.
+/// Cells are found by descending from a table of a coarse level. Takes four bytes for each cell and a
+/// megabyte, so that what is only looked up need not keep the tree: a copy lives on when the tree has gone or
+/// has been refined.
 template <int Dim>
 class CellLocator {
  public:
   static constexpr int max_level = 19;
   using Coord = std::array<std::int32_t, Dim>;
 
-  /// Forgets all cells; put() has to follow for each of them.
-  void reset(Index n_cells, int finest_level);
-  /// \pre `corner` in units of the cell's side; first_child is no_index for a leaf
-  void put(Index cell, int level, const Coord& corner, Index first_child);
+  /// Gives these leaves children, which are numbered behind the cells that are there, leaf after leaf.
+  void split(std::span<const Index> leaves, int finest_level);
+
+  Index n_cells() const { return static_cast<Index>(first_child_.size()); }
+  /// The first of 2^Dim that stand one after the other; no_index for a leaf.
+  Index first_child(Index cell) const { return first_child_[cell]; }
 
   /// The leaf that contains x; x outside the domain is projected onto it first. A point on a face shared by
   /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
   Index locate(const Vec<Dim>& x) const;
-
   /// The same for n points at once, coordinate by coordinate: their ways down the tree do not wait for each
   /// other.
   template <std::size_t n>
   void locate(const std::array<std::array<double, n>, Dim>& x, std::array<Index, n>& leaf) const;
+  /// The cell, leaf or not, with this lower corner in units of its side, or no_index where there is none, as
+  /// outside the domain.
+  Index find(int level, const Coord& corner) const;
 
   std::size_t memory_bytes() const { return (table_.capacity() + first_child_.capacity()) * sizeof(Index); }
 
@@ -45,8 +51,8 @@ class CellLocator {
   }
 
   int table_level_ = 0, finest_level_ = 0;
-  std::vector<Index> table_;        ///< cell at table_level_, or the leaf above it, by coordinates
-  std::vector<Index> first_child_;  ///< by cell
+  std::vector<Index> table_{0};               ///< cell at table_level_, or the leaf above it, by coordinates
+  std::vector<Index> first_child_{no_index};  ///< by cell; in the beginning there is the root
 };
 
 template <int Dim>

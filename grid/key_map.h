@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The hash map behind the octree: 64 bit keys to indices, insertion only.
+/// A hash map of 64 bit keys to indices, insertion only.
 
 #include "base/types.h"
 
@@ -13,19 +13,13 @@ namespace shellmatch {
 
 /// Open addressing with linear probing in a table of a power of two slots, at most half full, and Fibonacci
 /// hashing (Knuth, The Art of Computer Programming, vol. 3, section 6.4), which spreads the regular keys of a
-/// grid evenly. Nothing is ever erased, since grids are never coarsened.
+/// grid evenly. Nothing is ever erased.
 class KeyMap {
  public:
   /// A key that is never stored.
   static constexpr std::uint64_t no_key = ~std::uint64_t{0};
 
   KeyMap() { allocate(16); }
-
-  /// Makes room for `n` keys in all.
-  void reserve(std::size_t n) {
-    const std::size_t slots = std::bit_ceil(2 * n);
-    if (slots > slots_.size()) rehash(slots);
-  }
 
   /// The value stored with `key`, or no_index.
   Index find(std::uint64_t key) const {
@@ -49,7 +43,6 @@ class KeyMap {
   }
 
   std::size_t size() const { return size_; }
-  std::size_t memory_bytes() const { return slots_.size() * sizeof(Slot); }
 
  private:
   struct Slot {

@@ -3,8 +3,8 @@
 /// Adaptive quadtree and octree of the unit square and cube.
 
 #include "base/types.h"
+#include "grid/cell_lattice.h"
 #include "grid/cell_locator.h"
-#include "grid/key_map.h"
 
 #include <array>
 #include <cstdint>
@@ -24,20 +24,27 @@ struct HangingNode {
 };
 
 /// A grid of square or cubic cells of side 2^-level, 2:1 balanced across faces, edges and corners, so that a
-/// hanging node's parents never hang themselves. Nodes and cells are found through hash maps keyed by level
-/// and integer coordinates; both are numbered linearly, and a number never changes its meaning when the grid
-/// is refined (paper, section 5). What one refinement adds is numbered along a Morton curve, so that
-/// neighbours are near each other in memory.
+/// hanging node's parents never hang themselves. Nodes and cells are numbered linearly, and a number never
+/// changes its meaning when the grid is refined (paper, section 5). What one refinement adds is numbered
+/// along a Morton curve, so that neighbours are near each other in memory.
+///
+/// The children of a cell stand one after the other, and what they share is stored once: about 50 bytes for
+/// each node of an octree. There are no maps by level and coordinates: cells are found by descending from a
+/// table of a coarse level, and every node but the domain's corners in a cell of which, or of whose face or
+/// edge, it is the middle.
 template <int Dim>
 class Octree {
  public:
   static constexpr int max_level = CellLocator<Dim>::max_level;
   using Coord = std::array<std::int32_t, Dim>;
 
+  /// The cell's own number and those of its neighbours of the same size; no_index where there is none.
+  using Neighbours = std::array<Index, n_lattice<Dim>>;
+
   struct Cell {
     Coord corner;  ///< lower corner, in units of the cell's side
     std::int32_t level;
-    Index first_child = no_index;             ///< its 2^Dim children stand one after the other; none: a leaf
+    Index first_child;                        ///< its 2^Dim children stand one after the other; none: a leaf
     std::array<Index, n_corners<Dim>> nodes;  ///< corner c: bit k is the side along axis k
     bool is_leaf() const { return first_child == no_index; }
     double side() const { return 1.0 / static_cast<double>(1 << level); }
@@ -51,16 +58,16 @@ class Octree {
   std::size_t refine(const std::function<bool(Index leaf)>& mark);
 
   Index n_nodes() const { return static_cast<Index>(node_coords_.size()); }
-  Index n_cells() const { return static_cast<Index>(cells_.size()); }
-  const Cell& cell(Index c) const { return cells_[c]; }
+  Index n_cells() const { return locator_.n_cells(); }
+  Cell cell(Index c) const;
   std::span<const Index> leaves() const { return leaves_; }  ///< in ascending order of number
   int finest_level() const { return finest_level_; }
   double finest_side() const { return 1.0 / static_cast<double>(1 << finest_level_); }
 
   Vec<Dim> node_position(Index node) const;
   const Coord& node_coord(Index node) const { return node_coords_[node]; }  ///< in units of 2^-max_level
-  Vec<Dim> cell_corner(Index cell) const;                                   ///< lower corner
-  Vec<Dim> cell_centre(Index cell) const;
+  Vec<Dim> cell_corner(Index number) const;                                 ///< lower corner
+  Vec<Dim> cell_centre(Index number) const;
 
   std::span<const HangingNode<Dim>> hanging_nodes() const { return hanging_; }  ///< ascending by node
   std::span<const Index> free_nodes() const { return free_; }  ///< nodes that are unknowns, ascending
@@ -68,38 +75,73 @@ class Octree {
   Index free_index(Index node) const { return free_index_[node]; }
   bool is_boundary_node(Index node) const;
 
-  /// The leaf that contains x; x outside the domain is projected onto it first. A point on a face shared by
-  /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
+  /// As CellLocator::locate() and find().
   Index locate(const Vec<Dim>& x) const { return locator_.locate(x); }
+  Index find_cell(int level, const Coord& corner) const { return locator_.find(level, corner); }
+  /// What find_cell finds at this place and around it, faster. \pre the place is in the domain
+  Neighbours find_neighbours(int level, const Coord& corner) const;
   /// To be copied where only look-ups are wanted.
   const CellLocator<Dim>& locator() const { return locator_; }
   /// The node at this place, or no_index. \pre 0 <= coordinates <= 2^max_level
   Index find_node(const Coord& position_at_max_level) const;
-  /// The cell, leaf or not, or no_index where there is none, as outside the domain.
-  Index find_cell(int level, const Coord& corner) const;
 
   std::size_t memory_bytes() const;
+  /// What is stored of a cell: what reading it costs at least.
+  static constexpr double bytes_per_cell();
 
  private:
-  static std::uint64_t node_key(const Coord& position_at_max_level);
-  static std::uint64_t cell_key(int level, const Coord& corner);
+  /// The children of one cell.
+  struct Family {
+    Coord corner;  ///< of the first child, in units of its side
+    std::int32_t level;
+    std::array<Index, n_lattice<Dim>> nodes;  ///< at the points of their parent
+  };
+  // Family 0 has one member, the root, as if it were the last child of a cell.
+  static constexpr int last_child = n_corners<Dim> - 1;
+  static Index family_of(Index cell) { return (cell + last_child) >> Dim; }
+  /// Of the cells that share a point, the children of the one that was split first: there the point got its
+  /// node, as this of their parent's points.
+  struct Origin {
+    Index family;
+    int point;
+  };
 
-  void close_under_balance(std::vector<Index>& to_split, std::vector<char>& marked) const;
+  std::array<Index, n_corners<Dim>> find_parents(int level, const Coord& corner) const;
+  void close_under_balance(std::vector<Index>& to_split, std::vector<char>& is_marked) const;
   void sort_along_morton_curve(std::vector<Index>& cells) const;
-  void split(Index cell);
-  Index add_node(const Coord& position_at_max_level);
+  void add_families(const std::vector<Index>& parents);
+  void add_nodes(Index first_family);
+  Neighbours neighbours_of_parent(Index family) const;
+  Origin origin(Index family, const Neighbours& neighbours, const MiddlePoint<Dim>& m) const;
   void finish_refinement();
-  void find_hanging_nodes();
+  std::vector<std::vector<HangingNode<Dim>>> find_hanging_nodes() const;
 
-  std::vector<Cell> cells_;
+  std::vector<Family> families_;
   std::vector<Coord> node_coords_;  ///< in units of 2^-max_level
-  KeyMap node_index_, cell_index_;
   std::vector<Index> leaves_;
   std::vector<HangingNode<Dim>> hanging_;
   std::vector<Index> free_, free_index_;
   int finest_level_ = 0;
   CellLocator<Dim> locator_;
 };
+
+template <int Dim>
+constexpr double Octree<Dim>::bytes_per_cell() {
+  return static_cast<double>(sizeof(Family)) / n_corners<Dim> + sizeof(Index);
+}
+
+template <int Dim>
+inline typename Octree<Dim>::Cell Octree<Dim>::cell(Index c) const {
+  const Family& family = families_[family_of(c)];
+  const int place = (c + last_child) & last_child;
+  Cell cell;
+  for (int k = 0; k < Dim; ++k) cell.corner[k] = family.corner[k] + ((place >> k) & 1);
+  cell.level = family.level;
+  cell.first_child = locator_.first_child(c);
+  const Index* own = family.nodes.data() + lattice_step<Dim>[place];
+  for (int corner = 0; corner < n_corners<Dim>; ++corner) cell.nodes[corner] = own[lattice_step<Dim>[corner]];
+  return cell;
+}
 
 template <int Dim>
 inline Vec<Dim> Octree<Dim>::node_position(Index node) const {
@@ -109,16 +151,16 @@ inline Vec<Dim> Octree<Dim>::node_position(Index node) const {
 }
 
 template <int Dim>
-inline Vec<Dim> Octree<Dim>::cell_corner(Index cell) const {
-  const Cell& c = cells_[cell];
+inline Vec<Dim> Octree<Dim>::cell_corner(Index number) const {
+  const Cell c = cell(number);
   Vec<Dim> x;
   for (int k = 0; k < Dim; ++k) x[k] = c.corner[k] * c.side();
   return x;
 }
 
 template <int Dim>
-inline Vec<Dim> Octree<Dim>::cell_centre(Index cell) const {
-  return cell_corner(cell) + Vec<Dim>::Constant(0.5 * cells_[cell].side());
+inline Vec<Dim> Octree<Dim>::cell_centre(Index number) const {
+  return cell_corner(number) + Vec<Dim>::Constant(0.5 * cell(number).side());
 }
 
 extern template class Octree<2>;
