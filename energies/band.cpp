@@ -49,6 +49,41 @@ Vec<Dim> position(const Element<Dim>& element, const Vec<Dim>& xi) {
   return element.corner + element.side * xi;
 }
 
+/// The reference's values at all quadrature points of an element, eight at a time.
+template <int Dim>
+class ElementValues {
+ public:
+  using Field = GeometryField<Dim>;
+  ElementValues(const GeometryField<Dim>& reference, const ShapeTable<Dim>& shape)
+      : reference_(&reference), shape_(&shape), packs_(n_chunks(shape.points.size(), autodiff::pack_size)) {}
+
+  void read(const Element<Dim>& element) {
+    constexpr std::size_t lanes = autodiff::pack_size;
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+      autodiff::Pack weight{};
+      std::array<autodiff::Pack, Dim> y{};
+      for (std::size_t lane = 0; lane < lanes && p * lanes + lane < shape_->points.size(); ++lane) {
+        weight[lane] = 1;
+        const Vec<Dim> x = position<Dim>(element, shape_->points[p * lanes + lane].xi);
+        for (int k = 0; k < Dim; ++k) y[k][lane] = x[k];
+      }
+      reference_->look_up(weight, y, packs_[p].data());
+    }
+  }
+  double distance(std::size_t q) const { return packs_[q / autodiff::pack_size][0][q % autodiff::pack_size]; }
+  typename Field::Values at(std::size_t q) const {
+    typename Field::Values values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = packs_[q / autodiff::pack_size][i][q % autodiff::pack_size];
+    return values;
+  }
+
+ private:
+  const Field* reference_;
+  const ShapeTable<Dim>* shape_;
+  std::vector<typename Field::Packs> packs_;
+};
+
 /// Surely no point of the element lies in the band: |grad d| is 1, and less than 2 however it is
 /// interpolated.
 template <int Dim>
@@ -64,15 +99,15 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
                 const GeometryField<Dim>& reference, bool root_is_inverse, double sigma)
     : n_points_(shape.points.size()) {
   std::vector<char> is_member(elements.size(), 0);
-  parallel_for(
-      elements.size(),
-      [&](std::size_t e) {
-        if (is_far(elements[e], reference, sigma)) return;
-        is_member[e] = std::ranges::any_of(shape.points, [&](const auto& q) {
-          return std::abs(reference.value(position<Dim>(elements[e], q.xi))[0]) < sigma;
-        });
-      },
-      64);
+  parallel_chunks(elements.size(), 64, [&](const Chunk& chunk) {
+    ElementValues<Dim> values(reference, shape);
+    for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
+      if (is_far(elements[e], reference, sigma)) continue;
+      values.read(elements[e]);
+      for (std::size_t q = 0; q < n_points_ && !is_member[e]; ++q)
+        is_member[e] = std::abs(values.distance(q)) < sigma;
+    }
+  });
   const std::size_t of_patch = elements_per_patch(elements.size());
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (e % of_patch == 0) first_batch_.push_back(batches_.size());
@@ -99,15 +134,16 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
   };
   const Sums sums = parallel_sum(batches_.size(), 256, Sums{}, [&](const Chunk& chunk) {
     Sums sum;
+    ElementValues<Dim> values(reference, shape);
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const Batch& batch = batches_[b];
       for (int lane = 0; lane < n_lanes; ++lane) {
         const Element<Dim>& element = elements[batch.element[lane]];
+        values.read(element);
         double volume = 1;
         for (int k = 0; k < Dim; ++k) volume *= element.side;
         for (std::size_t q = 0; q < n_points_; ++q) {
-          const auto flat = reference_point<Dim>(reference.value(position<Dim>(element, shape.points[q].xi)),
-                                                 root_is_inverse);
+          const auto flat = reference_point<Dim>(values.at(q), root_is_inverse);
           Point& point = points_[b * n_points_ + q];
           const bool counts = lane < batch.n_elements;
           point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;

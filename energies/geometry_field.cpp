@@ -185,8 +185,12 @@ template <int Dim>
 template <bool WithGradient>
 void GeometryField<Dim>::multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y,
                                                   LaneRows<WithGradient>& rows) const {
+  rows.rest.fill(Pack{});
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
-    if (!(weight[lane] > 0)) continue;
+    if (!(weight[lane] > 0)) {
+      rows.clear(lane);
+      continue;
+    }
     Vec<Dim> place;
     for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
     std::array<Row, LaneRows<WithGradient>::n_rows> r;

@@ -96,8 +96,11 @@ class GeometryField {
   template <bool WithGradient>
   struct LaneRows {
     static constexpr int n_rows = WithGradient ? 1 + Dim : 1;          ///< values, then derivatives by each coordinate
-    std::array<std::array<Pack, autodiff::pack_size>, n_rows> main{};  ///< by lane
-    std::array<Pack, n_rows * n_rest> rest{};                          ///< one pack for each value already
+    std::array<std::array<Pack, autodiff::pack_size>, n_rows> main;  ///< by lane
+    std::array<Pack, n_rows * n_rest> rest;                          ///< one pack for each value already
+    void clear(int lane) {
+      for (auto& row : main) row[lane] = Pack{};
+    }
   };
   template <bool WithGradient>
   void multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y, LaneRows<WithGradient>& rows) const;

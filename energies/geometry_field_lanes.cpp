@@ -51,7 +51,10 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const std::arra
     }
   }
   for (int lane = 0; lane < pack_size; ++lane) {
-    if (!(weight[lane] > 0)) continue;
+    if (!(weight[lane] > 0)) {
+      rows.clear(lane);
+      continue;
+    }
     const auto& c = local[lane];
     const Pack* from = main_->data();
     sum_spline<Dim, WithGradient>(

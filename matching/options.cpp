@@ -7,7 +7,7 @@ ExperimentOptions profile_defaults(Profile profile) {
   options.profile = profile;
   options.solver.name = "newton";
   // Newton's steps are few and each of them counts: one that gains little is the last.
-  options.solver.stop.relative_decrease = 3e-4;
+  options.solver.stop.relative_decrease = 1e-3;
   options.solver.stop.decrease_window = 1;
   options.solver.stop.max_iterations = 300;
   // Where the model predicts badly, as on paths that bend, better systems cost more than they save.
