@@ -10,17 +10,16 @@ namespace shellmatch {
 
 namespace {
 
-// Measured with Newton's method, whose element matrices take the most, and rounded up: fields, elements of
-// the band, tables of the tree and the solver's vectors.
-template <int Dim>
-constexpr double bytes_per_node = Dim == 2 ? 2500 : 4000;
+// Measured with Newton's method, whose matrix takes the most, and rounded up: fields, elements of the band,
+// tables of the tree and the solver's vectors.
+constexpr double bytes_per_node = 1500;
 constexpr double bytes_at_start = 1.5e8;
 constexpr double disk_bytes_per_node = 250;
 
 // A shape's own grid is about twice as wide as the cells that meet the shape; its tree, distances and
 // splines.
 constexpr double field_layers = 2;
-constexpr double bytes_per_field_node = 900;
+constexpr double bytes_per_field_node = 300;
 
 bool fits(double needed, std::uint64_t given) { return given == 0 || needed <= static_cast<double>(given); }
 
@@ -51,7 +50,7 @@ SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int m
   if (measures.fields > 0)
     size.n_field_nodes = field_layers * nodes_per_cell * cells_at<Dim>(measures.fields, min_level, max_level);
   size.memory_bytes =
-      bytes_at_start + bytes_per_node<Dim> * size.n_nodes + bytes_per_field_node * size.n_field_nodes;
+      bytes_at_start + bytes_per_node * size.n_nodes + bytes_per_field_node * size.n_field_nodes;
   size.disk_bytes = disk_bytes_per_node * size.n_nodes;
   return size;
 }
