@@ -31,7 +31,8 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
     add_kept_restraint(patch, matrices);
     sum_->add(energy_->patches(), patch, matrices);
   });
-  invert_blocks();
+  inverse_blocks_.resize(unknowns_->nodes().size());
+  parallel_for(inverse_blocks_.size(), [&](std::size_t i) { invert_block(i); });
 }
 
 template <int Dim>
@@ -40,13 +41,10 @@ void EnergyHessian<Dim>::apply(std::span<const double> x, std::span<double> y) c
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::invert_blocks() {
-  inverse_blocks_.resize(unknowns_->nodes().size());
-  parallel_for(inverse_blocks_.size(), [&](std::size_t i) {
-    Mat<Dim> block = sum_->diagonal(i);
-    block.diagonal().array() += 1e-6 * block.trace() + 1e-300;
-    inverse_blocks_[i] = block.inverse();
-  });
+void EnergyHessian<Dim>::invert_block(std::size_t unknown) {
+  Mat<Dim> block = sum_->diagonal(unknown);
+  block.diagonal().array() += 1e-6 * block.trace() + 1e-300;
+  inverse_blocks_[unknown] = block.inverse();
 }
 
 template <int Dim>

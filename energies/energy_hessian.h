@@ -50,14 +50,14 @@ class EnergyHessian {
                 ElementMatrices<Dim>& matrices) const;
   void add_kept_restraint(const Chunk& patch, ElementMatrices<Dim>& matrices);
   void measure_room(const Chunk& patch, std::span<const Vec<Dim>> phi);
-  void invert_blocks();
+  void invert_block(std::size_t unknown);
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
   const GeometryField<Dim>* target_;
   EnergyOptions options_;
   std::optional<NodeMatrix<Dim>> sum_;  ///< of the elements' matrices; its pattern is found when it is first wanted
-  std::vector<float> traces_;           ///< of the elements' matrices
+  std::vector<float> traces_;           ///< of the elements' matrices, kept restraint aside
   bool folds_cost_ = false;             ///< is there a term that forbids them?
   std::vector<float> restraint_;        ///< factor on the Laplacian's matrix, by element
   struct Room {

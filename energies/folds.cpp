@@ -19,9 +19,7 @@ std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> 
   parallel_chunks(n_chunks(elements.size(), pack_size), 64, [&](const Chunk& chunk) {
     ElementBatch<Dim> batch;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      const std::size_t begin = b * pack_size, n = std::min<std::size_t>(pack_size, elements.size() - begin);
-      batch.load(elements, phi,
-                 [&](int lane) { return begin + std::min(static_cast<std::size_t>(lane), n - 1); });
+      const std::size_t begin = b * pack_size, n = batch.load_run(elements, phi, begin);
       const auto coefficients = bernstein_determinant<Dim>(batch.u.data());
       Pack least = coefficients[0], at_corners = coefficients[0];
       for (int i = 1; i < n_bernstein_total<Dim>; ++i) {

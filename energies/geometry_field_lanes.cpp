@@ -20,8 +20,8 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const std::arra
   std::array<Pack, Dim> inside;
   std::array<Lanes, Dim> place;
   for (int k = 0; k < Dim; ++k) {
-    const Pack at = weight > 0 ? y[k] : Pack{};
-    inside[k] = autodiff::max_of(at, Pack{});
+    // In this order what is not a number, as in lanes that do not count, becomes 0.
+    inside[k] = y[k] > 0.0 ? y[k] : Pack{};
     inside[k] = inside[k] < 1.0 ? inside[k] : Pack{} + 1.0;
     place[k] = std::bit_cast<Lanes>(inside[k]);
   }

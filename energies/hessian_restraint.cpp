@@ -81,20 +81,17 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
   parallel_chunks(n_batches, batches_per_chunk, [&](const Chunk& chunk) {
     ElementBatch<Dim> here, step;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - b * pack_size));
-      const auto member = [&](int lane) {
-        return b * pack_size + static_cast<std::size_t>(std::min(lane, n - 1));
-      };
-      step.load(elements, nodal_, member);
+      const std::size_t first = b * pack_size;
+      const auto n = static_cast<int>(step.load_run(elements, nodal_, first));
       const Pack before = room_[b].least_determinant;
       const Pack certain = before - determinant_change<Dim>(room_[b].largest_entry, step.largest_entry());
       if (std::none_of(&certain[0], &certain[0] + n, [](double x) { return !(x >= ample); })) continue;
-      here.load(elements, phi, member);
+      here.load_run(elements, phi, first);
       for (int i = 0; i < n_dofs; ++i) step.u[i] += here.u[i];
       const Pack after = least_determinant(step);
       for (int lane = 0; lane < n; ++lane) {
         if (!(after[lane] < std::min(ample, share_left * before[lane]))) continue;
-        const std::size_t e = member(lane);
+        const std::size_t e = first + static_cast<std::size_t>(lane);
         // To begin with, as stiff as the element is already.
         const double next = std::max(growth * static_cast<double>(restraint_[e]), static_cast<double>(traces_[e]) / unit);
         of_chunk[chunk.index].push_back({e, next - static_cast<double>(restraint_[e])});
@@ -108,7 +105,11 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
       sum_->add_isotropic(found.element, found.more, laplacian<Dim>());
       any = true;
     }
-  if (any) invert_blocks();
+  for (const auto& chunk : of_chunk)
+    for (const Found& found : chunk)
+      for (const Index node : elements[found.element].nodes)
+        for (const auto& carrier : unknowns_->carriers_of(node))
+          invert_block(static_cast<std::size_t>(carrier.unknown));
   return any;
 }
 
