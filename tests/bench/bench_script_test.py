@@ -121,7 +121,7 @@ class Script(Folder):
                   (("band_value_by_point", 100), ("band_gradient_by_point", 400), ("volume_value_by_element", 10),
                    ("volume_gradient_by_element", 40), ("barrier_by_element", 50), ("newton_band_by_point", 900),
                    ("newton_volume_by_element", 200))}
-        sizes = {"active_points": 1000, "cells": 500, "free_nodes": 300, "blocks": 8100,
+        sizes = {"active_points": 1000, "cells": 500, "free_nodes": 300, "blocks": 4200,
                  **{f"{name}_bytes": 10000 for name in roofline.kernel_names}, "newton_product_bytes": 583200}
         kernels = {name: {"cpu_ns_per_point": 5.0, "cpu_ns_per_free_node": 243.0} for name in roofline.kernel_names}
         kernels.update(ceiling_fma={"gflops": 60.0}, ceiling_fma_and_add={"gflops": 90.0}, ceiling_clock={"gigahertz": 3.75},
@@ -132,7 +132,7 @@ class Script(Folder):
         self.assertEqual(rows["band_gradient"]["reached"], 80.0)
         self.assertFalse(rows["gradient"]["memory_bound"])
         self.assertEqual(rows["gradient"]["ceiling"], 90.0)
-        product = rows["newton_product"]  # 18 flops for 72 bytes
+        product = rows["newton_product"]  # 18 flops for 72 bytes, (2 * 4200 - 300) times
         self.assertTrue(product["memory_bound"])
         self.assertAlmostEqual(product["ceiling"], 5.0)
         self.assertAlmostEqual(product["reached"], 2.0)
