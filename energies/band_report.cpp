@@ -22,8 +22,7 @@ BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band,
         const auto& point = band.point(b, q);
         std::array<Pack, Dim> place;
         std::array<Pack, Dim * Dim> jacobian;
-        batch.position(shape.points[q], place);
-        batch.jacobian(shape.points[q], jacobian.data());
+        batch.evaluate(shape.points[q], place, jacobian.data());
         std::array<Pack, GeometryField<Dim>::n_values> there;
         target.look_up(point.weight, place, there.data());
         for (int lane = 0; lane < autodiff::pack_size; ++lane) {

@@ -51,13 +51,13 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec
   for (std::size_t b = first; b < last; ++b) {
     batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
     batch.clear_gradient();
+    if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return batches[b + 1].element[lane]; });
     for (std::size_t q = 0; q < shape_.points.size(); ++q) {
       const auto& point = band_.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       const auto& shape = shape_.points[q];
       std::array<Pack, Dim> y;
-      batch.position(shape, y);
-      batch.jacobian(shape, p.active.data() + n_target);
+      batch.evaluate(shape, y, p.active.data() + n_target);
       look_up<Dim, WithGradient>(*target_, point.weight, y, p);
       for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
       if constexpr (WithGradient) p.adjoint.fill(Pack{});
@@ -80,8 +80,7 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec
           by_position[k] = p.adjoint[0] * p.derivative[k][0];
           for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
         }
-        batch.add_position_adjoint(shape, by_position);
-        batch.add_jacobian_adjoint(shape, p.adjoint.data() + n_target);
+        batch.add_adjoint(shape, by_position, p.adjoint.data() + n_target);
       }
     }
     if constexpr (WithGradient)

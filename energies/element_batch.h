@@ -31,6 +31,13 @@ struct ElementBatch {
     }
   }
 
+  /// Asks for the positions that load() reads, early.
+  template <class ElementOf>
+  static void prefetch(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, ElementOf&& element) {
+    for (int lane = 0; lane < n_lanes; ++lane)
+      for (const Index node : elements[element(lane)].nodes) __builtin_prefetch(&phi[node]);
+  }
+
   /// Elements [first, first + 8), or what there is of them; their number. Lanes that are left repeat the last.
   std::size_t load_run(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, std::size_t first) {
     const std::size_t n = std::min<std::size_t>(n_lanes, elements.size() - first);
@@ -60,36 +67,53 @@ struct ElementBatch {
     return largest * inverse_side;
   }
 
-  /// phi at a quadrature point.
-  void position(const typename ShapeTable<Dim>::Point& q, std::array<Pack, Dim>& y) const {
-    for (int k = 0; k < Dim; ++k) y[k] = q.n[0] * u[k];
-    for (int c = 1; c < n_corners<Dim>; ++c)
-      for (int k = 0; k < Dim; ++k) y[k] += q.n[c] * u[c * Dim + k];
-  }
-
   /// Dphi by rows at a quadrature point.
   void jacobian(const typename ShapeTable<Dim>::Point& q, Pack* dphi) const {
-    for (int k = 0; k < Dim; ++k)
-      for (int j = 0; j < Dim; ++j) {
-        Pack s = q.dn[0][j] * u[k];
-        for (int c = 1; c < n_corners<Dim>; ++c) s += q.dn[c][j] * u[c * Dim + k];
-        dphi[k * Dim + j] = s * inverse_side;
-      }
+    std::array<Pack, Dim> y;
+    evaluate(q, y, dphi);
   }
 
-  /// Transpose of jacobian().
-  void add_jacobian_adjoint(const typename ShapeTable<Dim>::Point& q, const Pack* adjoint) {
-    for (int k = 0; k < Dim; ++k)
-      for (int j = 0; j < Dim; ++j) {
-        const Pack a = adjoint[k * Dim + j] * inverse_side;
-        for (int c = 0; c < n_corners<Dim>; ++c) gradient[c * Dim + k] += q.dn[c][j] * a;
-      }
+  /// The same and y = phi: linear along each axis, so one axis after the other is collapsed.
+  void evaluate(const typename ShapeTable<Dim>::Point& q, std::array<Pack, Dim>& y, Pack* dphi) const {
+    for (int k = 0; k < Dim; ++k) {
+      std::array<Pack, n_corners<Dim>> v;
+      for (int c = 0; c < n_corners<Dim>; ++c) v[c] = u[c * Dim + k];
+      std::array<std::array<Pack, n_corners<Dim> / 2>, Dim> d;
+      for (int axis = 0, n_left = n_corners<Dim> / 2; axis < Dim; ++axis, n_left /= 2)
+        for (int i = 0; i < n_left; ++i) {
+          for (int j = 0; j < axis; ++j) d[j][i] = d[j][2 * i] + q.xi[axis] * (d[j][2 * i + 1] - d[j][2 * i]);
+          d[axis][i] = v[2 * i + 1] - v[2 * i];
+          v[i] = v[2 * i] + q.xi[axis] * d[axis][i];
+        }
+      y[k] = v[0];
+      for (int j = 0; j < Dim; ++j) dphi[k * Dim + j] = d[j][0] * inverse_side;
+    }
   }
 
-  /// Transpose of position().
-  void add_position_adjoint(const typename ShapeTable<Dim>::Point& q, const std::array<Pack, Dim>& adjoint) {
-    for (int c = 0; c < n_corners<Dim>; ++c)
-      for (int k = 0; k < Dim; ++k) gradient[c * Dim + k] += q.n[c] * adjoint[k];
+  /// Adds the transpose of jacobian().
+  void add_jacobian_adjoint(const typename ShapeTable<Dim>::Point& q, const Pack* by_dphi) {
+    add_adjoint(q, std::array<Pack, Dim>{}, by_dphi);
+  }
+
+  /// Adds the transpose of evaluate().
+  void add_adjoint(const typename ShapeTable<Dim>::Point& q, const std::array<Pack, Dim>& by_y, const Pack* by_dphi) {
+    for (int k = 0; k < Dim; ++k) {
+      std::array<Pack, n_corners<Dim>> v;
+      std::array<std::array<Pack, n_corners<Dim> / 2>, Dim> d;
+      v[0] = by_y[k];
+      for (int j = 0; j < Dim; ++j) d[j][0] = by_dphi[k * Dim + j] * inverse_side;
+      for (int axis = Dim - 1, n_left = 1; axis >= 0; --axis, n_left *= 2)
+        for (int i = n_left - 1; i >= 0; --i) {
+          const Pack to_upper = q.xi[axis] * v[i] + d[axis][i];
+          v[2 * i] = v[i] - to_upper;
+          v[2 * i + 1] = to_upper;
+          for (int j = 0; j < axis; ++j) {
+            d[j][2 * i + 1] = q.xi[axis] * d[j][i];
+            d[j][2 * i] = d[j][i] - d[j][2 * i + 1];
+          }
+        }
+      for (int c = 0; c < n_corners<Dim>; ++c) gradient[c * Dim + k] += v[c];
+    }
   }
 };
 

@@ -29,14 +29,29 @@ ShapeTable<Dim>::ShapeTable(int points_per_direction) {
 
 template <int Dim>
 Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : grid_(&grid) {
-  std::vector<Index> unknown_of(static_cast<std::size_t>(grid.n_nodes()), no_index);
-  for (const Index n : grid.free_nodes()) {
-    if (boundary == BoundaryCondition::dirichlet && grid.is_boundary_node(n)) continue;
-    unknown_of[n] = static_cast<Index>(nodes_.size());
-    nodes_.push_back(n);
-  }
+  elements_.reserve(grid.leaves().size());
+  for (const Index leaf : grid.leaves())
+    elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side(), grid.cell_corner(leaf)});
+
+  // In the order in which the elements meet them: neighbours, of whatever level, have numbers close together, so
+  // that what is read around a node is mostly in the caches still.
   std::vector<const HangingNode<Dim>*> hanging_of(static_cast<std::size_t>(grid.n_nodes()), nullptr);
   for (const auto& h : grid.hanging_nodes()) hanging_of[h.node] = &h;
+  std::vector<Index> unknown_of(static_cast<std::size_t>(grid.n_nodes()), no_index);
+  const auto meet = [&](Index node) {
+    if (unknown_of[node] != no_index) return;
+    if (boundary == BoundaryCondition::dirichlet && grid.is_boundary_node(node)) return;
+    unknown_of[node] = static_cast<Index>(nodes_.size());
+    nodes_.push_back(node);
+  };
+  nodes_.reserve(grid.free_nodes().size());
+  for (const Element<Dim>& element : elements_)
+    for (const Index node : element.nodes) {
+      if (const auto* h = hanging_of[node])
+        for (int p = 0; p < h->n_parents; ++p) meet(h->parents[p]);
+      else
+        meet(node);
+    }
 
   first_carrier_.reserve(hanging_of.size() + 1);
   for (Index node = 0; node < grid.n_nodes(); ++node) {
@@ -51,9 +66,6 @@ Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : g
   }
   first_carrier_.push_back(carriers_.size());
 
-  elements_.reserve(grid.leaves().size());
-  for (const Index leaf : grid.leaves()) 
-    elements_.push_back({grid.cell(leaf).nodes, grid.cell(leaf).side(), grid.cell_corner(leaf)});
   const auto for_each_place = [&](auto&& visit) {
     for (std::size_t e = 0; e < elements_.size(); ++e)
       for (int c = 0; c < n_corners<Dim>; ++c)

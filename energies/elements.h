@@ -41,6 +41,7 @@ class Unknowns {
   Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary);
 
   std::size_t size() const { return nodes_.size() * Dim; }
+  /// In the order in which the elements meet them, through hanging nodes too.
   std::span<const Index> nodes() const { return nodes_; }
   std::span<const Element<Dim>> elements() const { return elements_; }  ///< in the order of grid.leaves()
 

@@ -38,17 +38,14 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const std::arra
     for (int k = 0; k < Dim; ++k) corner[k][lane] = c[k];
   }
 
-  std::array<std::array<Pack, 3>, Dim> value, slope;
-  std::array<std::array<Lanes, 3>, Dim> value_of_lane, slope_of_lane;
+  std::array<std::array<Lanes, 3>, Dim> value, slope;
   for (int k = 0; k < Dim; ++k) {
     const Pack size = std::bit_cast<Pack>(scale), t = inside[k] * size - std::bit_cast<Pack>(corner[k]);
     const Pack by_y = inside[k] == y[k] ? size : Pack{};  // none where y is projected
-    value[k] = {0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t};
-    slope[k] = {(t - 1.0) * by_y, (1.0 - 2.0 * t) * by_y, t * by_y};
-    for (int i = 0; i < 3; ++i) {
-      value_of_lane[k][i] = std::bit_cast<Lanes>(value[k][i]);
-      slope_of_lane[k][i] = std::bit_cast<Lanes>(slope[k][i]);
-    }
+    const std::array<Pack, 3> v = {0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t};
+    const std::array<Pack, 3> s = {(t - 1.0) * by_y, (1.0 - 2.0 * t) * by_y, t * by_y};
+    value[k] = std::bit_cast<std::array<Lanes, 3>>(v);
+    slope[k] = std::bit_cast<std::array<Lanes, 3>>(s);
   }
   for (int lane = 0; lane < pack_size; ++lane) {
     if (!(weight[lane] > 0)) {
@@ -56,38 +53,15 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const std::arra
       continue;
     }
     const auto& c = local[lane];
-    const Pack* from = main_->data();
-    sum_spline<Dim, WithGradient>(
-        [&](int n) { return from[c[n]]; }, [&](int k, int i) { return value_of_lane[k][i][lane]; },
-        [&](int k, int i) { return slope_of_lane[k][i][lane]; },
-        [&](int i, const Pack& x) { rows.main[i][lane] = x; });
-  }
-  if constexpr (n_rest > 0) {
-    // Pairs of four lanes make a pack.
-    typedef double Quad __attribute__((vector_size(32)));
-    std::array<std::array<Pack, LaneRows<WithGradient>::n_rows>, 2> half;
-    const auto sum_half = [&]<int h>() {
-      const auto spread = [](const Pack& x) {
-        constexpr int f = 4 * h;
-        return __builtin_shufflevector(x, x, f, f, f + 1, f + 1, f + 2, f + 2, f + 3, f + 3);
-      };
-      const Pair* from = rest_->data();
-      sum_spline<Dim, WithGradient>(
-          [&](int n) {
-            const auto two = [&](int lane) -> Quad {
-              return __builtin_shufflevector(from[local[lane][n]], from[local[lane + 1][n]], 0, 1, 2, 3);
-            };
-            return __builtin_shufflevector(two(4 * h), two(4 * h + 2), 0, 1, 2, 3, 4, 5, 6, 7);
-          },
-          [&](int k, int i) { return spread(value[k][i]); }, [&](int k, int i) { return spread(slope[k][i]); },
-          [&](int i, const Pack& x) { half[h][i] = x; });
+    const auto sum = [&](const auto* from, auto&& put) {
+      sum_spline<Dim, WithGradient>([&](int n) { return from[c[n]]; }, [&](int k, int i) { return value[k][i][lane]; },
+                                    [&](int k, int i) { return slope[k][i][lane]; }, put);
     };
-    sum_half.template operator()<0>();
-    sum_half.template operator()<1>();
-    for (int i = 0; i < LaneRows<WithGradient>::n_rows; ++i) {
-      rows.rest[n_rest * i] = __builtin_shufflevector(half[0][i], half[1][i], 0, 2, 4, 6, 8, 10, 12, 14);
-      rows.rest[n_rest * i + 1] = __builtin_shufflevector(half[0][i], half[1][i], 1, 3, 5, 7, 9, 11, 13, 15);
-    }
+    sum(main_->data(), [&](int i, const Pack& x) { rows.main[i][lane] = x; });
+    if constexpr (n_rest > 0)
+      sum(rest_->data(), [&](int i, const Pair& x) {
+        for (int r = 0; r < n_rest; ++r) rows.rest[n_rest * i + r][lane] = x[r];
+      });
   }
 }
 

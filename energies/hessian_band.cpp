@@ -101,16 +101,16 @@ void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> 
   for (std::size_t b = first; b < last; ++b) {
     const auto& members = band.batches()[b];
     batch.load(elements, phi, [&](int lane) { return members.element[lane]; });
+    if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return band.batches()[b + 1].element[lane]; });
     k.fill(Pack{});
     for (std::size_t q = 0; q < points.size(); ++q) {
       const auto& point = band.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       std::array<Pack, Dim> y;
-      batch.position(points[q], y);
+      std::array<Pack, Dim * Dim> dphi;
+      batch.evaluate(points[q], y, dphi.data());
       const auto g = geometry_at<Dim>(*target_, point.weight, y);
       // X = t2^T Dphi t1; membrane: W of X; bending: W of N X R, N and R the roots in the frames.
-      std::array<Pack, Dim * Dim> dphi;
-      batch.jacobian(points[q], dphi.data());
       std::array<Pack, Dim> n1;
       for (int a = 0; a < Dim; ++a) n1[a] = point.reference[1 + a];
       const auto t1 = tangent_basis<Dim>(n1), t2 = tangent_basis<Dim>(g.n2);

@@ -43,6 +43,10 @@ struct BlockColumn<3> {
   }
 };
 
+// So many blocks before its turn comes, what is read and written for a block is asked for: it takes as long as a few
+// rows to come from memory.
+constexpr std::ptrdiff_t n_ahead = 64;
+
 std::size_t rows_per_slab(std::size_t n_rows) { return std::clamp<std::size_t>(n_rows / 64, 64, 512); }
 
 // A block and what follows it, and where its transpose finds its entries.
@@ -86,15 +90,16 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns)
     for (const Index column : reached[slab.index]) is_found[column] = 0;
   });
   for (std::size_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
-  columns_.reserve(first_.back());
+  columns_.reserve(first_.back() + n_ahead);
   for (auto& found : of_slab) {
     columns_.insert(columns_.end(), found.begin(), found.end());
     found = {};
   }
   waves_ = Waves(n_slabs, n, [&](std::size_t s) -> std::span<const Index> { return reached[s]; });
-  const std::size_t n_values = columns_.size() * block_size + BlockColumn<Dim>::width;
-  values_ = std::make_unique_for_overwrite<float[]>(n_values);  // its pages are the threads' to touch first
-  std::fill_n(values_.get() + columns_.size() * block_size, BlockColumn<Dim>::width, 0.0f);
+  columns_.resize(first_.back() + n_ahead);
+  std::fill(columns_.end() - n_ahead, columns_.end(), 0);
+  values_.resize(first_.back() * block_size + BlockColumn<Dim>::width);
+  std::fill(values_.end() - BlockColumn<Dim>::width, values_.end(), 0.0f);
 }
 
 template <int Dim>
@@ -121,7 +126,7 @@ void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const
           sum[place[carrier.unknown]] += at.weight * carrier.weight * block;
         }
     }
-    float* to = values_.get() + first_[i] * block_size;
+    float* to = values_.data() + first_[i] * block_size;
     for (WideBlock& block : sum) {
       if (!row.is_first) {
         WideBlock before{};
@@ -152,7 +157,7 @@ void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
       for (int d = 0; d < n_corners<Dim>; ++d)
         for (const auto& column : unknowns_->carriers_of(nodes[d])) {
           if (column.unknown < row.unknown) continue;
-          float* block = values_.get() + place_of(row.unknown, column.unknown) * block_size;
+          float* block = values_.data() + place_of(row.unknown, column.unknown) * block_size;
           const double x = factor * static_cast<double>(row.weight * column.weight) * k[c][d];
           for (int a = 0; a < Dim; ++a) block[a * Dim + a] += static_cast<float>(x);
         }
@@ -163,7 +168,7 @@ void NodeMatrix<Dim>::add_product(std::size_t begin, std::size_t end, std::span<
                                   std::span<double> y) const {
   using Column = BlockColumn<Dim>;
   using Doubles = typename Column::Doubles;
-  const float* value = values_.get() + first_[begin] * block_size;
+  const float* value = values_.data() + first_[begin] * block_size;
   for (std::size_t i = begin; i < end; ++i) {
     Doubles here{};  // an entry that fills up the register is 0
     for (int k = 0; k < Dim; ++k) here[k] = x[i * Dim + k];
@@ -174,6 +179,9 @@ void NodeMatrix<Dim>::add_product(std::size_t begin, std::size_t end, std::span<
     for (std::size_t j = first_[i] + 1; j < first_[i + 1]; ++j, value += block_size) {
       const double* there = x.data() + static_cast<std::size_t>(columns_[j]) * Dim;
       double* mirrored = y.data() + static_cast<std::size_t>(columns_[j]) * Dim;
+      const auto later = static_cast<std::size_t>(columns_[j + n_ahead]) * Dim;
+      __builtin_prefetch(x.data() + later);
+      __builtin_prefetch(y.data() + later, 1);
       std::array<Doubles, Dim> products;
       for (int k = 0; k < Dim; ++k) {
         const Doubles column = Column::read(value + k * Dim);
@@ -196,7 +204,7 @@ void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) c
 
 template <int Dim>
 Mat<Dim> NodeMatrix<Dim>::diagonal(std::size_t i) const {
-  const float* block = values_.get() + first_[i] * block_size;
+  const float* block = values_.data() + first_[i] * block_size;
   Mat<Dim> m;
   for (int l = 0; l < Dim; ++l)
     for (int k = 0; k < Dim; ++k) m(k, l) = static_cast<double>(block[l * Dim + k]);

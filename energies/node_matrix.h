@@ -5,6 +5,7 @@
 /// 27 blocks in space, while the eight elements around its node have 64 each. As it is symmetric, only blocks
 /// on and above the diagonal are stored: a product is bound by the memory that it reads.
 
+#include "base/large_vector.h"
 #include "energies/element_matrices.h"
 #include "energies/elements.h"
 #include "energies/patches.h"
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -51,8 +51,8 @@ class NodeMatrix {
   std::size_t rows_per_slab_;  ///< that are multiplied by one thread in one go
   Waves waves_;                ///< of slabs: those of one wave share no row or column
   std::vector<std::size_t> first_;   ///< blocks of row i: [first_[i], first_[i + 1]), the diagonal's first
-  std::vector<Index> columns_;       ///< ascending within a row
-  std::unique_ptr<float[]> values_;  ///< blocks by columns; and some more, that the last can be read in one go
+  LargeVector<Index> columns_;       ///< ascending within a row; and some more, to be asked for early
+  LargeVector<float> values_;        ///< blocks by columns; and some more, that the last can be read in one go
 };
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "solvers/newton.h"
 
+#include "base/large_vector.h"
 #include "solvers/line_search.h"
 #include "solvers/minimization_run.h"
 #include "solvers/vector_ops.h"
@@ -14,7 +15,7 @@ namespace {
 /// Vectors of the linear solver, kept over the steps.
 struct LinearSolver {
   explicit LinearSolver(std::size_t n) : r(n), z(n), p(n), hp(n) {}
-  std::vector<double> r, z, p, hp;
+  LargeVector<double> r, z, p, hp;
 
   /// Preconditioned conjugate gradients for H d = -g from d = 0. Returns the number of iterations.
   int solve(const SecondOrderObjective& objective, std::span<const double> g, std::span<double> d, double tolerance,

@@ -78,6 +78,25 @@ TEST(Unknowns, AreTheFreeNodesAwayFromAFixedBoundary) {
   }
 }
 
+template <int Dim>
+void check_order() {
+  const Octree<Dim> grid = hanging_grid<Dim>(0.45);
+  const Unknowns<Dim> unknowns(grid, BoundaryCondition::dirichlet);
+  Index n_met = 0;
+  for (const Element<Dim>& element : unknowns.elements())
+    for (const Index node : element.nodes)
+      for (const auto& carrier : unknowns.carriers_of(node)) {
+        EXPECT_LE(carrier.unknown, n_met) << "one that no element has met has a smaller number";
+        n_met = std::max(n_met, carrier.unknown + 1);
+      }
+  EXPECT_EQ(static_cast<std::size_t>(n_met), unknowns.nodes().size());
+}
+
+TEST(Unknowns, AreNumberedAsTheElementsMeetThem) {
+  check_order<2>();
+  check_order<3>();
+}
+
 // The table is made of functions that sum to 1 and reproduce the point's own place.
 TEST(ShapeTable, ReproducesLinearFunctions) {
   for (int order = 1; order <= 5; ++order)
