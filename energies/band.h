@@ -3,7 +3,6 @@
 /// What the band terms need of the reference shape, at the quadrature points of the elements that the band
 /// meets. It does not depend on phi and is computed once for each grid.
 
-#include "base/large_vector.h"
 #include "energies/autodiff/pack.h"
 #include "energies/elements.h"
 #include "energies/geometry_field.h"
@@ -52,7 +51,7 @@ class Band {
  private:
   std::vector<Batch> batches_;
   std::vector<std::size_t> first_batch_;  ///< by patch
-  LargeVector<Point> points_;
+  std::vector<Point> points_;
   std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
   double measure_ = 0;
 };

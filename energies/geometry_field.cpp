@@ -68,8 +68,8 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
 template <int Dim>
 template <class Put>
 void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
-  const auto main = std::make_shared<LargeVector<Pack>>(n_rows, Pack{});
-  const auto rest = std::make_shared<LargeVector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
+  const auto main = std::make_shared<std::vector<Pack>>(n_rows, Pack{});
+  const auto rest = std::make_shared<std::vector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
   const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
   put([=](Index row, std::size_t i) -> double& {
     const auto r = static_cast<std::size_t>(row);

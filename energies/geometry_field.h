@@ -4,7 +4,6 @@
 /// operator. Of the template it is read at deformed positions: the one place where a coefficient depends on
 /// phi.
 
-#include "base/large_vector.h"
 #include "energies/autodiff/jet.h"
 #include "energies/autodiff/pack.h"
 #include "energies/integrands.h"
@@ -114,8 +113,8 @@ class GeometryField {
   const Octree<Dim>* grid_ = nullptr;                ///< null: smooth
   std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null: multilinear
   /// By node, or by coefficient; copies of the field share them.
-  std::shared_ptr<const LargeVector<Pack>> main_;
-  std::shared_ptr<const LargeVector<Pair>> rest_;
+  std::shared_ptr<const std::vector<Pack>> main_;
+  std::shared_ptr<const std::vector<Pair>> rest_;
 };
 
 /// Both shapes, as the energy of one grid reads them.

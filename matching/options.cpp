@@ -10,8 +10,6 @@ ExperimentOptions profile_defaults(Profile profile) {
   options.solver.stop.relative_decrease = 1e-3;
   options.solver.stop.decrease_window = 1;
   options.solver.stop.max_iterations = 300;
-  // Where the model predicts badly, as on paths that bend, better systems cost more than they save.
-  options.solver.newton.max_forcing = 0.3;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten and c_vol by two once per refinement, with nothing in between.
     options.cascade.nu = 0.002;

@@ -12,45 +12,71 @@ namespace shellmatch {
 
 namespace {
 
-/// Vectors of the linear solver, kept over the steps.
-struct LinearSolver {
-  explicit LinearSolver(std::size_t n) : r(n), z(n), p(n), hp(n) {}
-  LargeVector<double> r, z, p, hp;
+/// Preconditioned conjugate gradients for H d = -g, and vectors that are kept over the steps.
+class LinearSolver {
+ public:
+  LinearSolver(const SecondOrderObjective& objective, int max_iterations, std::size_t n)
+      : objective_(objective), max_iterations_(max_iterations), r_(n), z_(n), p_(n), hp_(n) {}
 
-  /// Preconditioned conjugate gradients for H d = -g from d = 0. Returns the number of iterations.
-  int solve(const SecondOrderObjective& objective, std::span<const double> g, std::span<double> d, double tolerance,
-            int max_iterations) {
+  /// From d = 0, until the residual is this share of what it was, in the preconditioner's norm.
+  void solve(std::span<const double> g, std::span<double> d, double tolerance) {
     std::fill(d.begin(), d.end(), 0.0);
-    for_pieces(r.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) r[i] = -g[i];
+    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) r_[i] = -g[i];
     });
-    objective.precondition(r, z);
-    std::copy(z.begin(), z.end(), p.begin());
-    double rz = dot(r, z);
-    const double target = tolerance * tolerance * rz;
+    objective_.precondition(r_, z_);
+    const double rz = dot(r_, z_);
+    target_ = tolerance * tolerance * rz;
+    if (iterate(d, rz) == 0) std::copy(z_.begin(), z_.end(), d.begin());
+  }
+
+  /// The same for an H that has become stiffer here and there since d was found: from d, to the same residual.
+  void solve_again(std::span<const double> g, std::span<double> d) {
+    objective_.apply_second_derivative(d, hp_);
+    const double slope = dot(g, d), curvature = dot(d, hp_);
+    // The model g.d + d.Hd / 2 only falls from where this begins: where it is negative there is descent in the end.
+    const double share = slope + 0.5 * curvature < 0 ? 1.0 : -slope / curvature;
+    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        d[i] *= share;
+        r_[i] = -g[i] - share * hp_[i];
+      }
+    });
+    objective_.precondition(r_, z_);
+    iterate(d, dot(r_, z_));
+  }
+
+ private:
+  // From the residual r_ of d, preconditioned z_; rz is their product. Returns the number of iterations.
+  int iterate(std::span<double> d, double rz) {
+    std::copy(z_.begin(), z_.end(), p_.begin());
     int k = 0;
-    for (; k < max_iterations && rz > target; ++k) {
-      objective.apply_second_derivative(p, hp);
-      const double curvature = dot(p, hp);
+    for (; k < max_iterations_ && rz > target_; ++k) {
+      objective_.apply_second_derivative(p_, hp_);
+      const double curvature = dot(p_, hp_);
       if (!(curvature > 0)) break;  // a direction without stiffness: what has been found so far will do
       const double alpha = rz / curvature;
-      for_pieces(r.size(), [&](std::size_t begin, std::size_t end) {
+      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          d[i] += alpha * p[i];
-          r[i] -= alpha * hp[i];
+          d[i] += alpha * p_[i];
+          r_[i] -= alpha * hp_[i];
         }
       });
-      objective.precondition(r, z);
-      const double next = dot(r, z);
+      objective_.precondition(r_, z_);
+      const double next = dot(r_, z_);
       const double beta = next / rz;
       rz = next;
-      for_pieces(r.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) p[i] = z[i] + beta * p[i];
+      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) p_[i] = z_[i] + beta * p_[i];
       });
     }
-    if (k == 0) std::copy(z.begin(), z.end(), d.begin());
     return k;
   }
+
+  const SecondOrderObjective& objective_;
+  int max_iterations_;
+  double target_ = 0;
+  LargeVector<double> r_, z_, p_, hp_;
 };
 
 }  // namespace
@@ -66,7 +92,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     return run.summary();
   }
   std::vector<double> d(run.size());
-  LinearSolver linear(run.size());
+  LinearSolver linear(*model, options_.max_linear_iterations, run.size());
   Line line(run);
   const LineSearchOptions search{.armijo = options_.armijo, .curvature = 0, .interpolation = Interpolation::cubic,
                                  .contraction = 0.5, .max_trials = options_.max_trials, .gradient_trials = 2};
@@ -77,9 +103,8 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     model->prepare_second_derivative(x);
     const double relative = gradient_norm / run.start_gradient_norm();
     const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
-    int n_restraints = 0;
-    do linear.solve(*model, g, d, forcing, options_.max_linear_iterations);
-    while (n_restraints++ < options_.max_restraints && model->restrain(x, d));
+    linear.solve(g, d, forcing);
+    for (int n = 0; n < options_.max_restraints && model->restrain(x, d); ++n) linear.solve_again(g, d);
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
       run.finish(StopReason::no_descent);

@@ -11,7 +11,9 @@ namespace shellmatch {
 /// objective's model of the second derivative is positive semidefinite, so that directions are descent
 /// directions; the linear system is solved the better, the more the last step has lowered the gradient (S. C.
 /// Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17(1), 1996, choice 2, between min_forcing and max_forcing),
-/// and to the root of the relative gradient norm where that is smaller, measured in the preconditioner's norm. When a line search fails, the preconditioned gradient is tried once.
+/// and to the root of the relative gradient norm where that is smaller, measured in the preconditioner's norm. A step
+/// that the objective restrains is not computed from nothing again: the iterations go on from it. When a line search
+/// fails, the preconditioned gradient is tried once.
 ///
 /// The objective must be a SecondOrderObjective; others end with StopReason::library and a message.
 class Newton final : public Minimizer {
