@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
@@ -67,7 +68,7 @@ class ElementValues {
         const Vec<Dim> x = position<Dim>(element, shape_->points[p * lanes + lane].xi);
         for (int k = 0; k < Dim; ++k) y[k][lane] = x[k];
       }
-      reference_->look_up(weight, y, packs_[p].data());
+      reference_->look_up(weight, reference_->find(y), packs_[p].data());
     }
   }
   double distance(std::size_t q) const { return packs_[q / autodiff::pack_size][0][q % autodiff::pack_size]; }
@@ -84,12 +85,29 @@ class ElementValues {
   std::vector<typename Field::Packs> packs_;
 };
 
-/// Surely no point of the element lies in the band: |grad d| is 1, and less than 2 however it is
-/// interpolated.
+/// What can be said of an element from its centre's distance: |grad d| is 1, and less than 2 however it is interpolated.
+enum class Membership { none, sure, unknown };
+
 template <int Dim>
-bool is_far(const Element<Dim>& element, const GeometryField<Dim>& reference, double sigma) {
-  const Vec<Dim> centre = position<Dim>(element, Vec<Dim>::Constant(0.5));
-  return std::abs(reference.value(centre)[0]) > sigma + std::sqrt(double(Dim)) * element.side;
+Membership membership(double distance_of_centre, const Element<Dim>& element, double nearest_point, double sigma) {
+  const double d = std::abs(distance_of_centre);
+  if (d > sigma + std::sqrt(double(Dim)) * element.side) return Membership::none;
+  return d + 2 * nearest_point * element.side < sigma ? Membership::sure : Membership::unknown;
+}
+
+/// The reference's distance at the centres of up to eight elements.
+template <int Dim>
+autodiff::Pack centre_distances(std::span<const Element<Dim>> elements, const GeometryField<Dim>& reference) {
+  autodiff::Pack weight{};
+  std::array<autodiff::Pack, Dim> y{};
+  for (std::size_t lane = 0; lane < elements.size(); ++lane) {
+    weight[lane] = 1;
+    const Vec<Dim> centre = position<Dim>(elements[lane], Vec<Dim>::Constant(0.5));
+    for (int k = 0; k < Dim; ++k) y[k][lane] = centre[k];
+  }
+  typename GeometryField<Dim>::Packs values;
+  reference.look_up(weight, reference.find(y), values.data());
+  return values[0];
 }
 
 }  // namespace
@@ -98,11 +116,18 @@ template <int Dim>
 Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
                 const GeometryField<Dim>& reference, bool root_is_inverse, double sigma)
     : n_points_(shape.points.size()) {
+  double nearest_point = std::numeric_limits<double>::infinity();  // of the quadrature's, to the centre
+  for (const auto& q : shape.points) nearest_point = std::min(nearest_point, (q.xi - Vec<Dim>::Constant(0.5)).norm());
   std::vector<char> is_member(elements.size(), 0);
   parallel_chunks(elements.size(), 64, [&](const Chunk& chunk) {
     ElementValues<Dim> values(reference, shape);
+    autodiff::Pack distance{};
     for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
-      if (is_far(elements[e], reference, sigma)) continue;
+      const std::size_t lane = (e - chunk.begin) % n_lanes;
+      if (lane == 0) distance = centre_distances(elements.subspan(e, std::min<std::size_t>(n_lanes, chunk.end - e)), reference);
+      const Membership known = membership(distance[lane], elements[e], nearest_point, sigma);
+      is_member[e] = known == Membership::sure;
+      if (known != Membership::unknown) continue;
       values.read(elements[e]);
       for (std::size_t q = 0; q < n_points_ && !is_member[e]; ++q)
         is_member[e] = std::abs(values.distance(q)) < sigma;

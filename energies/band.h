@@ -43,6 +43,11 @@ class Band {
   }
   /// Point q of batch b.
   const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
+  /// Asks for the point after that one, early: what lies between takes too long for the processor to see the row.
+  void prefetch_after(std::size_t b, std::size_t q) const {
+    const auto next = reinterpret_cast<const char*>(&point(b, q) + 1);
+    for (std::size_t line = 0; line < sizeof(Point); line += 64) __builtin_prefetch(next + line);
+  }
   std::size_t n_elements() const { return n_elements_; }
   std::size_t n_active_points() const { return n_active_points_; }
   /// Integral of eta_sigma(d1) over the domain: tends to the measure of M1. Unit: length^(Dim-1).

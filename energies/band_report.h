@@ -2,10 +2,7 @@
 /// \file
 /// How the deformed band lies in the template: what oscillations show in.
 
-#include "energies/band.h"
-#include "energies/geometry_field.h"
-
-#include <span>
+#include "energies/autodiff/pack.h"
 
 namespace shellmatch {
 
@@ -25,11 +22,11 @@ struct BandSums {
     return *this;
   }
   BandReport means() const { return weight > 0 ? BandReport{angle / weight, folded / weight} : BandReport{}; }
-};
 
-/// At the quadrature points of the band. phi: positions of all nodes.
-template <int Dim>
-BandSums sum_band(std::span<const Element<Dim>> elements, const Band<Dim>& band, const ShapeTable<Dim>& shape,
-                  const GeometryField<Dim>& target, std::span<const Vec<Dim>> phi);
+  /// Adds eight points: eta_sigma(d1) times volume, 0 where a lane does not count; the reference's normal, the
+  /// template's at phi, and Dphi by rows.
+  template <int Dim>
+  void add(const autodiff::Pack& weights, const autodiff::Pack* n1, const autodiff::Pack* n2, const autodiff::Pack* dphi);
+};
 
 }  // namespace shellmatch

@@ -1,12 +1,22 @@
 #include "energies/energy_report.h"
 
-#include <algorithm>
+#include "base/parallel.h"
 
 namespace shellmatch {
 
 namespace {
 
-constexpr std::size_t elements_at_a_time = 16384;
+struct Part {
+  TermValues values;
+  BandSums band;
+  bool is_evaluable = true;
+  Part& operator+=(const Part& o) {
+    values += o.values;
+    band += o.band;
+    is_evaluable = is_evaluable && o.is_evaluable;
+    return *this;
+  }
+};
 
 }  // namespace
 
@@ -14,21 +24,16 @@ template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
                            std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  EnergyReport report;
-  BandSums sums;
+  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second cache
   const auto elements = unknowns.elements();
-  bool evaluable = true;
-  for (std::size_t begin = 0; begin < elements.size(); begin += elements_at_a_time) {
-    const auto some = elements.subspan(begin, std::min(elements_at_a_time, elements.size() - begin));
+  const Part all = parallel_sum(elements.size(), elements_at_a_time, Part{}, [&](const Chunk& piece) {
+    const auto some = elements.subspan(piece.begin, piece.end - piece.begin);
     const MatchingEnergy<Dim> energy(some, geometry, options, sigma, points_per_direction);
-    TermValues values;
-    evaluable = evaluable && energy.evaluate(phi, weights, values, {});
-    if (evaluable) report.values += values;
-    sums += sum_band<Dim>(some, energy.band(), energy.shape(), geometry.target, phi);
-  }
-  if (!evaluable) report.values = {};
-  report.band = sums.means();
-  return report;
+    Part part;
+    part.is_evaluable = energy.report(phi, weights, part.values, part.band);
+    return part;
+  });
+  return {all.is_evaluable ? all.values : TermValues{}, all.band.means()};
 }
 
 template EnergyReport report_energy<2>(const Unknowns<2>&, const GeometryPair<2>&, const EnergyOptions&, double, int,

@@ -68,6 +68,7 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
 template <int Dim>
 template <class Put>
 void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
+  SHELLMATCH_CHECK(n_rows <= (std::size_t{1} << 32) / autodiff::pack_size, "too many rows for offsets of 32 bits");
   const auto main = std::make_shared<std::vector<Pack>>(n_rows, Pack{});
   const auto rest = std::make_shared<std::vector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
   const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
@@ -106,20 +107,19 @@ template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
   const auto local = splines_->coefficients_of(p.leaf);
-  std::array<std::array<double, 3>, Dim> value, slope;
-  for (int k = 0; k < Dim; ++k) {
-    const SplineWeights w(p.t[k]);
-    value[k] = w.value;
-    for (int i = 0; i < 3; ++i) slope[k][i] = w.slope[i] * p.slope[k];
-  }
-  const auto value_of = [&](int k, int i) { return value[k][i]; };
-  const auto slope_of = [&](int k, int i) { return slope[k][i]; };
+  const auto array_of = [](const Vec<Dim>& x) {
+    std::array<double, Dim> a;
+    for (int k = 0; k < Dim; ++k) a[k] = x[k];
+    return a;
+  };
+  const SplineFactors<Dim, double> factors(array_of(p.t), array_of(p.slope));
+  const auto itself = [](double x) { return x; };
   // One part of the rows at a time: whole packs, then the pairs.
-  sum_spline<Dim, WithGradient>([&](int n) { return (*main_)[local[n]]; }, value_of, slope_of,
-                                [&](int i, const Pack& x) { result[i].main = x; });
+  sum_long_rows<Dim, WithGradient>(
+      factors, [&](int n) { return (*main_)[local[n]]; }, itself, [&](int i, const Pack& x) { result[i].main = x; });
   if constexpr (n_rest > 0)
-    sum_spline<Dim, WithGradient>([&](int n) { return (*rest_)[local[n]]; }, value_of, slope_of,
-                                  [&](int i, const Pair& x) { result[i].rest = x; });
+    sum_spline<Dim, WithGradient>(
+        factors, [&](int n) { return (*rest_)[local[n]]; }, itself, [&](int i, const Pair& x) { result[i].rest = x; });
 }
 
 template <int Dim>

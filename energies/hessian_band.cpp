@@ -64,7 +64,7 @@ PointGeometry<Dim> geometry_at(const GeometryField<Dim>& target, const Pack& wei
   constexpr int n_values = GeometryField<Dim>::n_values;
   std::array<Pack, n_values> values;
   std::array<std::array<Pack, n_values>, Dim> derivative;
-  target.look_up(weight, y, values.data(), derivative);
+  target.look_up(weight, target.find(y), values.data(), derivative);
   PointGeometry<Dim> g;
   Pack square{};
   for (int k = 0; k < Dim; ++k) square += values[1 + k] * values[1 + k];

@@ -38,12 +38,12 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
 template <int Dim>
 template <bool WithGradient>
 TermValues MatchingEnergy<Dim>::all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                          double* gradients) const {
+                                          double* gradients, BandSums* band) const {
   TermValues values;
   values[Term::barrier] = barrier_term<WithGradient>(patch, phi, weights[Term::barrier], gradients);
-  if (!std::isfinite(values[Term::barrier])) return values;
-  values[Term::volume] = volume_term<WithGradient>(patch, phi, weights[Term::volume], gradients);
-  add_band_terms<WithGradient>(patch, phi, weights, values, gradients);
+  const bool is_possible = std::isfinite(values[Term::barrier]);
+  if (is_possible) values[Term::volume] = volume_term<WithGradient>(patch, phi, weights[Term::volume], gradients);
+  if (is_possible || band) add_band_terms<WithGradient>(patch, phi, weights, values, gradients, band);
   return values;
 }
 
@@ -59,7 +59,7 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
   if (gradient.empty()) {
     parallel_chunks(elements_.size(), of_patch, [&](const Chunk& patch) {
       if (!possible) return;
-      parts[patch.index] = all_terms<false>(patch, phi, weights, nullptr);
+      parts[patch.index] = all_terms<false>(patch, phi, weights, nullptr, nullptr);
       if (!std::isfinite(parts[patch.index].sum())) possible = false;
     });
   } else {
@@ -69,7 +69,7 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
       if (!possible) return;
       static thread_local std::vector<double> gradients;
       gradients.assign((patch.end - patch.begin) * n_dofs, 0.0);
-      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients.data());
+      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients.data(), nullptr);
       if (!std::isfinite(parts[patch.index].sum())) possible = false;
       patches_->add(patch, gradients.data(), gradient);
       if (element_gradients) std::ranges::copy(gradients, element_gradients->data() + patch.begin * n_dofs);
@@ -78,6 +78,28 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
   values = {};
   for (const TermValues& part : parts) values += part;
   return std::isfinite(values.sum());  // or else a patch was not
+}
+
+template <int Dim>
+bool MatchingEnergy<Dim>::report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                                 BandSums& band) const {
+  struct Part {
+    TermValues values;
+    BandSums band;
+    Part& operator+=(const Part& o) {
+      values += o.values;
+      band += o.band;
+      return *this;
+    }
+  };
+  const Part sum = parallel_sum(elements_.size(), elements_per_patch(elements_.size()), Part{}, [&](const Chunk& patch) {
+    Part part;
+    part.values = all_terms<false>(patch, phi, weights, nullptr, &part.band);
+    return part;
+  });
+  values = sum.values;
+  band = sum.band;
+  return std::isfinite(values.sum());
 }
 
 template class MatchingEnergy<2>;

@@ -3,6 +3,7 @@
 /// E[phi] = E_match + E_mem + E_bend + E_vol, and the barrier against folds, on one grid: value and gradient.
 
 #include "energies/band.h"
+#include "energies/band_report.h"
 #include "energies/elements.h"
 #include "energies/patches.h"
 #include "energies/options.h"
@@ -55,6 +56,9 @@ class MatchingEnergy {
   bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                 std::span<double> gradient, std::vector<double>* element_gradients = nullptr) const;
 
+  /// The values, and how the band lies in the template, even where they cannot be evaluated.
+  bool report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values, BandSums& band) const;
+
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
   /// \pre it is of a whole grid
@@ -62,13 +66,13 @@ class MatchingEnergy {
 
  private:
   // On the elements of one patch; `gradients` are those of its elements, added to. The barrier comes first: the
-  // cheapest way to find out that there is a fold, which ends the patch.
+  // cheapest way to find out that there is a fold, which ends the patch. `band`, if not null, is added to.
   template <bool WithGradient>
-  TermValues all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                       double* gradients) const;
+  TermValues all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, double* gradients,
+                       BandSums* band) const;
   template <bool WithGradient>
   void add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
-                      double* gradients) const;
+                      double* gradients, BandSums* band) const;
   template <bool WithGradient>
   double volume_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, double* gradients) const;
   template <bool WithGradient>

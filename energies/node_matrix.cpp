@@ -104,27 +104,43 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns)
 
 template <int Dim>
 void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch) {
-  static thread_local std::vector<Index> place;  // of a column within the row at work
-  place.resize(std::max(place.size(), unknowns_->nodes().size()));
+  const auto rows = patches.rows(patch.index);
+  static thread_local std::vector<Index> row_of;  // by unknown: its row in the patch, anything if it has none there
+  row_of.resize(std::max(row_of.size(), unknowns_->nodes().size()));
+  for (std::size_t r = 0; r < rows.size(); ++r) row_of[rows[r].unknown] = static_cast<Index>(r);
+  static thread_local std::vector<std::uint32_t> place;  // by row: of its column within the row at work
+  place.resize(std::max(place.size(), rows.size()));
   static thread_local std::vector<WideBlock> sum;
-  for (const auto& row : patches.rows(patch.index)) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto& row = rows[r];
     const auto i = static_cast<std::size_t>(row.unknown);
     const std::size_t n_blocks = first_[i + 1] - first_[i];
-    for (std::size_t j = 0; j < n_blocks; ++j) place[columns_[first_[i] + j]] = static_cast<Index>(j);
+    for (std::size_t j = 0; j < n_blocks; ++j) {
+      const Index column = columns_[first_[i] + j];
+      const auto in_patch = static_cast<std::size_t>(row_of[column]);
+      if (in_patch < rows.size() && rows[in_patch].unknown == column) place[in_patch] = static_cast<std::uint32_t>(j);
+    }
     sum.assign(n_blocks, WideBlock{});
     for (const auto& at : patches.places_of(row)) {
       const auto e = static_cast<std::size_t>(at.element_corner) / n_corners<Dim>;
       const int c = static_cast<int>(at.element_corner % n_corners<Dim>);
       const auto& matrix = of_patch[e - patch.begin];
-      for (int d = 0; d < n_corners<Dim>; ++d)
-        for (const auto& carrier : unknowns_->carriers_of(unknowns_->elements()[e].nodes[d])) {
-          if (carrier.unknown < row.unknown) continue;
-          WideBlock block;
-          std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)),
-                      sizeof block);
-          if (c > d) block = __builtin_shuffle(block, transposed<Dim>);
-          sum[place[carrier.unknown]] += at.weight * carrier.weight * block;
+      const auto& columns = patches.rows_of_corners(e);
+      const auto block_with = [&](int d) {
+        WideBlock block;
+        std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)), sizeof block);
+        return c > d ? __builtin_shuffle(block, transposed<Dim>) : block;
+      };
+      for (int d = 0; d < n_corners<Dim>; ++d) {
+        const std::size_t column = columns[d];
+        if (column < rows.size()) {
+          // Rows ascend with their unknowns: those before this one are left of the diagonal.
+          if (column >= r) sum[place[column]] += at.weight * block_with(d);
+          continue;
         }
+        for (const auto& share : patches.shares_of(patch.index, column - rows.size()))
+          if (share.row >= r) sum[place[share.row]] += at.weight * share.weight * block_with(d);
+      }
     }
     float* to = values_.data() + first_[i] * block_size;
     for (WideBlock& block : sum) {

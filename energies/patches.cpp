@@ -1,5 +1,10 @@
 #include "energies/patches.h"
 
+#include "base/error.h"
+
+#include <algorithm>
+#include <unordered_map>
+
 namespace shellmatch {
 
 template <int Dim>
@@ -41,6 +46,40 @@ Patches<Dim>::Patches(const Unknowns<Dim>& unknowns)
       rows_[r].is_first = !reached;
       reached = 1;
     }
+  find_rows_of_corners();
+}
+
+template <int Dim>
+void Patches<Dim>::find_rows_of_corners() {
+  const auto elements = unknowns_->elements();
+  rows_of_corners_.resize(elements.size());
+  first_hanging_.assign(1, 0);
+  first_share_.assign(1, 0);
+  std::vector<std::uint16_t> row_of(unknowns_->nodes().size());  // of those of the patch at work
+  std::unordered_map<Index, std::uint16_t> hanging;              // of that patch, by node
+  for (std::size_t p = 0; p < size(); ++p) {
+    const auto of_patch = rows(p);
+    for (std::size_t r = 0; r < of_patch.size(); ++r) row_of[of_patch[r].unknown] = static_cast<std::uint16_t>(r);
+    hanging.clear();
+    const std::size_t begin = p * n_together_, end = std::min(elements.size(), begin + n_together_);
+    for (std::size_t e = begin; e < end; ++e)
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        const Index node = elements[e].nodes[c];
+        const auto carriers = unknowns_->carriers_of(node);
+        if (carriers.size() == 1 && carriers[0].weight == 1) {
+          rows_of_corners_[e][c] = row_of[carriers[0].unknown];
+          continue;
+        }
+        const auto [found, is_new] =
+            hanging.try_emplace(node, static_cast<std::uint16_t>(of_patch.size() + hanging.size()));
+        rows_of_corners_[e][c] = found->second;
+        if (!is_new) continue;
+        for (const auto& carrier : carriers) shares_.push_back({row_of[carrier.unknown], carrier.weight});
+        first_share_.push_back(shares_.size());
+      }
+    SHELLMATCH_CHECK(of_patch.size() + hanging.size() < 1u << 16, "more rows than 16 bits can tell apart");
+    first_hanging_.push_back(first_hanging_.back() + hanging.size());
+  }
 }
 
 template class Patches<2>;

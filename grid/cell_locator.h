@@ -5,6 +5,7 @@
 #include "base/types.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,8 @@ class CellLocator {
  public:
   static constexpr int max_level = 19;
   using Coord = std::array<std::int32_t, Dim>;
+  template <class T>
+  using Eight = std::array<T, 8>;
 
   /// Gives these leaves children, which are numbered behind the cells that are there, leaf after leaf.
   void split(std::span<const Index> leaves, int finest_level);
@@ -30,10 +33,9 @@ class CellLocator {
   /// The leaf that contains x; x outside the domain is projected onto it first. A point on a face shared by
   /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
   Index locate(const Vec<Dim>& x) const;
-  /// The same for n points at once, coordinate by coordinate: their ways down the tree do not wait for each
+  /// The same for eight points at once, coordinate by coordinate: their ways down the tree do not wait for each
   /// other.
-  template <std::size_t n>
-  void locate(const std::array<std::array<double, n>, Dim>& x, std::array<Index, n>& leaf) const;
+  void locate(const std::array<Eight<double>, Dim>& x, Eight<Index>& leaf) const;
   /// The cell, leaf or not, with this lower corner in units of its side, or no_index where there is none, as
   /// outside the domain.
   Index find(int level, const Coord& corner) const;
@@ -73,24 +75,30 @@ inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
 }
 
 template <int Dim>
-template <std::size_t n>
-inline void CellLocator<Dim>::locate(const std::array<std::array<double, n>, Dim>& x,
-                                     std::array<Index, n>& leaf) const {
-  std::array<std::array<std::uint32_t, n>, Dim> u;
-  for (int k = 0; k < Dim; ++k)
-    for (std::size_t i = 0; i < n; ++i) u[k][i] = projected(x[k][i]);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t entry = 0;
-    for (int k = Dim - 1; k >= 0; --k) entry = (entry << table_level_) | (u[k][i] >> (max_level - table_level_));
-    leaf[i] = table_[entry];
+inline void CellLocator<Dim>::locate(const std::array<Eight<double>, Dim>& x, Eight<Index>& leaf) const {
+  typedef double Doubles __attribute__((vector_size(sizeof(Eight<double>))));
+  typedef std::int32_t Ints __attribute__((vector_size(sizeof(Eight<std::int32_t>))));
+  std::array<Ints, Dim> u;
+  Ints entry{};
+  for (int k = Dim - 1; k >= 0; --k) {
+    Doubles t = std::bit_cast<Doubles>(x[k]);
+    constexpr double scale = static_cast<double>(1 << max_level);
+    t *= scale;
+    t = t > 0.0 ? t : Doubles{};
+    t = t < scale - 1 ? t : Doubles{} + (scale - 1);
+    u[k] = __builtin_convertvector(t, Ints);
+    entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
-  for (int shift = max_level - table_level_ - 1; shift >= max_level - finest_level_; --shift)
-    for (std::size_t i = 0; i < n; ++i) {
-      Index child = first_child_[leaf[i]];
-      const bool ends = child == no_index;
-      for (int k = 0; k < Dim; ++k) child += static_cast<Index>(((u[k][i] >> shift) & 1u) << k);
-      leaf[i] = ends ? leaf[i] : child;
-    }
+  Ints cell;
+  for (std::size_t i = 0; i < leaf.size(); ++i) cell[i] = table_[static_cast<std::uint32_t>(entry[i])];
+  for (int shift = max_level - table_level_ - 1; shift >= max_level - finest_level_; --shift) {
+    Ints child;
+    for (std::size_t i = 0; i < leaf.size(); ++i) child[i] = first_child_[static_cast<std::uint32_t>(cell[i])];
+    const Ints is_leaf = child < 0;
+    for (int k = 0; k < Dim; ++k) child += ((u[k] >> shift) & 1) << k;
+    cell = is_leaf ? cell : child;
+  }
+  leaf = std::bit_cast<Eight<Index>>(cell);
 }
 
 extern template class CellLocator<2>;

@@ -17,11 +17,12 @@
 namespace shellmatch {
 
 /// Weights of the three coefficients along one axis at t in [0, 1] of a cell, and their derivatives by t:
-/// uniform quadratic B-splines with knots on the cell's faces.
+/// uniform quadratic B-splines with knots on the cell's faces. T is a number, or a vector of them.
+template <class T>
 struct SplineWeights {
-  std::array<double, 3> value, slope;
-  explicit SplineWeights(double t)
-      : value{0.5 * (1 - t) * (1 - t), 0.5 + t * (1 - t), 0.5 * t * t}, slope{t - 1, 1 - 2 * t, t} {}
+  std::array<T, 3> value, slope;
+  explicit SplineWeights(const T& t)
+      : value{0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t}, slope{t - 1.0, 1.0 - 2.0 * t, t} {}
 };
 
 /// On a leaf a function is the tensor product of quadratic B-splines with 3^Dim coefficients, one for the
@@ -53,9 +54,8 @@ class SplineSpace {
 
   /// The leaf that contains x, projected onto the domain: the number of its own coefficient.
   Index locate(const Vec<Dim>& x) const { return number_of(locator_.locate(x)); }
-  /// The same for n points at once, coordinate by coordinate.
-  template <std::size_t n>
-  void locate(const std::array<std::array<double, n>, Dim>& x, std::array<Index, n>& leaf) const {
+  /// The same for eight points at once, coordinate by coordinate.
+  void locate(const std::array<std::array<double, 8>, Dim>& x, std::array<Index, 8>& leaf) const {
     locator_.locate(x, leaf);
     for (Index& i : leaf) i = number_of(i);
   }
@@ -104,7 +104,9 @@ class SplineSpace {
   bool is_of_cell(Index coefficient) const {
     return coefficient == 0 || (coefficient >= n_siblings && coefficient < n_of_cells_);
   }
-  const Siblings& siblings_of(Index coefficient) const { return siblings_[coefficient / n_siblings]; }
+  const Siblings& siblings_of(Index coefficient) const {
+    return siblings_[static_cast<std::uint32_t>(coefficient) / n_siblings];
+  }
   static constexpr auto steps();
   static constexpr auto steps_in_registers();
   Index neighbour(Index coefficient, int n) const;

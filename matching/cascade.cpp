@@ -96,20 +96,25 @@ class Level {
       phi = problem.positions(x);
       next = terms.empty() ? s + 1
                            : step_after(steps, s, terms[static_cast<std::size_t>(Term::match)],
-                                        result.last.final_value, stop.relative_decrease);
+                                        result.last.final_value, options_.cascade.negligible_rise);
       result.iterations += result.last.iterations;
       result.value_evaluations += result.last.value_evaluations;
       result.gradient_evaluations += result.last.gradient_evaluations;
       result.seconds += result.last.seconds;
     }
     level_.energy.evaluate(phi, weights, result.minimised, {});
+    weights_ = weights;
+    return result;
+  }
+
+  /// Adds to the result of minimise() what a finer quadrature says of it, and its folds.
+  void report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const {
     const int finer = std::min(options_.energy.quadrature_order + 1, 5);
     const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
-                                                   phi, weights);
+                                                   phi, weights_);
     result.reported = report.values;
     result.band = report.band;
     result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
-    return result;
   }
 
  private:
@@ -143,6 +148,7 @@ class Level {
   const ExperimentOptions& options_;
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
+  TermValues weights_;  ///< of the last minimisation
 };
 
 /// The map at the nodes of `grid`, whose numbers differ from those of the map's own grid.
@@ -203,6 +209,8 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
         Level<Dim> problem(grid, *geometry, options);
         clock.start("minimisation");
         result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+        clock.start("report");
+        problem.report(result.phi, result.levels.back());
       }
       clock.start("output");
       if (finished) finished(result.levels.back(), {grid, result.phi});

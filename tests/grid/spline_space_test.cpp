@@ -35,7 +35,7 @@ class Function {
       for (int derived = -1; derived < Dim; ++derived) {
         double product = c;
         for (int k = 0, rest = n; k < Dim; ++k, rest /= 3) {
-          const SplineWeights w(t[k]);
+          const SplineWeights<double> w(t[k]);
           product *= k == derived ? w.slope[rest % 3] / side : w.value[rest % 3];
         }
         (derived < 0 ? value : gradient[derived]) += product;

@@ -66,7 +66,7 @@ TEST(Schedule, StepsThatCanWinNothingAreLeftOut) {
 TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
   ExperimentOptions o = small(6);
   o.cascade.nu_substeps = 4;
-  o.cascade.intermediate_decrease = 0.1;
+  o.cascade.negligible_rise = 0.1;
   struct Counter final : Observer {
     void level_started(const LevelStart& start) override { steps[start.level].push_back(start.substep); }
     std::map<int, std::vector<int>> steps;
