@@ -68,7 +68,6 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
 template <int Dim>
 template <class Put>
 void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
-  SHELLMATCH_CHECK(n_rows <= (std::size_t{1} << 32) / autodiff::pack_size, "too many rows for offsets of 32 bits");
   const auto main = std::make_shared<std::vector<Pack>>(n_rows, Pack{});
   const auto rest = std::make_shared<std::vector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
   const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
@@ -113,13 +112,12 @@ inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
     return a;
   };
   const SplineFactors<Dim, double> factors(array_of(p.t), array_of(p.slope));
-  const auto itself = [](double x) { return x; };
   // One part of the rows at a time: whole packs, then the pairs.
-  sum_long_rows<Dim, WithGradient>(
-      factors, [&](int n) { return (*main_)[local[n]]; }, itself, [&](int i, const Pack& x) { result[i].main = x; });
-  if constexpr (n_rest > 0)
-    sum_spline<Dim, WithGradient>(
-        factors, [&](int n) { return (*rest_)[local[n]]; }, itself, [&](int i, const Pair& x) { result[i].rest = x; });
+  const auto sum = [&](const auto& from, auto&& put) {
+    sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
+  };
+  sum(*main_, [&](int i, const Pack& x) { result[i].main = x; });
+  if constexpr (n_rest > 0) sum(*rest_, [&](int i, const Pair& x) { result[i].rest = x; });
 }
 
 template <int Dim>

@@ -43,7 +43,7 @@ class GeometryField {
 
   Values value(const Vec<Dim>& y) const;
 
-  /// The same, but for rounding, with the derivative by each coordinate of y.
+  /// The same with the derivative by each coordinate of y.
   Values value(const Vec<Dim>& y, std::array<Values, Dim>& derivative) const;
 
   /// Eight points and where they are.

@@ -6,22 +6,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 
 namespace shellmatch {
 
-using autodiff::Pack;
 using autodiff::pack_size;
-
-namespace {
-
-/// Each of four lanes twice: what multiplies their pairs of numbers in one pack.
-template <int first>
-Pack doubled(const Pack& x) {
-  return __builtin_shufflevector(x, x, first, first, first + 1, first + 1, first + 2, first + 2, first + 3, first + 3);
-}
-
-}  // namespace
 
 template <int Dim>
 typename GeometryField<Dim>::Spots GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
@@ -45,14 +33,12 @@ template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& spots,
                                              LaneRows<WithGradient>& rows) const {
-  // What is read at coefficient c begins so many doubles from the first; in 32 bits (see store()).
-  std::array<typename SplineSpace<Dim>::Local, pack_size> offset;
+  std::array<typename SplineSpace<Dim>::Local, pack_size> local;
   Pack size;
   std::array<Pack, Dim> corner;
   for (int lane = 0; lane < pack_size; ++lane) {
     const Index leaf = spots.leaf[lane];
-    offset[lane] = splines_->coefficients_of(leaf);
-    for (Index& c : offset[lane].c) c = static_cast<Index>(static_cast<std::uint32_t>(c) * pack_size);
+    local[lane] = splines_->coefficients_of(leaf);
     size[lane] = static_cast<double>(1 << splines_->level_of(leaf));
     const auto c = splines_->corner_of(leaf);
     for (int k = 0; k < Dim; ++k) corner[k][lane] = c[k];
@@ -64,40 +50,21 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& sp
   }
   const SplineFactors<Dim, Pack> factors(t, scale);
 
-  const auto main = reinterpret_cast<const double*>(main_->data());
   for (int lane = 0; lane < pack_size; ++lane) {
     if (!(weight[lane] > 0)) {
       rows.clear(lane);
       continue;
     }
-    sum_long_rows<Dim, WithGradient>(
-        factors,
-        [&](int n) { return *reinterpret_cast<const Pack*>(main + static_cast<std::uint32_t>(offset[lane][n])); },
-        [&](const Pack& x) { return reinterpret_cast<const double*>(&x)[lane]; },
-        [&](int i, const Pack& x) { rows.main[i][lane] = x; });
-  }
-  if constexpr (n_rest > 0) {
-    // Pairs of four lanes in one pack.
-    const auto rest = reinterpret_cast<const char*>(rest_->data());
-    const auto pair = [&](int lane, int n) {
-      return *reinterpret_cast<const Pair*>(rest + sizeof(Pair) / pack_size * static_cast<std::uint32_t>(offset[lane][n]));
+    const auto& c = local[lane];
+    const auto sum = [&](const auto* from, auto&& put) {
+      const auto of_lane = [&](const Pack& x) { return reinterpret_cast<const double*>(&x)[lane]; };
+      sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[c[n]]; }, of_lane, put);
     };
-    std::array<std::array<Pack, LaneRows<WithGradient>::n_rows>, 2> half;
-    const auto sum_half = [&]<int first>() {
-      const auto two = [&](int lane, int n) {
-        return __builtin_shufflevector(pair(lane, n), pair(lane + 1, n), 0, 1, 2, 3);
-      };
-      sum_spline<Dim, WithGradient>(
-          factors,
-          [&](int n) { return __builtin_shufflevector(two(first, n), two(first + 2, n), 0, 1, 2, 3, 4, 5, 6, 7); },
-          doubled<first>, [&](int i, const Pack& x) { half[first > 0][i] = x; });
-    };
-    sum_half.template operator()<0>();
-    sum_half.template operator()<pack_size / 2>();
-    for (int i = 0; i < LaneRows<WithGradient>::n_rows; ++i) {
-      rows.rest[n_rest * i] = __builtin_shufflevector(half[0][i], half[1][i], 0, 2, 4, 6, 8, 10, 12, 14);
-      rows.rest[n_rest * i + 1] = __builtin_shufflevector(half[0][i], half[1][i], 1, 3, 5, 7, 9, 11, 13, 15);
-    }
+    sum(main_->data(), [&](int i, const Pack& x) { rows.main[i][lane] = x; });
+    if constexpr (n_rest > 0)
+      sum(rest_->data(), [&](int i, const Pair& x) {
+        for (int r = 0; r < n_rest; ++r) rows.rest[n_rest * i + r][lane] = x[r];
+      });
   }
 }
 
