@@ -12,13 +12,47 @@ namespace shellmatch {
 using autodiff::Pack;
 using autodiff::pack_size;
 
+namespace {
+
+/// Least Bernstein coefficient. Passive: 1 / side^Dim.
+template <int Dim>
+struct LeastDeterminant {
+  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+  template <class T, class P>
+  static constexpr T evaluate(const T* active, const P* passive) {
+    using autodiff::max_of;
+    const auto b = bernstein_determinant<Dim>(active);
+    T negative = -b[0];
+    for (const T& coefficient : b) negative = max_of(negative, -coefficient);
+    return -negative * passive[0];
+  }
+};
+
+/// By how much coefficients lie below 1: 0 where the barrier vanishes, which is known so without roots and divisions.
+/// NaN where one of them is. Passive as FoldBarrierFunctor.
+template <int Dim>
+struct BarrierGap {
+  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+  template <class T, class P>
+  static constexpr T evaluate(const T* active, const P* passive) {
+    using autodiff::max_of;
+    T gaps(0.0), sum(0.0);
+    for (const T& coefficient : bernstein_determinant<Dim>(active)) {
+      const T x = coefficient * passive[0];
+      gaps = gaps + max_of(1.0 - x, T(0.0));  // 0 for NaN
+      sum = sum + x;
+    }
+    return gaps + (sum - sum);
+  }
+};
+
+}  // namespace
+
 template <int Dim>
 Pack least_determinant(const ElementBatch<Dim>& batch) {
-  const auto b = bernstein_determinant<Dim>(batch.u.data());
-  Pack least = b[0];
-  for (const Pack& x : b) least = least < x ? least : x;
-  for (int k = 0; k < Dim; ++k) least *= batch.inverse_side;
-  return least;
+  Pack scale = batch.inverse_side;
+  for (int k = 1; k < Dim; ++k) scale *= batch.inverse_side;
+  return autodiff::Compiled<LeastDeterminant<Dim>>::value(batch.u.data(), &scale);
 }
 
 template <int Dim>
@@ -39,6 +73,8 @@ double MatchingEnergy<Dim>::barrier_term(const Chunk& patch, std::span<const Vec
       scale[lane] = 1.0 / (options_.fold_threshold * volume);
       if (lane < n) seed[lane] = weight * volume;
     }
+    const Pack gap = autodiff::Compiled<BarrierGap<Dim>>::value(batch.u.data(), &scale);
+    if (autodiff::sum_lanes(gap) == 0) continue;  // most cells
     const Pack value = Code::value(batch.u.data(), &scale) * seed;
     sum += value;
     if constexpr (WithGradient) {
