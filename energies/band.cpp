@@ -123,8 +123,8 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
     ElementValues<Dim> values(reference, shape);
     autodiff::Pack distance{};
     for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
-      const std::size_t lane = (e - chunk.begin) % n_lanes;
-      if (lane == 0) distance = centre_distances(elements.subspan(e, std::min<std::size_t>(n_lanes, chunk.end - e)), reference);
+      const std::size_t lane = (e - chunk.begin) % n_lanes, n = std::min<std::size_t>(n_lanes, chunk.end - e);
+      if (lane == 0) distance = centre_distances(elements.subspan(e, n), reference);
       const Membership known = membership(distance[lane], elements[e], nearest_point, sigma);
       is_member[e] = known == Membership::sure;
       if (known != Membership::unknown) continue;
