@@ -98,6 +98,19 @@ TYPED_TEST(FoldBarrier, SeesWhatQuadraturePointsMiss) {
   EXPECT_FALSE(p.values(phi, only(Term::barrier)).has_value());
 }
 
+// det Dphi itself, not that by the unit cell's coordinates.
+TYPED_TEST(FoldBarrier, TheLeastDeterminantOfAnEnlargementIsItsOwn) {
+  constexpr int Dim = TypeParam::value;
+  ElementBatch<Dim> batch;
+  for (int lane = 0; lane < batch.n_lanes; ++lane) {
+    const double side = std::ldexp(1.0, -lane);
+    batch.inverse_side[lane] = 1 / side;
+    for (int i = 0; i < batch.n_dofs; ++i) batch.u[i][lane] = ((i / Dim) >> (i % Dim)) & 1 ? 1.5 * side : 0.0;
+  }
+  for (int lane = 0; lane < batch.n_lanes; ++lane)
+    EXPECT_NEAR(least_determinant(batch)[lane], std::pow(1.5, Dim), 1e-14);
+}
+
 // No coefficient changes by more than the bound that the edges give.
 TYPED_TEST(FoldBarrier, CoefficientsChangeByNoMoreThanTheBound) {
   constexpr int Dim = TypeParam::value;
