@@ -3,6 +3,7 @@
 import statistics
 
 import machine
+import paired
 from measure import median_and_spread
 
 # What a kernel or a ceiling is told by; more of the last three is better.
@@ -82,8 +83,9 @@ def words_of(middle, differs, more_is_better):
     return "**better**" if better else "**worse**"
 
 
-def report(before, after, names):
-    """Markdown: ratios of all that both sides measured, then whether the runs gave the same result."""
+def report(before, after, names, in_turn=None):
+    """Markdown: ratios of kernels called in turn, of all else that both sides measured, and whether the runs gave the same
+    result."""
     rows, missing = [], []
 
     def add(what, unit, a, b, scale=1.0, more_is_better=False):
@@ -108,7 +110,11 @@ def report(before, after, names):
         told = [[f"{x['energy']:.6g}", f"{x['distance']['deformed_to_template']['mean']:.3g}", f"{x['iterations']}",
                  f"{x['folded_cells']}"] for x in (first, last)]
         quality.append([name, "the same to the bit" if same else "**another**"] + [f"{a} / {b}" for a, b in zip(*told)])
-    text = markdown(["what", "unit", names[0], names[1], "ratio", "from round to round", ""], rows)
+    text = ""
+    if in_turn:
+        text += markdown(["least / median of calls in turn", "unit", names[0], names[1], "median of ratios", "95 % interval", ""],
+                         paired.rows(in_turn)) + "\n"
+    text += markdown(["what", "unit", names[0], names[1], "ratio", "from round to round", ""], rows)
     text += "\nRatios above 1 are slower or larger, with the ceilings of the machine the other way round: those tell whether it was\n"
     text += "the same machine for both.\n"
     if missing:

@@ -3,7 +3,7 @@
 // dual numbers on the element (ceres::Jet, 24 derivatives in space), the machine's ceilings, and the gain of
 // a second thread.
 //
-// Usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=N] [--benchmark_...]
+// Usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=N] [--serve] [--benchmark_...]
 //        hand/rest,hand/bent and 8 if not given; --benchmark_filter, --benchmark_format=json and so on are
 //        Google Benchmark's
 
@@ -21,7 +21,12 @@
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <ctime>
+#include <functional>
+#include <iostream>
 #include <memory>
 #include <random>
 
@@ -83,80 +88,117 @@ struct Kernels {
 };
 std::unique_ptr<Kernels> kernels;
 
-/// Runs `work` on state.range(0) threads; counts CPU time of all of them for each of `n` things.
-void measure(benchmark::State& state, std::size_t n, const char* counter, const auto& work) {
-  set_n_threads(static_cast<int>(state.range(0)));
-  work();
-  const double begin = cpu_seconds();
-  for (auto _ : state) work();
-  const double seconds = cpu_seconds() - begin;
-  state.counters[counter] =
-      1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(n));
-  set_n_threads(0);
-}
+/// One kernel: a call of it, and how many points or nodes a call is for.
+struct Kernel {
+  const char* name;
+  const char* counter;
+  std::size_t n;
+  bool has_threads;
+  std::function<void()> call;
+};
 
-void value(benchmark::State& state) {
-  TermValues values;
-  measure(state, kernels->points(), "cpu_ns_per_point", [&] {
-    kernels->level->energy.evaluate(kernels->phi, kernels->weights, values, {});
-    benchmark::DoNotOptimize(values);
-  });
-}
-
-void gradient(benchmark::State& state) {
-  TermValues values;
-  measure(state, kernels->points(), "cpu_ns_per_point", [&] {
-    kernels->level->energy.evaluate(kernels->phi, kernels->weights, values, kernels->gradient);
-    benchmark::DoNotOptimize(kernels->gradient.data());
-  });
-}
-
-/// The band terms alone: neither volume nor barrier, which every cell of the grid has.
-void band_gradient(benchmark::State& state) {
-  TermValues values, weights = kernels->weights;
-  weights[Term::volume] = weights[Term::barrier] = 0;
-  measure(state, kernels->points(), "cpu_ns_per_point", [&] {
-    kernels->level->energy.evaluate(kernels->phi, weights, values, kernels->gradient);
-    benchmark::DoNotOptimize(kernels->gradient.data());
-  });
-}
-
-/// The same by ceres::Jet on every 64th element of the band: one derivative for each of its 24 positions.
-void band_gradient_by_duals(benchmark::State& state) {
-  const auto& level = *kernels->level;
-  const ElementOracle<3> oracle(level.energy, level.unknowns, level.geometry.target, kernels->options.energy);
+/// The energy with the band terms alone: neither volume nor barrier, which every cell of the grid has.
+TermValues band_weights() {
   TermValues weights = kernels->weights;
   weights[Term::volume] = weights[Term::barrier] = 0;
+  return weights;
+}
+
+void evaluate(const TermValues& weights, std::span<double> gradient) {
+  TermValues values;
+  kernels->level->energy.evaluate(kernels->phi, weights, values, gradient);
+  benchmark::DoNotOptimize(values);
+  benchmark::DoNotOptimize(gradient.data());
+}
+
+/// Every 64th element of the band, whose gradient ceres::Jet gives: one derivative for each of its 24 positions.
+struct Duals {
+  ElementOracle<3> oracle;
+  TermValues weights = band_weights();
   std::vector<std::size_t> elements;
-  std::size_t n_points = 0, n_seen = 0;
-  for (std::size_t e = 0; e < level.unknowns.elements().size(); ++e)
-    if (const auto points = oracle.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
-      elements.push_back(e);
-      n_points += points.size();
-    }
-  measure(state, n_points, "cpu_ns_per_point", [&] {
+  std::size_t n_points = 0;
+
+  Duals()
+      : oracle(kernels->level->energy, kernels->level->unknowns, kernels->level->geometry.target,
+               kernels->options.energy) {
+    std::size_t n_seen = 0;
+    for (std::size_t e = 0; e < kernels->level->unknowns.elements().size(); ++e)
+      if (const auto points = oracle.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
+        elements.push_back(e);
+        n_points += points.size();
+      }
+  }
+  void operator()() const {
     ElementOracle<3>::Dofs g;
     for (const std::size_t e : elements) {
       benchmark::DoNotOptimize(oracle.gradient(weights, e, oracle.dofs_of(e, kernels->phi), g));
       benchmark::DoNotOptimize(g);
     }
-  });
-}
+  }
+};
 
-void newton_model(benchmark::State& state) {
-  measure(state, kernels->points(), "cpu_ns_per_point",
-          [&] { kernels->level->hessian.assemble(kernels->phi, kernels->weights); });
-}
-
-void newton_product(benchmark::State& state) {
-  auto& hessian = kernels->level->hessian;
-  hessian.assemble(kernels->phi, kernels->weights);
-  const LargeVector<double> x(kernels->direction.begin(), kernels->direction.end());  // as in Newton's linear solver
-  LargeVector<double> y(x.size());
-  measure(state, kernels->level->unknowns.nodes().size(), "cpu_ns_per_free_node", [&] {
+/// A product with Newton's matrix, which is assembled at the first.
+struct Product {
+  LargeVector<double> x{kernels->direction.begin(), kernels->direction.end()}, y;  // as in Newton's linear solver
+  void operator()() {
+    auto& hessian = kernels->level->hessian;
+    if (y.empty()) hessian.assemble(kernels->phi, kernels->weights);
+    y.resize(x.size());
     hessian.apply(x, y);
     benchmark::DoNotOptimize(y.data());
-  });
+  }
+};
+
+std::vector<Kernel> all_kernels() {
+  const std::size_t points = kernels->points(), nodes = kernels->level->unknowns.nodes().size();
+  const auto duals = std::make_shared<Duals>();
+  const char* by_point = "cpu_ns_per_point";
+  return {
+      {"value", by_point, points, true, [] { evaluate(kernels->weights, {}); }},
+      {"gradient", by_point, points, true, [] { evaluate(kernels->weights, kernels->gradient); }},
+      {"band_gradient", by_point, points, true, [] { evaluate(band_weights(), kernels->gradient); }},
+      {"band_gradient_by_duals", by_point, duals->n_points, false, [duals] { (*duals)(); }},
+      {"newton_model", by_point, points, true,
+       [] { kernels->level->hessian.assemble(kernels->phi, kernels->weights); }},
+      {"newton_product", "cpu_ns_per_free_node", nodes, true, Product{}},
+  };
+}
+
+/// Counts CPU time of all threads for each of a kernel's points or nodes.
+void measure(benchmark::State& state, const Kernel& kernel) {
+  set_n_threads(static_cast<int>(state.range(0)));
+  kernel.call();
+  const double begin = cpu_seconds();
+  for (auto _ : state) kernel.call();
+  const double seconds = cpu_seconds() - begin;
+  state.counters[kernel.counter] =
+      1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(kernel.n));
+  set_n_threads(0);
+}
+
+/// One call for each line of standard input, `KERNEL THREADS`; answers with nanoseconds for a point or node, of CPU
+/// time and of wall time. So another process can call two builds in turn.
+int serve() {
+  const auto all = all_kernels();
+  fmt::print("ready\n");
+  std::fflush(stdout);
+  std::string name;
+  for (int threads = 0; std::cin >> name >> threads;) {
+    const auto kernel = std::ranges::find(all, name, &Kernel::name);
+    if (kernel == all.end() || threads < 1) {
+      fmt::print(stderr, "level_kernels: no kernel '{}', or no number of threads\n", name);
+      return 2;
+    }
+    set_n_threads(threads);
+    const double cpu = cpu_seconds();
+    const auto wall = std::chrono::steady_clock::now();
+    kernel->call();
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - wall;
+    const double n = 1e-9 * static_cast<double>(kernel->n);
+    fmt::print("{:.3f} {:.3f}\n", (cpu_seconds() - cpu) / n, passed.count() / n);
+    std::fflush(stdout);
+  }
+  return 0;
 }
 
 }  // namespace
@@ -164,6 +206,7 @@ void newton_product(benchmark::State& state) {
 int main(int argc, char** argv) {
   std::string pair = "hand/rest,hand/bent";
   int level = 8;
+  bool serves = false;
   std::vector<char*> rest{argv[0]};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -171,6 +214,8 @@ int main(int argc, char** argv) {
       pair = word.substr(7);
     else if (word.starts_with("--level="))
       level = std::atoi(word.c_str() + 8);
+    else if (word == "--serve")
+      serves = true;
     else
       rest.push_back(argv[i]);
   }
@@ -178,7 +223,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&n_rest, rest.data());
   if (benchmark::ReportUnrecognizedArguments(n_rest, rest.data()) || level < 3 || level > 12) {
     fmt::print(stderr,
-               "usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=3..12] [--benchmark_...]\n");
+               "usage: level_kernels [--pair=REFERENCE,TEMPLATE] [--level=3..12] [--serve] [--benchmark_...]\n");
     return 2;
   }
   try {
@@ -188,6 +233,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "level_kernels: {}\n", error.what());
     return 2;
   }
+  if (serves) return serve();
   fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair,
              level, kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(),
              kernels->grid->leaves().size(), kernels->level->energy.band().n_elements(), kernels->points());
@@ -207,20 +253,14 @@ int main(int argc, char** argv) {
                                     {"band_cells", kernels->level->energy.band().n_elements()},
                                     {"active_points", kernels->points()}})
     benchmark::AddCustomContext(name, std::to_string(count));
-  const auto add = [](const char* name, void (*body)(benchmark::State&), bool threads) {
-    auto* b = benchmark::RegisterBenchmark(name, body)
+  for (const Kernel& kernel : all_kernels()) {
+    auto* b = benchmark::RegisterBenchmark(kernel.name, measure, kernel)
                   ->Unit(benchmark::kMillisecond)
                   ->UseRealTime()
                   ->Arg(1)
                   ->ArgName("threads");
-    if (threads) b->Arg(2);
-  };
-  add("value", value, true);
-  add("gradient", gradient, true);
-  add("band_gradient", band_gradient, true);
-  add("band_gradient_by_duals", band_gradient_by_duals, false);
-  add("newton_model", newton_model, true);
-  add("newton_product", newton_product, true);
+    if (kernel.has_threads) b->Arg(2);
+  }
   bench::register_ceilings();
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -62,16 +62,17 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
   const double again = 2 * n_rows - n_free;
-  const double sum = n_rows * sizeof(Patches<3>::Row) + n_places * place;
+  const double sum = n_rows * sizeof(Patches<3>::Row) + n_cells * sizeof(patches.rows_of_corners(0)) +
+                     static_cast<double>(patches.n_shares()) * sizeof(Patches<3>::Share);
   const double finite = n_nodes * vec;
   const double values = NodeMatrix<3>::block_size * sizeof(float), block = values + sizeof(Index);
 
   Traffic t{};
   t.n_blocks = n_blocks;
-  t.value = finite + 2 * all_cells + band_pass;  // volume and barrier each see all cells
+  t.value = finite + all_cells + band_pass;
   t.gradient = t.value + sum + again * vec;
   t.band_gradient = finite + band_pass + sum + again * vec;
-  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum +
+  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_places * place +
                    n_blocks * (sizeof(Index) + again / n_free * values) +
                    n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));

@@ -6,8 +6,8 @@
 namespace shellmatch {
 
 template <int Dim>
-ShapeTable<Dim>::ShapeTable(int points_per_direction) {
-  for (const auto& q : gauss_rule<Dim>(points_per_direction)) {
+ShapeTable<Dim>::ShapeTable(int n) : points_per_direction(n) {
+  for (const auto& q : gauss_rule<Dim>(n)) {
     Point p{.weight = q.weight, .xi = q.point, .n = {}, .dn = {}};
     for (int c = 0; c < n_corners<Dim>; ++c) {
       std::array<double, Dim> factor, slope;

@@ -21,7 +21,8 @@ struct ShapeTable {
     std::array<double, n_corners<Dim>> n;
     std::array<std::array<double, Dim>, n_corners<Dim>> dn;  ///< by the unit cell's coordinates
   };
-  std::vector<Point> points;
+  int points_per_direction;
+  std::vector<Point> points;  ///< the first direction runs fastest
   explicit ShapeTable(int points_per_direction);
 };
 

@@ -1,23 +1,20 @@
-// The barrier against folds, over all elements. Most of them are far from folding and cost a value only.
+// The barrier against folds on eight elements. Most of them are far from folding and cost a look only.
 
 #include "energies/fold_barrier.h"
 
 #include "energies/autodiff/compiled.h"
 #include "energies/autodiff/jet.h"
-#include "energies/element_batch.h"
-#include "energies/matching_energy.h"
+#include "energies/cell_terms.h"
 
 namespace shellmatch {
 
 using autodiff::Pack;
-using autodiff::pack_size;
 
 namespace {
 
 /// Least Bernstein coefficient. Passive: 1 / side^Dim.
 template <int Dim>
-struct LeastDeterminant {
-  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+struct LeastDeterminant : FunctorOfCorners<Dim> {
   template <class T, class P>
   static constexpr T evaluate(const T* active, const P* passive) {
     using autodiff::max_of;
@@ -31,8 +28,7 @@ struct LeastDeterminant {
 /// By how much coefficients lie below 1: 0 where the barrier vanishes, which is known so without roots and divisions.
 /// NaN where one of them is. Passive as FoldBarrierFunctor.
 template <int Dim>
-struct BarrierGap {
-  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+struct BarrierGap : FunctorOfCorners<Dim> {
   template <class T, class P>
   static constexpr T evaluate(const T* active, const P* passive) {
     using autodiff::max_of;
@@ -55,43 +51,73 @@ Pack least_determinant(const ElementBatch<Dim>& batch) {
   return autodiff::Compiled<LeastDeterminant<Dim>>::value(batch.u.data(), &scale);
 }
 
+// A coefficient is a mean of determinants of one edge along each direction, as the product of the columns' Bernstein
+// polynomials is one again. The edges along a direction lie in a box about its middle m, so that their determinant is
+// that of the middles and of what is left, column by column: |r . (m x m)|, |m . (r x r)| and |r . (r x r)| at most.
 template <int Dim>
-template <bool WithGradient>
-double MatchingEnergy<Dim>::barrier_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
-                                         double* gradients) const {
-  using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
-  if (!(weight > 0)) return 0;
-  const auto elements = elements_.subspan(patch.begin, patch.end - patch.begin);
-  ElementBatch<Dim> batch;
-  Pack sum{};
-  for (std::size_t first = 0; first < elements.size(); first += pack_size) {
-    const std::size_t n = batch.load_run(elements, phi, first);
-    Pack seed{}, scale;
-    for (std::size_t lane = 0; lane < pack_size; ++lane) {
-      double volume = 1;
-      for (int k = 0; k < Dim; ++k) volume /= batch.inverse_side[lane];
-      scale[lane] = 1.0 / (options_.fold_threshold * volume);
-      if (lane < n) seed[lane] = weight * volume;
+Pack determinant_bound(const ElementBatch<Dim>& batch) {
+  using autodiff::max_of;
+  const auto size_of = [](Pack x) { return max_of(x, -x); };
+  SmallMat<Pack, Dim> middle, radius;  // columns: by direction
+  for (int k = 0; k < Dim; ++k)
+    for (int a = 0; a < Dim; ++a) {
+      Pack most, negative_least;
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        if ((c >> k) & 1) continue;
+        const Pack edge = batch.u[(c | 1 << k) * Dim + a] - batch.u[c * Dim + a];
+        most = c == 0 ? edge : max_of(most, edge);
+        negative_least = c == 0 ? -edge : max_of(negative_least, -edge);
+      }
+      middle(a, k) = 0.5 * (most - negative_least);
+      radius(a, k) = 0.5 * (most + negative_least);
     }
-    const Pack gap = autodiff::Compiled<BarrierGap<Dim>>::value(batch.u.data(), &scale);
-    if (autodiff::sum_lanes(gap) == 0) continue;  // most cells
-    const Pack value = Code::value(batch.u.data(), &scale) * seed;
-    sum += value;
-    if constexpr (WithGradient) {
-      // Not `> 0`: NaN must not pass for nothing to do, though the sum above has told already.
-      if (autodiff::sum_lanes(value) == 0) continue;
-      Code::gradient(batch.u.data(), &scale, seed, batch.gradient.data());
-      batch.add_gradients(n, gradients + first * batch.n_dofs);
-    }
+  const auto cofactors = cofactor(middle);
+  Pack loss{};
+  for (int k = 0; k < Dim; ++k)
+    for (int a = 0; a < Dim; ++a) loss += radius(a, k) * size_of(cofactors(a, k));
+  if constexpr (Dim == 2) {
+    loss += radius(0, 0) * radius(1, 1) + radius(1, 0) * radius(0, 1);
+  } else {
+    for (int k = 0; k < 3; ++k)
+      for (int a = 0; a < 3; ++a) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3, b = (a + 1) % 3, c = (a + 2) % 3;
+        const Pack across = radius(b, i) * radius(c, j) + radius(c, i) * radius(b, j);
+        loss += (k == 0 ? size_of(middle(a, k)) + radius(a, k) : size_of(middle(a, k))) * across;
+      }
   }
-  return autodiff::sum_lanes(sum);
+  Pack bound = determinant(middle) - loss;
+  for (int k = 0; k < Dim; ++k) bound *= batch.inverse_side;
+  return bound;
 }
 
+template <int Dim, bool WithGradient>
+Pack fold_barrier(CellBatch<Dim>& batch, double threshold, const Pack& measure) {
+  using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
+  ElementBatch<Dim>& elements = batch.elements;
+  // Most cells are far from folding, which the bound tells; it fails for those that bend, too.
+  const Pack is_near = determinant_bound(elements) > threshold ? Pack{} : Pack{} + 1.0;
+  if (autodiff::sum_lanes(is_near) == 0) return Pack{};
+  Pack scale = Pack{} + 1.0 / threshold;
+  for (int k = 0; k < Dim; ++k) scale *= elements.inverse_side;
+  const Pack gap = autodiff::Compiled<BarrierGap<Dim>>::value(elements.u.data(), &scale);
+  if (autodiff::sum_lanes(gap) == 0) return Pack{};
+  if constexpr (WithGradient) {
+    std::array<Pack, ElementBatch<Dim>::n_dofs> adjoint;
+    const Pack value = Code::gradient(elements.u.data(), &scale, measure, adjoint.data());
+    for (std::size_t i = 0; i < adjoint.size(); ++i) elements.gradient[i] += adjoint[i];
+    return value * measure;
+  } else {
+    return Code::value(elements.u.data(), &scale) * measure;
+  }
+}
+
+template Pack determinant_bound(const ElementBatch<2>&);
+template Pack determinant_bound(const ElementBatch<3>&);
 template Pack least_determinant(const ElementBatch<2>&);
 template Pack least_determinant(const ElementBatch<3>&);
-template double MatchingEnergy<2>::barrier_term<true>(const Chunk&, std::span<const Vec<2>>, double, double*) const;
-template double MatchingEnergy<2>::barrier_term<false>(const Chunk&, std::span<const Vec<2>>, double, double*) const;
-template double MatchingEnergy<3>::barrier_term<true>(const Chunk&, std::span<const Vec<3>>, double, double*) const;
-template double MatchingEnergy<3>::barrier_term<false>(const Chunk&, std::span<const Vec<3>>, double, double*) const;
+template Pack fold_barrier<2, false>(CellBatch<2>&, double, const Pack&);
+template Pack fold_barrier<2, true>(CellBatch<2>&, double, const Pack&);
+template Pack fold_barrier<3, false>(CellBatch<3>&, double, const Pack&);
+template Pack fold_barrier<3, true>(CellBatch<3>&, double, const Pack&);
 
 }  // namespace shellmatch

@@ -66,13 +66,17 @@ constexpr std::array<T, n_bernstein_total<Dim>> bernstein_determinant(const T* d
   return b;
 }
 
+/// Functors of the corners' positions, corner after corner, and of one number that is not differentiated by.
+template <int Dim>
+struct FunctorOfCorners {
+  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+};
+
 /// Mean over the coefficients b of B(b / d0), B(x) = (1 - x)^3 / x for 0 < x < 1 and 0 beyond: twice
 /// continuously differentiable, infinite as x -> 0, NaN for x <= 0. Active: the corners' positions; passive:
 /// 1 / (d0 side^Dim).
 template <int Dim>
-struct FoldBarrierFunctor {
-  static constexpr int n_active = n_corners<Dim> * Dim;
-  static constexpr int n_passive = 1;
+struct FoldBarrierFunctor : FunctorOfCorners<Dim> {
   template <class T, class P>
   static constexpr T evaluate(const T* active, const P* passive) {
     using autodiff::max_of;

@@ -1,6 +1,6 @@
 // Second derivatives of the band terms, eight elements at a time.
 
-#include "energies/element_batch.h"
+#include "energies/gauss_images.h"
 #include "energies/energy_hessian.h"
 #include "energies/tangent_hessian.h"
 
@@ -95,6 +95,7 @@ void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> 
   const Lame<double> lame{options_.lambda, options_.mu};
 
   ElementBatch<Dim> batch;
+  GaussImages<Dim> images(energy_->shape());
   std::array<Pack, n_packed> k;
   std::array<std::array<Pack, n_variables>, n_dofs> modes;
   const auto [first, last] = band.batches_of(patch.index);
@@ -102,14 +103,14 @@ void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> 
     const auto& members = band.batches()[b];
     batch.load(elements, phi, [&](int lane) { return members.element[lane]; });
     if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return band.batches()[b + 1].element[lane]; });
+    images.evaluate(batch);
     k.fill(Pack{});
     for (std::size_t q = 0; q < points.size(); ++q) {
       const auto& point = band.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
-      std::array<Pack, Dim> y;
       std::array<Pack, Dim * Dim> dphi;
-      batch.evaluate(points[q], y, dphi.data());
-      const auto g = geometry_at<Dim>(*target_, point.weight, y);
+      images.jacobian(q, dphi.data());
+      const auto g = geometry_at<Dim>(*target_, point.weight, images.position(q));
       // X = t2^T Dphi t1; membrane: W of X; bending: W of N X R, N and R the roots in the frames.
       std::array<Pack, Dim> n1;
       for (int a = 0; a < Dim; ++a) n1[a] = point.reference[1 + a];

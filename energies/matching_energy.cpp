@@ -38,12 +38,10 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
 template <int Dim>
 template <bool WithGradient>
 TermValues MatchingEnergy<Dim>::all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                          double* gradients, BandSums* band) const {
+                                          double* gradients, BandSums* band_sums) const {
   TermValues values;
-  values[Term::barrier] = barrier_term<WithGradient>(patch, phi, weights[Term::barrier], gradients);
-  const bool is_possible = std::isfinite(values[Term::barrier]);
-  if (is_possible) values[Term::volume] = volume_term<WithGradient>(patch, phi, weights[Term::volume], gradients);
-  if (is_possible || band) add_band_terms<WithGradient>(patch, phi, weights, values, gradients, band);
+  const bool is_possible = set_cell_terms<WithGradient>(patch, phi, weights, values, gradients);
+  if (is_possible || band_sums) add_band_terms<WithGradient>(patch, phi, weights, values, gradients, band_sums);
   return values;
 }
 
@@ -51,11 +49,14 @@ template <int Dim>
 bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                                    std::span<double> gradient, std::vector<double>* element_gradients) const {
   constexpr std::size_t n_dofs = n_corners<Dim> * Dim;
-  for (const Vec<Dim>& y : phi)
-    if (!y.allFinite()) return false;
+  std::atomic<bool> possible = true;  // what is left need not be worked out where it is not
+  parallel_chunks(phi.size(), 16384, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+      if (!phi[i].allFinite()) possible = false;
+  });
+  if (!possible) return false;
   const std::size_t of_patch = elements_per_patch(elements_.size());
   std::vector<TermValues> parts(n_chunks(elements_.size(), of_patch));
-  std::atomic<bool> possible = true;  // what is left need not be worked out where it is not
   if (gradient.empty()) {
     parallel_chunks(elements_.size(), of_patch, [&](const Chunk& patch) {
       if (!possible) return;
@@ -67,12 +68,14 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
     if (element_gradients) element_gradients->resize(elements_.size() * n_dofs);
     patches_->for_each([&](const Chunk& patch) {
       if (!possible) return;
-      static thread_local std::vector<double> gradients;
-      gradients.assign((patch.end - patch.begin) * n_dofs, 0.0);
-      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients.data(), nullptr);
+      static thread_local std::vector<autodiff::Pack> packs;  // as they are aligned
+      const std::size_t n = (patch.end - patch.begin) * n_dofs;
+      packs.resize(n / autodiff::pack_size);
+      double* gradients = reinterpret_cast<double*>(packs.data());
+      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients, nullptr);
       if (!std::isfinite(parts[patch.index].sum())) possible = false;
-      patches_->add(patch, gradients.data(), gradient);
-      if (element_gradients) std::ranges::copy(gradients, element_gradients->data() + patch.begin * n_dofs);
+      patches_->add(patch, gradients, gradient);
+      if (element_gradients) std::copy_n(gradients, n, element_gradients->data() + patch.begin * n_dofs);
     });
   }
   values = {};

@@ -65,18 +65,18 @@ class MatchingEnergy {
   const Patches<Dim>& patches() const { return *patches_; }
 
  private:
-  // On the elements of one patch; `gradients` are those of its elements, added to. The barrier comes first: the
-  // cheapest way to find out that there is a fold, which ends the patch. `band`, if not null, is added to.
+  // On the elements of one patch; `gradients` are those of its elements. `band_sums`, if not null, is added to.
   template <bool WithGradient>
   TermValues all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, double* gradients,
-                       BandSums* band) const;
+                       BandSums* band_sums) const;
+  // Volume and barrier; sets the gradients. False where there is a fold, found out by the barrier: that ends the patch.
+  template <bool WithGradient>
+  bool set_cell_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                      double* gradients) const;
+  // Match, membrane and bending; adds to the gradients.
   template <bool WithGradient>
   void add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
-                      double* gradients, BandSums* band) const;
-  template <bool WithGradient>
-  double volume_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, double* gradients) const;
-  template <bool WithGradient>
-  double barrier_term(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, double* gradients) const;
+                      double* gradients, BandSums* band_sums) const;
 
   std::span<const Element<Dim>> elements_;
   const GeometryField<Dim>* target_;

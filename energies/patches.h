@@ -70,6 +70,8 @@ class Patches {
     return {shares_.data() + first_share_[h], first_share_[h + 1] - first_share_[h]};
   }
 
+  std::size_t n_shares() const { return shares_.size(); }
+
   /// Adds element gradients of a patch, element after element, corner after corner, Dim components each, to the
   /// gradient by the unknowns, within for_each(): over all patches the transpose of Unknowns::expand(), whatever the
   /// gradient held before.

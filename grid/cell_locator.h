@@ -43,13 +43,14 @@ class CellLocator {
   std::size_t memory_bytes() const { return (table_.capacity() + first_child_.capacity()) * sizeof(Index); }
 
  private:
-  // In units of 2^-max_level, on the domain. In this order the comparisons send not-a-number to 0.
-  static std::uint32_t projected(double x) {
+  // In units of 2^-max_level, on the domain, of a number or of a vector of them. In this order the comparisons send
+  // not-a-number to 0.
+  template <class T>
+  static T projected(T x) {
     constexpr double scale = static_cast<double>(1 << max_level);
-    double t = x * scale;
-    t = t > 0 ? t : 0;
-    t = t < scale - 1 ? t : scale - 1;
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
+    x *= scale;
+    x = x > 0.0 ? x : T{};
+    return x < scale - 1 ? x : T{} + (scale - 1);
   }
 
   int table_level_ = 0, finest_level_ = 0;
@@ -62,7 +63,7 @@ inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
   std::array<std::uint32_t, Dim> u;
   std::size_t entry = 0;
   for (int k = Dim - 1; k >= 0; --k) {
-    u[k] = projected(x[k]);
+    u[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(projected(x[k])));
     entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
   Index c = table_[entry];
@@ -81,12 +82,7 @@ inline void CellLocator<Dim>::locate(const std::array<Eight<double>, Dim>& x, Ei
   std::array<Ints, Dim> u;
   Ints entry{};
   for (int k = Dim - 1; k >= 0; --k) {
-    Doubles t = std::bit_cast<Doubles>(x[k]);
-    constexpr double scale = static_cast<double>(1 << max_level);
-    t *= scale;
-    t = t > 0.0 ? t : Doubles{};
-    t = t < scale - 1 ? t : Doubles{} + (scale - 1);
-    u[k] = __builtin_convertvector(t, Ints);
+    u[k] = __builtin_convertvector(projected(std::bit_cast<Doubles>(x[k])), Ints);
     entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
   Ints cell;

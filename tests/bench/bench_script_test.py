@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 import unittest
 import xml.etree.ElementTree
 
@@ -24,6 +25,8 @@ sys.path.insert(0, str(root / "bench"))
 
 import comparison  # noqa: E402
 import machine  # noqa: E402
+import measure  # noqa: E402
+import paired  # noqa: E402
 import roofline  # noqa: E402
 import scaling  # noqa: E402
 
@@ -82,6 +85,43 @@ class Script(Folder):
         self.assertTrue(differs([1.0, 1.01, 0.99], [0.8, 0.81, 0.79]))
         self.assertIn("worse", comparison.words_of(1.2, True, False))
         self.assertIn("better", comparison.words_of(1.2, True, True))
+
+    def test_the_median_lies_between_two_of_the_values(self):
+        # Of 40 throws of a coin 13 or fewer show heads with 1.9 %, 14 or fewer with 4.0 %.
+        self.assertEqual(paired.median_interval([float(i) for i in range(40)]), (19.5, 13.0, 26.0))
+        self.assertEqual(paired.median_interval([3.0, 1.0, 2.0]), (2.0, 1.0, 3.0))
+
+    def served(self, name, nanoseconds, ready="ready"):
+        """What answers as level_kernels does; calls get slower, as on a machine that others use more and more."""
+        program = self.folder / name
+        program.write_text(f"""#!/usr/bin/env python3
+import sys
+print("{ready}", flush=True)
+for i, line in enumerate(sys.stdin):
+    kernel, threads = line.split()
+    if kernel == "newton_product": sys.exit(2)
+    print({nanoseconds} * (1 + 0.05 * i), {nanoseconds} / int(threads), flush=True)
+""")
+        program.chmod(0o755)
+        return types.SimpleNamespace(level_kernels=program)
+
+    def test_builds_are_called_in_turn(self):
+        slow, fast, old = self.served("slow", 100), self.served("fast", 97), self.served("old", 100, "usage")
+        self.assertIsNone(paired.measure((old, fast), "a,b", 4, 8))
+        with self.assertRaisesRegex(measure.BenchError, "slow ended when 'newton_product' was called on 1 threads"):
+            paired.measure((slow, fast), "a,b", 4, 8)
+        before = paired.calls
+        paired.calls = [("gradient", 2)]
+        try:
+            for n_calls, word in ((8, "**better**"), (5, "within the noise")):
+                (cpu, wall) = paired.rows(paired.measure((slow, fast), "a,b", 4, n_calls))
+                self.assertEqual((cpu[0], wall[0]), ("gradient, 2 threads, CPU", "gradient, 2 threads, wall"))
+                self.assertEqual((cpu[4], cpu[5], cpu[6]), ("0.970", "0.970 to 0.970", word))
+            self.assertEqual(wall[2:4], ["50.0 / 50.0", "48.5 / 48.5"])
+            (cpu, _) = paired.rows(paired.measure((fast, slow), "a,b", 4, 8))
+            self.assertEqual(cpu[6], "**worse**")
+        finally:
+            paired.calls = before
 
     def test_the_median_of_the_rounds_is_recorded(self):
         rounds = [{"kernels": {"value": {"cpu_ns_per_point": t}}, "cascades": {}} for t in (10.0, 50.0, 12.0)]
@@ -255,6 +295,18 @@ class Kernels(Folder):
             self.assertGreater(kernels[name]["cpu_ns_per_point"], 0)
         self.assertGreater(kernels["newton_product"]["cpu_ns_per_free_node"], 0)
         self.assertGreater(kernels["ceiling_fma"]["gflops"], 0)
+
+    def test_kernels_wait_for_calls(self):
+        program = types.SimpleNamespace(level_kernels=build / "bench/level_kernels")
+        found = paired.measure((program, program), "ellipsoid/round,ellipsoid/long", 4, 3)
+        self.assertEqual(list(found), paired.calls)
+        for calls in found.values():
+            self.assertEqual([len(side) for side in calls], [3, 3])
+            self.assertTrue(all(cpu > 0 and wall > 0 for side in calls for cpu, wall in side))
+        words = subprocess.run([build / "bench/level_kernels", "--level=4", "--serve"], input="no_kernel 1\n", text=True,
+                               capture_output=True)
+        self.assertEqual(words.returncode, 2)
+        self.assertIn("no_kernel", words.stderr)
 
     def test_flops_are_counted(self):
         if not os.access(build / "bench/count_flops", os.X_OK):

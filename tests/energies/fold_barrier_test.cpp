@@ -111,6 +111,39 @@ TYPED_TEST(FoldBarrier, TheLeastDeterminantOfAnEnlargementIsItsOwn) {
     EXPECT_NEAR(least_determinant(batch)[lane], std::pow(1.5, Dim), 1e-14);
 }
 
+// Of cells that are hardly bent, of such that fold, and of affine ones, where the bound is the determinant.
+TYPED_TEST(FoldBarrier, NoCoefficientIsBelowTheBoundOfAllOfThem) {
+  constexpr int Dim = TypeParam::value;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> u(-1, 1);
+  constexpr double side = 0.25;
+  double largest_gap = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    ElementBatch<Dim> batch;
+    batch.inverse_side = autodiff::Pack{} + 1 / side;
+    const double bend = std::array{0.0, 0.003, 0.02, 0.2}[trial % 4];
+    for (int lane = 0; lane < batch.n_lanes; ++lane) {
+      const Mat<Dim> affine = Mat<Dim>::Identity() + 0.4 * Mat<Dim>::NullaryExpr([&] { return u(random); });
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        Vec<Dim> x;
+        for (int k = 0; k < Dim; ++k) x[k] = (c >> k) & 1 ? side : 0.0;
+        x = (affine * x).eval();
+        for (int a = 0; a < Dim; ++a) batch.u[c * Dim + a][lane] = x[a] + bend * u(random);
+      }
+    }
+    const auto bound = determinant_bound(batch), least = least_determinant(batch);
+    for (int lane = 0; lane < batch.n_lanes; ++lane) {
+      EXPECT_LE(bound[lane], least[lane] + 1e-13);
+      if (bend == 0) {
+        EXPECT_NEAR(bound[lane], least[lane], 1e-12);
+      } else if (bend == 0.003) {
+        largest_gap = std::max(largest_gap, least[lane] - bound[lane]);
+      }
+    }
+  }
+  EXPECT_LT(largest_gap, 0.6) << "of no use";
+}
+
 // No coefficient changes by more than the bound that the edges give.
 TYPED_TEST(FoldBarrier, CoefficientsChangeByNoMoreThanTheBound) {
   constexpr int Dim = TypeParam::value;

@@ -5,59 +5,90 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <mutex>
 #include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "tests/energies/matching_problem.h"
 
 namespace shellmatch::test {
 namespace {
 
-// Pieces as told by run(): wave after wave, as far as they can be told apart by what they touch.
-std::vector<std::size_t> order_of(const Waves& waves) {
-  std::vector<std::size_t> order;
-  std::mutex mutex;
-  waves.run([&](std::size_t piece) {
-    const std::lock_guard lock(mutex);
-    order.push_back(piece);
-  });
-  return order;
+/// Piece i touches i, 2 i and 3 i modulo 50.
+std::vector<Index> touched(std::size_t i) {
+  std::vector<Index> numbers;
+  for (const std::size_t factor : {1, 2, 3}) numbers.push_back(static_cast<Index>(factor * i % 50));
+  return numbers;
+}
+constexpr std::size_t n_pieces = 200;
+
+TEST(Waves, HoldEveryPieceOnceAndKnowWhoTouchedSomethingOfItLast) {
+  const Waves waves(n_pieces, 50, touched);
+  std::vector<std::size_t> order(waves.pieces().begin(), waves.pieces().end()), all(n_pieces);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::ranges::sort(order);
+  EXPECT_EQ(order, all);
+  std::vector<Index> last(50, -1);
+  for (std::size_t k = 0; k < n_pieces; ++k) {
+    std::set<Index> expected;
+    for (const Index i : touched(waves.pieces()[k])) expected.insert(std::exchange(last[i], static_cast<Index>(k)));
+    expected.erase(-1);
+    expected.erase(static_cast<Index>(k));  // where 2 i is i
+    const auto found = waves.predecessors_of(k);
+    EXPECT_TRUE(std::ranges::equal(found, expected)) << "piece " << waves.pieces()[k];
+  }
 }
 
-TEST(Waves, HoldEveryPieceOnceAndNothingTwiceAtATime) {
-  // Piece i touches i, 2 i and 3 i modulo 50.
-  constexpr std::size_t n = 200;
-  std::vector<std::vector<Index>> touched(n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (const std::size_t factor : {1, 2, 3}) touched[i].push_back(static_cast<Index>(factor * i % 50));
-  const Waves waves(n, 50, [&](std::size_t i) -> const std::vector<Index>& { return touched[i]; });
-  std::vector<std::size_t> order = order_of(waves);
-  std::ranges::sort(order);
-  std::vector<std::size_t> all(n);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  EXPECT_EQ(order, all);
-  std::size_t begin = 0;
-  for (const std::size_t end : waves.ends()) {
-    std::vector<char> is_touched(50, 0);
-    for (std::size_t p = begin; p < end; ++p) {
-      std::vector<Index> once = touched[waves.pieces()[p]];
-      std::ranges::sort(once);
-      const auto repeated = std::ranges::unique(once);
-      once.erase(repeated.begin(), repeated.end());
-      for (const Index i : once) EXPECT_FALSE(is_touched[i]++) << "piece " << waves.pieces()[p];
+// Neighbours are far apart in the order, so that threads seldom wait: as few colours as greedy colouring needs.
+TEST(Waves, PutPiecesThatShareNothingNextToEachOther) {
+  const Waves chain(100, 101, [](std::size_t i) { return std::array{static_cast<Index>(i), static_cast<Index>(i + 1)}; });
+  for (std::size_t k = 0; k < 100; ++k) EXPECT_EQ(chain.pieces()[k], k < 50 ? 2 * k : 2 * (k - 50) + 1);
+}
+
+TEST(Waves, NeverWorkOnTheSameThingTwiceAtATimeAndKeepTheOrder) {
+  set_n_threads(4);
+  const Waves waves(n_pieces, 50, touched);
+  std::vector<std::atomic<int>> at_work(50);
+  std::vector<std::vector<std::size_t>> visits(50), expected(50);
+  for (const std::size_t piece : waves.pieces())
+    for (const Index i : touched(piece)) expected[i].push_back(piece);
+  waves.run([&](std::size_t piece) {
+    for (const Index i : touched(piece)) {
+      const std::size_t repeated = std::ranges::count(touched(piece), i);
+      EXPECT_LE(at_work[i]++, static_cast<int>(repeated) - 1) << "piece " << piece;
+      visits[i].push_back(piece);
     }
-    begin = end;
-  }
-  EXPECT_EQ(begin, n);
-  EXPECT_LT(waves.ends().size(), 64u);
+    std::this_thread::sleep_for(std::chrono::microseconds(piece % 7 * 50));
+    for (const Index i : touched(piece)) --at_work[i];
+  });
+  EXPECT_EQ(visits, expected);
+  set_n_threads(0);
+}
+
+TEST(Waves, EndWithTheFirstFailureAndLeaveNobodyWaiting) {
+  set_n_threads(4);
+  const Waves waves(n_pieces, 50, touched);
+  std::atomic<int> n_done = 0;
+  EXPECT_THROW(waves.run([&](std::size_t piece) {
+    if (piece == waves.pieces()[20]) throw std::runtime_error("it fails");
+    ++n_done;
+  }), std::runtime_error);
+  EXPECT_GE(n_done, 1);
+  EXPECT_LT(n_done, 150);
+  set_n_threads(0);
 }
 
 // All pieces want the same thing, and there are more of them than colours that are tried at once.
 TEST(Waves, AreAsManyAsItTakes) {
-  const std::vector<Index> same{0};
-  const Waves waves(150, 1, [&](std::size_t) -> const std::vector<Index>& { return same; });
-  EXPECT_EQ(waves.ends().size(), 150u);
-  EXPECT_EQ(order_of(waves).size(), 150u);
+  const Waves waves(150, 1, [](std::size_t) { return std::array{Index{0}}; });
+  ASSERT_EQ(waves.pieces().size(), 150u);
+  for (std::size_t k = 1; k < 150; ++k) EXPECT_TRUE(std::ranges::equal(waves.predecessors_of(k), std::array{static_cast<Index>(k - 1)}));
 }
 
 template <int Dim>

@@ -47,6 +47,7 @@ class Pack {
   Pack& operator+=(const Pack& y) { return *this = *this + y; }
   Pack& operator-=(const Pack& y) { return *this = *this - y; }
   Pack& operator*=(const Pack& y) { return *this = *this * y; }
+  Pack& operator/=(const Pack& y) { return *this = *this / y; }
 
   // One lane: what chooses between two packs lane by lane is a plain bool.
   friend bool operator<(const Pack& x, const Pack& y) { return x.value_ < y.value_; }
