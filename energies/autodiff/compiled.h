@@ -39,20 +39,8 @@ class Compiled {
     return r;
   }();
 
-  // A vector unit divides as slowly as it multiplies sixteen times: one reciprocal of a node serves all that divide by
-  // it, and their derivatives; and the derivative of a root.
-  static constexpr std::array<bool, n_> is_divided_by_ = [] {
-    std::array<bool, n_> r{};
-    for (std::size_t i = 0; i < n_; ++i)
-      if (nodes_[i].op == Op::divide) r[nodes_[i].b] = true;
-    return r;
-  }();
-  static constexpr bool has_reciprocal(std::size_t i, bool with_gradient) {
-    return is_divided_by_[i] || (with_gradient && nodes_[i].op == Op::sqrt && nodes_[i].is_active);
-  }
-
-  template <std::size_t I, bool WithGradient, class V>
-  [[gnu::always_inline]] static void forward(V* v, V* reciprocal, const V* active, const V* passive) {
+  template <std::size_t I, class V>
+  [[gnu::always_inline]] static void forward(V* v, const V* active, const V* passive) {
     constexpr Node n = nodes_[I];
     if constexpr (n.op == Op::constant) v[I] = broadcast(V{}, n.value);
     else if constexpr (n.op == Op::active) v[I] = active[n.a];
@@ -60,12 +48,11 @@ class Compiled {
     else if constexpr (n.op == Op::add) v[I] = v[n.a] + v[n.b];
     else if constexpr (n.op == Op::subtract) v[I] = v[n.a] - v[n.b];
     else if constexpr (n.op == Op::multiply) v[I] = v[n.a] * v[n.b];
-    else if constexpr (n.op == Op::divide) v[I] = v[n.a] * reciprocal[n.b];
+    else if constexpr (n.op == Op::divide) v[I] = v[n.a] / v[n.b];
     else if constexpr (n.op == Op::negate) v[I] = -v[n.a];
     else if constexpr (n.op == Op::sqrt) v[I] = root_of(v[n.a]);
     else if constexpr (n.op == Op::exp) v[I] = exp_of(v[n.a]);
     else if constexpr (n.op == Op::max) v[I] = max_of(v[n.a], v[n.b]);
-    if constexpr (has_reciprocal(I, WithGradient)) reciprocal[I] = 1.0 / v[I];
   }
 
   template <std::size_t User, int Operand, bool Second, class V>
@@ -79,7 +66,7 @@ class Compiled {
   }
 
   template <std::size_t I, class V>
-  [[gnu::always_inline]] static void backward(const V* v, const V* reciprocal, V* a) {
+  [[gnu::always_inline]] static void backward(const V* v, V* a) {
     constexpr Node n = nodes_[I];
     if constexpr (n.is_active && has_operands(n.op)) {
       const V g = a[I];
@@ -93,13 +80,13 @@ class Compiled {
         if constexpr (nodes_[n.a].is_active) add_adjoint<I, n.a, false>(a, V(g * v[n.b]));
         if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(g * v[n.a]));
       } else if constexpr (n.op == Op::divide) {
-        const V q = g * reciprocal[n.b];
+        const V q = g / v[n.b];
         add_adjoint<I, n.a, false>(a, q);
         if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(-q * v[I]));
       } else if constexpr (n.op == Op::negate) {
         add_adjoint<I, n.a, false>(a, V(-g));
       } else if constexpr (n.op == Op::sqrt) {
-        add_adjoint<I, n.a, false>(a, V(0.5 * g * reciprocal[I]));
+        add_adjoint<I, n.a, false>(a, V(0.5 * g / v[I]));
       } else if constexpr (n.op == Op::exp) {
         add_adjoint<I, n.a, false>(a, V(g * v[I]));
       } else if constexpr (n.op == Op::max) {
@@ -127,9 +114,9 @@ class Compiled {
 
   template <class V>
   [[gnu::always_inline]] static V value(const V* active, const V* passive) {
-    V v[n_], reciprocal[n_];
+    V v[n_];
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (forward<I, false>(v, reciprocal, active, passive), ...);
+      (forward<I>(v, active, passive), ...);
     }(std::make_index_sequence<n_>{});
     return v[n_ - 1];
   }
@@ -138,11 +125,11 @@ class Compiled {
   /// are not read).
   template <class V>
   [[gnu::always_inline]] static V gradient(const V* active, const V* passive, V seed, V* adjoint) {
-    V v[n_], reciprocal[n_], a[n_];
+    V v[n_], a[n_];
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (forward<I, true>(v, reciprocal, active, passive), ...);
+      (forward<I>(v, active, passive), ...);
       a[n_ - 1] = seed;
-      (backward<n_ - 1 - I>(v, reciprocal, a), ...);
+      (backward<n_ - 1 - I>(v, a), ...);
       for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
       (store_adjoint<I>(a, adjoint), ...);
       return v[n_ - 1];

@@ -317,14 +317,14 @@ class Kernels(Folder):
             # Reverse mode costs at most four times the value, and some look-up.
             self.assertTrue(1.5 < counts[gradient]["flops"] / counts[value]["flops"] < 4.0, counts)
         # Membrane and bending each have an exponential and normalise n2 once; the symmetric Dirichlet density has a root
-        # and a division at each of eight points. The barrier, which vanishes there, has determinants at 27 points, of
-        # nine products each or a little more, and no division.
+        # and a division at each of eight points, and one for the element's side. Of the barrier, which vanishes there, a
+        # bound is worked out that takes less than the determinants at 27 points, of nine products each.
         self.assertEqual(counts["band_value_by_point"]["exponentials"], 2)
         self.assertEqual(counts["band_value_by_point"]["roots"], 2)
         self.assertEqual(counts["volume_value_by_element"]["roots"], 8)
-        self.assertEqual(counts["volume_value_by_element"]["divisions"], 8)
-        self.assertEqual(counts["barrier_by_element"]["divisions"], 0)
-        self.assertTrue(27 * 9 < counts["barrier_by_element"]["flops"] < 27 * 40, counts["barrier_by_element"])
+        self.assertEqual(counts["volume_value_by_element"]["divisions"], 8 + 1)
+        self.assertEqual(counts["barrier_by_element"]["divisions"], 1)
+        self.assertTrue(100 < counts["barrier_by_element"]["flops"] < 27 * 9, counts["barrier_by_element"])
         output = self.folder / "roofline.md"
         result = bench("roofline", "--level", 4, "--seconds", 0.01, "--no-build", "--build", build, "--output", output)
         self.assertEqual(result.returncode, 0, result.stderr)
