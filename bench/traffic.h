@@ -4,6 +4,7 @@
 /// one pass over an array to the next: every array that a pass touches once, read or written. What caches
 /// cannot keep within a pass comes on top, so these are lower bounds.
 
+#include "energies/node_blocks.h"
 #include "matching/level_energy.h"
 
 #include <vector>
@@ -29,12 +30,15 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   double n_band_nodes = 0;
   for (const char c : in_band) n_band_nodes += c;
 
-  // Pairs of unknowns that share an element, each counted once, and where unknowns count.
-  double n_blocks = 0, n_places = 0;
+  // Pairs of unknowns that share an element, each counted once, and for each element again.
+  double n_blocks = 0, n_pairs = 0;
+  for (std::size_t e = 0; e < unknowns.elements().size(); ++e) {
+    const int n = carriers_of(unknowns, e).n;
+    n_pairs += n * (n + 1) / 2;
+  }
   std::vector<std::size_t> seen(unknowns.nodes().size(), unknowns.nodes().size());
   for (std::size_t i = 0; i < seen.size(); ++i)
-    for (const auto& place : unknowns.places_of(i)) {
-      ++n_places;
+    for (const auto& place : unknowns.places_of(i))
       for (const Index node :
            unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
         for (const auto& carrier : unknowns.carriers_of(node))
@@ -42,14 +46,13 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
             seen[carrier.unknown] = i;
             ++n_blocks;
           }
-    }
 
   // Rows of all patches: an unknown that several patches reach is read and written again.
   const auto& patches = level.energy.patches();
   double n_rows = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) n_rows += static_cast<double>(patches.rows(p).size());
 
-  constexpr double place = sizeof(Unknowns<3>::Place), vec = sizeof(Vec<3>);
+  constexpr double vec = sizeof(Vec<3>);
   const double all_cells =
       n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
   const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) *
@@ -72,8 +75,8 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   t.value = finite + all_cells + band_pass;
   t.gradient = t.value + sum + again * vec;
   t.band_gradient = finite + band_pass + sum + again * vec;
-  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_places * place +
-                   n_blocks * (sizeof(Index) + again / n_free * values) +
+  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_pairs +
+                   n_blocks * again / n_free * values +
                    n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));
   return t;

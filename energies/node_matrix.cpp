@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "energies/node_blocks.h"
 
 #include <algorithm>
 #include <cstring>
@@ -10,50 +11,11 @@ namespace shellmatch {
 
 namespace {
 
-// One column of a block: Dim entries, and what follows them where that makes a whole register.
-template <int Dim>
-struct BlockColumn;
-template <>
-struct BlockColumn<2> {
-  static constexpr int width = 2;
-  typedef double Doubles __attribute__((vector_size(16)));
-  static Doubles read(const float* from) { return Doubles{from[0], from[1]}; }
-  static void add(const Doubles& x, double* to) {
-    for (int k = 0; k < 2; ++k) to[k] += x[k];
-  }
-  // Entry k of the result is the sum of the entries of t[k].
-  static Doubles sums_of(const std::array<Doubles, 2>& t) {
-    return __builtin_shufflevector(t[0], t[1], 0, 2) + __builtin_shufflevector(t[0], t[1], 1, 3);
-  }
-};
-template <>
-struct BlockColumn<3> {
-  static constexpr int width = 4;
-  typedef double Doubles __attribute__((vector_size(32)));
-  static Doubles read(const float* from) { return Doubles{from[0], from[1], from[2], from[3]}; }
-  static void add(const Doubles& x, double* to) {
-    typedef double Pair __attribute__((vector_size(16), aligned(8)));
-    *reinterpret_cast<Pair*>(to) += Pair{x[0], x[1]};
-    to[2] += x[2];
-  }
-  static Doubles sums_of(const std::array<Doubles, 3>& t) {
-    const Doubles a = __builtin_shufflevector(t[0], t[1], 0, 4, 2, 6) + __builtin_shufflevector(t[0], t[1], 1, 5, 3, 7);
-    const Doubles b = __builtin_shufflevector(t[2], t[2], 0, 0, 2, 2) + __builtin_shufflevector(t[2], t[2], 1, 1, 3, 3);
-    return __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
-  }
-};
-
 // So many blocks before its turn comes, what is read and written for a block is asked for: it takes as long as a few
 // rows to come from memory.
 constexpr std::ptrdiff_t n_ahead = 64;
 
 std::size_t rows_per_slab(std::size_t n_rows) { return std::clamp<std::size_t>(n_rows / 64, 64, 512); }
-
-// A block and what follows it, and where its transpose finds its entries.
-typedef float WideBlock __attribute__((vector_size(64)));
-typedef int WideIndex __attribute__((vector_size(64)));
-template <int Dim>
-constexpr WideIndex transposed = Dim == 2 ? WideIndex{0, 2, 1, 3} : WideIndex{0, 3, 6, 1, 4, 7, 2, 5, 8};
 
 }  // namespace
 
@@ -98,85 +60,90 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns)
   waves_ = Waves(n_slabs, n, [&](std::size_t s) -> std::span<const Index> { return reached[s]; });
   columns_.resize(first_.back() + n_ahead);
   std::fill(columns_.end() - n_ahead, columns_.end(), 0);
+  find_places();
   values_.resize(first_.back() * block_size + BlockColumn<Dim>::width);
   std::fill(values_.end() - BlockColumn<Dim>::width, values_.end(), 0.0f);
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch) {
-  const auto rows = patches.rows(patch.index);
-  static thread_local std::vector<Index> row_of;  // by unknown: its row in the patch, anything if it has none there
-  row_of.resize(std::max(row_of.size(), unknowns_->nodes().size()));
-  for (std::size_t r = 0; r < rows.size(); ++r) row_of[rows[r].unknown] = static_cast<Index>(r);
-  static thread_local std::vector<std::uint32_t> place;  // by row: of its column within the row at work
-  place.resize(std::max(place.size(), rows.size()));
-  static thread_local std::vector<WideBlock> sum;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto& row = rows[r];
-    const auto i = static_cast<std::size_t>(row.unknown);
-    const std::size_t n_blocks = first_[i + 1] - first_[i];
-    for (std::size_t j = 0; j < n_blocks; ++j) {
-      const Index column = columns_[first_[i] + j];
-      const auto in_patch = static_cast<std::size_t>(row_of[column]);
-      if (in_patch < rows.size() && rows[in_patch].unknown == column) place[in_patch] = static_cast<std::uint32_t>(j);
-    }
-    sum.assign(n_blocks, WideBlock{});
-    for (const auto& at : patches.places_of(row)) {
-      const auto e = static_cast<std::size_t>(at.element_corner) / n_corners<Dim>;
-      const int c = static_cast<int>(at.element_corner % n_corners<Dim>);
-      const auto& matrix = of_patch[e - patch.begin];
-      const auto& columns = patches.rows_of_corners(e);
-      const auto block_with = [&](int d) {
-        WideBlock block;
-        std::memcpy(&block, matrix.data() + ElementMatrices<Dim>::block(std::min(c, d), std::max(c, d)), sizeof block);
-        return c > d ? __builtin_shuffle(block, transposed<Dim>) : block;
-      };
-      for (int d = 0; d < n_corners<Dim>; ++d) {
-        const std::size_t column = columns[d];
-        if (column < rows.size()) {
-          // Rows ascend with their unknowns: those before this one are left of the diagonal.
-          if (column >= r) sum[place[column]] += at.weight * block_with(d);
-          continue;
-        }
-        for (const auto& share : patches.shares_of(patch.index, column - rows.size()))
-          if (share.row >= r) sum[place[share.row]] += at.weight * share.weight * block_with(d);
+void NodeMatrix<Dim>::find_places() {
+  const std::size_t n = unknowns_->elements().size();
+  first_place_.assign(n + 1, 0);
+  parallel_for(n, [&](std::size_t e) {
+    const auto m = static_cast<std::size_t>(carriers_of(*unknowns_, e).n);
+    first_place_[e + 1] = m * (m + 1) / 2;
+  });
+  for (std::size_t e = 0; e < n; ++e) first_place_[e + 1] += first_place_[e];
+  places_.resize(first_place_.back());
+  parallel_for(n, [&](std::size_t e) {
+    const auto carriers = carriers_of(*unknowns_, e);
+    std::uint8_t* place = places_.data() + first_place_[e];
+    for (int i = 0; i < carriers.n; ++i)
+      for (int j = i; j < carriers.n; ++j) {
+        const auto [row, column] = std::minmax(carriers.unknown[i], carriers.unknown[j]);
+        const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[row]);
+        const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[row + 1]);
+        const auto found = std::lower_bound(begin, end, column);
+        // On a balanced tree all that shares an element with a node lies within the cells around it: 125 nodes.
+        SHELLMATCH_CHECK(found != end && *found == column && found - begin < 256, "a row's columns");
+        *place++ = static_cast<std::uint8_t>(found - begin);
       }
-    }
-    float* to = values_.data() + first_[i] * block_size;
-    for (WideBlock& block : sum) {
-      if (!row.is_first) {
-        WideBlock before{};
-        std::memcpy(&before, to, block_size * sizeof(float));
-        block += before;
-      }
-      std::memcpy(to, &block, block_size * sizeof(float));
-      to += block_size;
-    }
-  }
+  });
 }
 
 template <int Dim>
-std::size_t NodeMatrix<Dim>::place_of(Index row, Index column) const {
-  const auto begin = columns_.begin() + static_cast<std::ptrdiff_t>(first_[row]);
-  const auto end = columns_.begin() + static_cast<std::ptrdiff_t>(first_[row + 1]);
-  const auto found = std::lower_bound(begin, end, column);
-  SHELLMATCH_CHECK(found != end && *found == column, "unknowns that share no element");
-  return static_cast<std::size_t>(found - columns_.begin());
+void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch) {
+  const auto rows = patches.rows(patch.index);
+  static thread_local std::vector<float*> values_of;  // by row of the patch
+  values_of.clear();
+  for (const auto& row : rows) {
+    float* begin = values_.data() + first_[row.unknown] * block_size;
+    if (row.is_first) std::fill(begin, values_.data() + first_[row.unknown + 1] * block_size, 0.0F);
+    values_of.push_back(begin);
+  }
+  const std::uint8_t* place = places_.data() + first_place_[patch.begin];
+  const auto put = [&](std::size_t a, std::size_t b, const WideBlock& block) {  // rows ascend with their unknowns
+    add_block<Dim>(turned_if<Dim>(a > b, block), values_of[std::min(a, b)] + *place++ * block_size);
+  };
+  for (std::size_t e = patch.begin; e < patch.end; ++e) {
+    const auto& row_of = patches.rows_of_corners(e);
+    const float* matrix = of_patch[e - patch.begin].data();
+    if (std::ranges::all_of(row_of, [&](std::size_t row) { return row < rows.size(); })) {  // nothing hangs
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (int d = c; d < n_corners<Dim>; ++d, matrix += block_size) {
+          WideBlock block;
+          std::memcpy(&block, matrix, sizeof block);
+          put(row_of[c], row_of[d], block);
+        }
+      continue;
+    }
+    Carriers<Dim, std::uint16_t> carriers;
+    for (int c = 0; c < n_corners<Dim>; ++c) {
+      if (row_of[c] < rows.size()) carriers.add(row_of[c], c, 1.0F);
+      else
+        for (const auto& share : patches.shares_of(patch.index, row_of[c] - rows.size()))
+          carriers.add(share.row, c, share.weight);
+    }
+    const Condensed<Dim, std::uint16_t> condensed(carriers, matrix);
+    for (int i = 0; i < carriers.n; ++i)
+      for (int j = i; j < carriers.n; ++j) put(carriers.unknown[i], carriers.unknown[j], condensed.block(i, j));
+  }
 }
 
 template <int Dim>
 void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
                                     const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& k) {
-  const auto& nodes = unknowns_->elements()[e].nodes;
-  for (int c = 0; c < n_corners<Dim>; ++c)
-    for (const auto& row : unknowns_->carriers_of(nodes[c]))
-      for (int d = 0; d < n_corners<Dim>; ++d)
-        for (const auto& column : unknowns_->carriers_of(nodes[d])) {
-          if (column.unknown < row.unknown) continue;
-          float* block = values_.data() + place_of(row.unknown, column.unknown) * block_size;
-          const double x = factor * static_cast<double>(row.weight * column.weight) * k[c][d];
-          for (int a = 0; a < Dim; ++a) block[a * Dim + a] += static_cast<float>(x);
-        }
+  const auto carriers = carriers_of(*unknowns_, e);
+  const std::uint8_t* place = places_.data() + first_place_[e];
+  for (int i = 0; i < carriers.n; ++i)
+    for (int j = i; j < carriers.n; ++j) {
+      double sum = 0;
+      for (const auto& a : carriers.corners_of(i))
+        for (const auto& b : carriers.corners_of(j)) sum += static_cast<double>(a.weight * b.weight) * k[a.corner][b.corner];
+      const auto row = static_cast<std::size_t>(std::min(carriers.unknown[i], carriers.unknown[j]));
+      float* block = values_.data() + (first_[row] + *place++) * block_size;
+      for (int l = 0; l < Dim; ++l) block[l * Dim + l] += static_cast<float>(factor * sum);
+    }
 }
 
 template <int Dim>

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -42,8 +43,7 @@ class NodeMatrix {
   Mat<Dim> diagonal(std::size_t i) const;
 
  private:
-  /// Where the block of this column stands in values_, in blocks. \pre row <= column
-  std::size_t place_of(Index row, Index column) const;
+  void find_places();
   // What rows [begin, end) and their mirror images give.
   void add_product(std::size_t begin, std::size_t end, std::span<const double> x, std::span<double> y) const;
 
@@ -52,6 +52,8 @@ class NodeMatrix {
   Waves waves_;                ///< of slabs: those of one wave share no row or column
   std::vector<std::size_t> first_;   ///< blocks of row i: [first_[i], first_[i + 1]), the diagonal's first
   LargeVector<Index> columns_;       ///< ascending within a row; and some more, to be asked for early
+  std::vector<std::size_t> first_place_;  ///< places of element e: [first_place_[e], first_place_[e + 1])
+  LargeVector<std::uint8_t> places_;      ///< for each two unknowns that carry an element: of their block in its row
   LargeVector<float> values_;        ///< blocks by columns; and some more, that the last can be read in one go
 };
 

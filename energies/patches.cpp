@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace shellmatch {
 
@@ -17,13 +18,10 @@ Patches<Dim>::Patches(const Unknowns<Dim>& unknowns)
   // Places ascend by element: those in one patch are neighbours.
   const auto for_each_row = [&](auto&& visit) {
     for (std::size_t i = 0; i < n_unknown; ++i) {
-      const auto places = unknowns.places_of(i);
-      for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
-        const std::size_t patch = patch_of(places[begin]);
-        while (end < places.size() && patch_of(places[end]) == patch) ++end;
-        visit(patch, Row{static_cast<Index>(i), static_cast<std::uint32_t>(begin),
-                         static_cast<std::uint16_t>(end - begin), false});
-      }
+      std::size_t last = n_patches;
+      for (const auto& place : unknowns.places_of(i))
+        if (const std::size_t patch = patch_of(place); patch != std::exchange(last, patch))
+          visit(patch, Row{static_cast<Index>(i), false});
     }
   };
   first_row_.assign(n_patches + 1, 0);

@@ -29,8 +29,6 @@ class Patches {
   /// An unknown node that a patch reaches; they ascend.
   struct Row {
     Index unknown;
-    std::uint32_t first_place;  ///< of those where it counts in this patch, among Unknowns::places_of
-    std::uint16_t n_places;
     bool is_first;  ///< no other patch reaches it before: what is there is not yet of any meaning
   };
 
@@ -40,10 +38,6 @@ class Patches {
   std::size_t size() const { return first_row_.size() - 1; }
   std::span<const Row> rows(std::size_t patch) const {
     return {rows_.data() + first_row_[patch], first_row_[patch + 1] - first_row_[patch]};
-  }
-  /// Where the unknown of a row counts in its patch.
-  std::span<const typename Unknowns<Dim>::Place> places_of(const Row& row) const {
-    return unknowns_->places_of(static_cast<std::size_t>(row.unknown)).subspan(row.first_place, row.n_places);
   }
 
   /// Calls body(patch) for all patches, elements [begin, end) with number index, in parallel where they share no

@@ -104,15 +104,30 @@ void check_rows() {
     const std::lock_guard lock(mutex);
     next += patch.end - patch.begin;
     EXPECT_LE(patch.end - patch.begin, elements_per_patch(unknowns.elements().size()));
-    for (const auto& row : patches.rows(patch.index)) {
-      EXPECT_EQ(row.is_first, n_places[row.unknown] == 0);
-      for (const auto& place : patches.places_of(row)) {
-        const auto element = static_cast<std::size_t>(place.element_corner) / n_corners<Dim>;
-        EXPECT_TRUE(patch.begin <= element && element < patch.end);
-        ++n_places[row.unknown];
-      }
-      n_first[row.unknown] += row.is_first;
+    const auto rows = patches.rows(patch.index);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      EXPECT_EQ(rows[r].is_first, n_places[rows[r].unknown] == 0);
+      EXPECT_TRUE(r == 0 || rows[r - 1].unknown < rows[r].unknown);
+      n_first[rows[r].unknown] += rows[r].is_first;
     }
+    for (std::size_t e = patch.begin; e < patch.end; ++e)
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        const std::size_t row = patches.rows_of_corners(e)[c];
+        const Index node = unknowns.elements()[e].nodes[c];
+        if (row < rows.size()) {
+          EXPECT_EQ(unknowns.nodes()[rows[row].unknown], node);
+          ++n_places[rows[row].unknown];
+        } else {
+          const auto shares = patches.shares_of(patch.index, row - rows.size());
+          const auto carriers = unknowns.carriers_of(node);
+          ASSERT_EQ(shares.size(), carriers.size());
+          for (std::size_t i = 0; i < shares.size(); ++i) {
+            EXPECT_EQ(rows[shares[i].row].unknown, carriers[i].unknown);
+            EXPECT_EQ(shares[i].weight, carriers[i].weight);
+            ++n_places[carriers[i].unknown];
+          }
+        }
+      }
   });
   EXPECT_EQ(next, unknowns.elements().size());
   for (std::size_t i = 0; i < n_places.size(); ++i) {
