@@ -144,6 +144,19 @@ TYPED_TEST(FoldBarrier, NoCoefficientIsBelowTheBoundOfAllOfThem) {
   EXPECT_LT(largest_gap, 0.6) << "of no use";
 }
 
+// phi = (XY, YZ, ZX) with X = 2x - 1 and so on: middles vanish, det Dphi = 16 XYZ, and the bound is reached.
+TEST(FoldBarrierBound, IsReachedWhereAllColumnsChangeTheirSigns) {
+  ElementBatch<3> batch;
+  batch.inverse_side = autodiff::Pack{} + 1.0;
+  for (int c = 0; c < 8; ++c) {
+    const double x = c & 1 ? 1 : -1, y = c & 2 ? 1 : -1, z = c & 4 ? 1 : -1;
+    const std::array<double, 3> phi{x * y, y * z, z * x};
+    for (int a = 0; a < 3; ++a) batch.u[c * 3 + a] = autodiff::Pack{} + phi[a];
+  }
+  EXPECT_EQ(least_determinant(batch)[0], -16);
+  EXPECT_EQ(determinant_bound(batch)[0], -16);
+}
+
 // No coefficient changes by more than the bound that the edges give.
 TYPED_TEST(FoldBarrier, CoefficientsChangeByNoMoreThanTheBound) {
   constexpr int Dim = TypeParam::value;

@@ -98,6 +98,26 @@ TYPED_TEST(Limits, FoldsCannotBeEvaluatedUnderDensitiesThatForbidThem) {
     }
 }
 
+// Affine maps have the same density everywhere, whatever the Gauss rule.
+TYPED_TEST(Limits, VolumeIsThatOfTheDomainForEveryQuadrature) {
+  constexpr int Dim = TypeParam::value;
+  const Shapes<Dim> s;
+  Mat<Dim> a = Mat<Dim>::Identity();
+  a(0, 0) = 0.8;
+  a(0, 1) = 0.1;
+  const auto phi = at_nodes<Dim>(s.grid, [&](const Vec<Dim>& x) { return Vec<Dim>(a * x); });
+  double first = 0;
+  for (int n = 1; n <= max_gauss_points; ++n) {
+    ProblemOptions o;
+    o.points_per_direction = n;
+    const Problem<Dim> p(s.grid, s.reference, s.target, o);
+    const double value = p.value(phi, Term::volume);
+    if (n == 1) first = value;
+    EXPECT_GT(value, 1e-3);
+    EXPECT_NEAR(value, first, 1e-13) << n;
+  }
+}
+
 // Values with and without gradient are the same numbers, and terms add up with their weights.
 TYPED_TEST(Limits, TermsAddUp) {
   constexpr int Dim = TypeParam::value;

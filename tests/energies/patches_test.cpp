@@ -77,6 +77,7 @@ TEST(Waves, EndWithTheFirstFailureAndLeaveNobodyWaiting) {
   std::atomic<int> n_done = 0;
   EXPECT_THROW(waves.run([&](std::size_t piece) {
     if (piece == waves.pieces()[20]) throw std::runtime_error("it fails");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // time for the others to join in
     ++n_done;
   }), std::runtime_error);
   EXPECT_GE(n_done, 1);

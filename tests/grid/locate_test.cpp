@@ -1,3 +1,4 @@
+#include "grid/cell_locator.h"
 #include "grid/interpolation.h"
 #include "tests/grid/test_grids.h"
 
@@ -73,6 +74,47 @@ TEST(Locate, AgreesWithSearchBelowTheTable) {
   std::mt19937 random(12);
   for (int i = 0; i < 2000; ++i) expect_found<3>(grid, random_point<3>(random));
   for (int i = 0; i < 2000; ++i) expect_found<3>(grid, target + 0.01 * random_point<3>(random, -1, 1));
+}
+
+// Eight at once like one by one: whatever the levels and the places, below the look-up table too.
+template <int Dim>
+void check_eight_at_once() {
+  CellLocator<Dim> locator;
+  std::mt19937 random(21);
+  std::uniform_int_distribution<int> one_of(0, 2);
+  std::vector<Index> leaves{0};
+  const int finest = Dim == 2 ? 11 : 8;
+  for (int level = 1; level <= finest; ++level) {
+    const Index n = locator.n_cells();
+    locator.split(leaves, level);
+    leaves.clear();
+    for (Index c = n; c < locator.n_cells(); ++c)
+      if (c == n || (one_of(random) == 0 && leaves.size() < 200)) leaves.push_back(c);
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial < 500; ++trial) {
+    std::array<std::array<double, 8>, Dim> x;
+    for (int lane = 0; lane < 8; ++lane) {
+      const double spread = lane < 4 ? 1.3 : 0.01;
+      const Vec<Dim> at = random_point<Dim>(random, -0.2, 1) * spread;
+      for (int k = 0; k < Dim; ++k) x[k][lane] = at[k];
+    }
+    x[0][1] = trial % 2 ? 1.0 : inf;
+    x[1][2] = trial % 2 ? nan : -inf;
+    std::array<Index, 8> leaf;
+    locator.locate(x, leaf);
+    for (int lane = 0; lane < 8; ++lane) {
+      Vec<Dim> at;
+      for (int k = 0; k < Dim; ++k) at[k] = x[k][lane];
+      ASSERT_EQ(leaf[lane], locator.locate(at)) << at.transpose();
+      ASSERT_EQ(locator.first_child(leaf[lane]), no_index);
+    }
+  }
+}
+
+TEST(Locate, FindsEightAtOnce) {
+  check_eight_at_once<2>();
+  check_eight_at_once<3>();
 }
 
 TEST(Locate, SurvivesWhatIsNoNumber) {
