@@ -6,6 +6,7 @@
 #include "apps/progress.h"
 #include "base/error.h"
 #include "matching/run_matching.h"
+#include "matching/verdict.h"
 #include "matching/yaml_options.h"
 
 #include <filesystem>
@@ -18,6 +19,8 @@ void match(const ExperimentOptions& options, const std::string& output, const Ru
   stop_loops_on_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
   run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);
+  for (const std::string& line : verdict(read_summary((std::filesystem::path(output) / "summary.json").string())))
+    progress.note(line);
   progress.note(fmt::format("written: {}", output));
 }
 

@@ -1,14 +1,19 @@
 # One static library per folder, with the same flags everywhere.
 include(GNUInstallDirs)
 
-add_library(shellmatch_flags INTERFACE)
-target_compile_options(shellmatch_flags INTERFACE
+add_library(shellmatch_warnings INTERFACE)
+target_compile_options(shellmatch_warnings INTERFACE
   -Wall -Wextra -Wshadow -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
   # g++ 12 warns of its own AVX-512 intrinsics through Eigen (GCC bug 105593).
-  -Wno-maybe-uninitialized)
+  -Wno-maybe-uninitialized
+  # Packs of eight doubles are handed over as values, in another way where there are no such registers: within one
+  # build, whose files all have the same flags.
+  -Wno-psabi)
 if(SHELLMATCH_WERROR)
-  target_compile_options(shellmatch_flags INTERFACE -Werror)
+  target_compile_options(shellmatch_warnings INTERFACE -Werror)
 endif()
+add_library(shellmatch_flags INTERFACE)
+target_link_libraries(shellmatch_flags INTERFACE shellmatch_warnings)
 if(SHELLMATCH_NATIVE)
   # Whole machine words for the packs of quadrature points (energies/): 512-bit registers where there are any.
   target_compile_options(shellmatch_flags INTERFACE -march=native -mprefer-vector-width=512)

@@ -5,8 +5,8 @@
 #include "base/types.h"
 
 #include <array>
-#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -46,11 +46,11 @@ class CellLocator {
   // In units of 2^-max_level, on the domain, of a number or of a vector of them. In this order the comparisons send
   // not-a-number to 0.
   template <class T>
-  static T projected(T x) {
+  static void project(T& x) {
     constexpr double scale = static_cast<double>(1 << max_level);
     x *= scale;
     x = x > 0.0 ? x : T{};
-    return x < scale - 1 ? x : T{} + (scale - 1);
+    x = x < scale - 1 ? x : T{} + (scale - 1);
   }
 
   int table_level_ = 0, finest_level_ = 0;
@@ -63,7 +63,9 @@ inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
   std::array<std::uint32_t, Dim> u;
   std::size_t entry = 0;
   for (int k = Dim - 1; k >= 0; --k) {
-    u[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(projected(x[k])));
+    double t = x[k];
+    project(t);
+    u[k] = static_cast<std::uint32_t>(static_cast<std::int32_t>(t));
     entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
   Index c = table_[entry];
@@ -82,7 +84,10 @@ inline void CellLocator<Dim>::locate(const std::array<Eight<double>, Dim>& x, Ei
   std::array<Ints, Dim> u;
   Ints entry{};
   for (int k = Dim - 1; k >= 0; --k) {
-    u[k] = __builtin_convertvector(projected(std::bit_cast<Doubles>(x[k])), Ints);
+    Doubles t;
+    std::memcpy(&t, &x[k], sizeof t);
+    project(t);
+    u[k] = __builtin_convertvector(t, Ints);
     entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
   }
   Ints cell;
@@ -94,7 +99,7 @@ inline void CellLocator<Dim>::locate(const std::array<Eight<double>, Dim>& x, Ei
     for (int k = 0; k < Dim; ++k) child += ((u[k] >> shift) & 1) << k;
     cell = is_leaf ? cell : child;
   }
-  leaf = std::bit_cast<Eight<Index>>(cell);
+  std::memcpy(&leaf, &cell, sizeof leaf);
 }
 
 extern template class CellLocator<2>;

@@ -86,6 +86,7 @@ class Level {
             observer.note(result.fallbacks.back());
           });
       if (result.last.reason == StopReason::cannot_evaluate_start) {
+        if (level == options_.cascade.min_level && s == 0) refuse_start(level, phi, weights);
         result.fallbacks.push_back(fmt::format(
             "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", level,
             start.substep));
@@ -118,6 +119,20 @@ class Level {
   }
 
  private:
+  // Where not even the first minimisation can begin there is nothing to match.
+  [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
+    std::string which;
+    for (int t = 0; t < n_terms; ++t) {
+      TermValues alone, values;
+      alone.v[t] = weights.v[t];
+      if (alone.v[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
+        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", term_names[t], alone.v[t]);
+    }
+    throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {}; "
+                      "choose smaller weights or parameters of it (energy.*, cascade.*)",
+                      level, which.empty() ? "the sum of its terms" : which);
+  }
+
   // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
   // the minimiser may still need.
   void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,

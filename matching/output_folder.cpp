@@ -6,9 +6,11 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,25 @@ bool looks_like_output(const fs::path& folder) {
   return false;
 }
 
+// What the commands write into their folders; a study has that of a run in `output`, and pictures are PNG.
+bool is_written_by_runs(std::string_view name) {
+  constexpr std::string_view names[] = {"summary.json", "history.csv",   "deformation.vtu", "deformed.ply", "deformed.csv",
+                                        "config.yaml",  "curvature.ply", "curvature.csv",   "result.json",  "log.txt",
+                                        "README.txt",   "state.json",    "output",          "pictures"};
+  constexpr std::string_view of_study = "output/", of_pictures = "pictures/";
+  if (name.starts_with(of_study)) name.remove_prefix(of_study.size());
+  if (name.starts_with(of_pictures)) return name.ends_with(".png") && name.find('/', of_pictures.size()) == name.npos;
+  return std::ranges::find(names, name) != std::end(names);
+}
+
+// The first thing in the folder that no run has written, empty if there is none.
+std::string foreign_thing(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
+    if (std::string name = entry.path().lexically_relative(folder).generic_string(); !is_written_by_runs(name)) return name;
+  return "";
+}
+
 bool is_filled(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error) && !(fs::is_directory(path, error) && fs::is_empty(path, error));
@@ -67,6 +88,9 @@ void check_place(const fs::path& path, bool force) {
         "{}: not replaced, since it holds no summary.json, history.csv or deformation.vtu and so is no "
         "output folder of an earlier run; choose another with -o",
         path.string());
+  if (const std::string name = foreign_thing(path); !name.empty())
+    throw_input_error("{}: not replaced, since '{}' in it is of no run; move that elsewhere or choose another folder with -o",
+                      path.string(), name);
 }
 
 std::string lock_of(const fs::path& place) {

@@ -19,7 +19,7 @@ class OutputFolder {
   /// \param path the final folder; its parents are created where they are missing
   /// \param force replace a folder that an earlier run wrote; it stays untouched until commit()
   /// \throws InputError if `path` is a file, or a folder that is not empty and `force` is false, or one that
-  ///   does not look like the output of a run (nobody's home folder is replaced by mistake), or if another
+  ///   does not look like the output of a run or holds anything else beside it, or if another
   ///   process is writing to that name;
   ///   EnvironmentError if nothing can be written there
   OutputFolder(const std::string& path, bool force);

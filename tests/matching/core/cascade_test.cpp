@@ -1,6 +1,7 @@
 // What the cascade promises: every accepted step goes down, refinement changes no value of phi, a smaller nu gives
 // a smaller mismatch, no cell folds under the barrier, and all solvers find the same minimum.
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade.h"
 #include "matching/shape_source.h"
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
+#include <tuple>
 
 namespace shellmatch {
 namespace {
@@ -78,6 +81,25 @@ TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
     n_left_out += level == o.cascade.min_level ? 0 : 4 - static_cast<int>(steps.size());
   }
   EXPECT_GT(n_left_out, 2);
+}
+
+TEST(Cascade, AnEnergyThatIsNoNumberIsRefusedByItsTerms) {
+  for (const auto& [delta, lambda, told] :
+       {std::tuple{1e200, 1.0, "bending (weight inf)"}, std::tuple{1.0, 1e308, "membrane (weight "}}) {
+    ExperimentOptions o = small(4);
+    o.cascade.min_level = 4;
+    o.energy.delta = delta;
+    o.energy.lambda = lambda;
+    Steps steps;
+    try {
+      run<2>("leaf/deep", "leaf/shallow", o, steps);
+      ADD_FAILURE() << told;
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("level 4: "), std::string::npos) << message;
+      EXPECT_NE(message.find(told), std::string::npos) << message;
+    }
+  }
 }
 
 TEST(Cascade, EnergyNeverRisesWithinAMinimisation) {

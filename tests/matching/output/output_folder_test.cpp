@@ -44,7 +44,7 @@ TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
   const TemporaryFolder tmp;
   std::filesystem::create_directories(tmp / "run");
   put(tmp / "run/summary.json", "old");
-  put(tmp / "run/old.txt", "old");
+  put(tmp / "run/deformed.ply", "old");
   const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", false); });
   EXPECT_NE(message.find("not empty"), std::string::npos) << message;
   EXPECT_NE(message.find("--force"), std::string::npos) << message;
@@ -53,7 +53,7 @@ TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
     OutputFolder out(tmp / "run", true);
     write_file(out.path_of("summary.json"), "broken off");
   }
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/old.txt", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/deformed.ply", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
 
   OutputFolder out(tmp / "run", true);
@@ -70,6 +70,27 @@ TEST(OutputFolderTest, ForceReplacesNoFolderThatNoRunHasWritten) {
   put(tmp / "home/thesis.tex", "years of work");
   EXPECT_THROW(OutputFolder(tmp / "home", true), InputError);
   EXPECT_EQ(tmp.entries(), (Names{"home", "home/thesis.tex"}));
+}
+
+// Whatever somebody has put beside what a run wrote stays, and is named.
+TEST(OutputFolderTest, ForceReplacesNothingThatNoRunHasWritten) {
+  struct Case {
+    std::string file, told;
+  };
+  for (const auto& [file, told] : {Case{"thesis.tex", "thesis.tex"}, Case{"run2/summary.json", "run2"},
+                                   Case{"pictures/mine.txt", "pictures/mine.txt"},
+                                   Case{"pictures/more/level_03.png", "pictures/more"}, Case{"output.png", "output.png"}}) {
+    const TemporaryFolder tmp;
+    for (const std::string& path : {std::string("summary.json"), std::string("pictures/level_03.png"), file}) {
+      const std::filesystem::path whole = std::filesystem::path(tmp / "run") / path;
+      std::filesystem::create_directories(whole.parent_path());
+      put(whole.string(), "years of work");
+    }
+    const Names before = tmp.entries();
+    const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", true); });
+    EXPECT_NE(message.find("'" + told + "'"), std::string::npos) << message;
+    EXPECT_EQ(tmp.entries(), before);
+  }
 }
 
 TEST(OutputFolderTest, EmptyFoldersAreFilledAndFilesAreNot) {
