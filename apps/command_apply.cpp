@@ -4,9 +4,9 @@
 #include "apps/output_file.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/read_shape.h"
-#include "geometry/write_shape.h"
-#include "matching/deformation_file.h"
+#include "geometry/io/read_shape.h"
+#include "geometry/io/write_shape.h"
+#include "matching/output/deformation_file.h"
 
 #include <fmt/core.h>
 

@@ -6,8 +6,8 @@
 #include "apps/output_file.h"
 #include "apps/progress.h"
 #include "base/error.h"
-#include "geometry/write_shape.h"
-#include "matching/run_gradient_check.h"
+#include "geometry/io/write_shape.h"
+#include "matching/derivative_check/run_gradient_check.h"
 
 #include <charconv>
 #include <iostream>

@@ -1,5 +1,5 @@
 #include "apps/commands.h"
-#include "matching/yaml_options.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <iostream>
 

@@ -6,13 +6,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
-#include "geometry/placement.h"
-#include "matching/curvature_report.h"
-#include "matching/generated_source.h"
-#include "matching/output_folder.h"
-#include "matching/shape_source.h"
-#include "matching/size_estimate.h"
-#include "matching/yaml_options.h"
+#include "geometry/surface/placement.h"
+#include "matching/shape_report/curvature_report.h"
+#include "matching/experiment/generated_source.h"
+#include "matching/output/output_folder.h"
+#include "matching/experiment/shape_source.h"
+#include "matching/cascade/size_estimate.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <charconv>
 #include <cmath>

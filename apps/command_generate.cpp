@@ -3,8 +3,8 @@
 #include "apps/commands.h"
 #include "apps/output_file.h"
 #include "base/error.h"
-#include "geometry/generate_shape.h"
-#include "matching/generated_source.h"
+#include "geometry/generate/generate_shape.h"
+#include "matching/experiment/generated_source.h"
 
 #include <charconv>
 #include <iostream>

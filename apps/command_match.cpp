@@ -6,8 +6,8 @@
 #include "apps/progress.h"
 #include "base/error.h"
 #include "matching/run_matching.h"
-#include "matching/verdict.h"
-#include "matching/yaml_options.h"
+#include "matching/output/verdict.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <filesystem>
 

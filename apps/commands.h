@@ -2,7 +2,7 @@
 /// \file
 /// The commands of the program, as plain data and what executes them.
 
-#include "matching/options.h"
+#include "matching/experiment/options.h"
 
 #include <stdexcept>
 #include <string>

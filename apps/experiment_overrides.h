@@ -3,7 +3,7 @@
 /// The options of the command line that change an experiment.
 
 #include "apps/commands.h"
-#include "matching/yaml_options.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <vector>
 

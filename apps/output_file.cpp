@@ -1,7 +1,7 @@
 #include "apps/output_file.h"
 
 #include "base/error.h"
-#include "geometry/write_shape.h"
+#include "geometry/io/write_shape.h"
 
 #include <fmt/format.h>
 

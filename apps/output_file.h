@@ -2,7 +2,7 @@
 /// \file
 /// The one file that `generate` and `apply` write, and reports.
 
-#include "geometry/surface.h"
+#include "geometry/surface/surface.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "apps/progress.h"
 
 #include "base/stop.h"
-#include "matching/gradient_report.h"
+#include "matching/derivative_check/gradient_report.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "energies/energy_hessian.h"
-#include "energies/matching_energy.h"
+#include "energies/assembly/energy_hessian.h"
+#include "energies/assembly/matching_energy.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/grid/test_grids.h"
 

@@ -11,12 +11,12 @@
 #include "base/parallel.h"
 #include "bench/ceilings.h"
 #include "bench/traffic.h"
-#include "energies/element_oracle.h"
-#include "matching/cascade.h"
-#include "matching/check_state.h"
-#include "matching/level_energy.h"
-#include "matching/shape_fields.h"
-#include "matching/shape_pair.h"
+#include "energies/assembly/element_oracle.h"
+#include "matching/cascade/cascade.h"
+#include "matching/derivative_check/check_state.h"
+#include "matching/cascade/level_energy.h"
+#include "matching/cascade/shape_fields.h"
+#include "matching/experiment/shape_pair.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

@@ -4,8 +4,8 @@
 /// one pass over an array to the next: every array that a pass touches once, read or written. What caches
 /// cannot keep within a pass comes on top, so these are lower bounds.
 
-#include "energies/node_blocks.h"
-#include "matching/level_energy.h"
+#include "energies/sparse/node_blocks.h"
+#include "matching/cascade/level_energy.h"
 
 #include <vector>
 

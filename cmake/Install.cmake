@@ -26,7 +26,7 @@ endif()
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY configs workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
+install(DIRECTORY configs studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
 
 configure_package_config_file(cmake/ShellmatchConfig.cmake.in ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake
   INSTALL_DESTINATION ${shellmatch_package_dir})

@@ -4,7 +4,7 @@ execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY $
 if(failed)
   set(revision "")
 endif()
-set(text "#include \"studies/revision.h\"\n\nstd::string shellmatch::build_revision() { return \"${revision}\"; }\n")
+set(text "#include \"studies/execution/revision.h\"\n\nstd::string shellmatch::build_revision() { return \"${revision}\"; }\n")
 set(old "")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} old)

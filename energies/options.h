@@ -15,7 +15,7 @@ struct EnumNames<VolumeDensity> {
       {VolumeDensity::symmetric_dirichlet, "symmetric_dirichlet"}};
 };
 
-/// What the membrane term measures; all but thin_shell are there to compare with (energies/integrands.h).
+/// What the membrane term measures; all but thin_shell are there to compare with (energies/terms/integrands.h).
 enum class MembraneModel { thin_shell, no_p2, cauchy_green };
 template <>
 struct EnumNames<MembraneModel> {

@@ -3,7 +3,7 @@
 /// A whole run: two shapes in, an output folder out.
 
 #include "base/types.h"
-#include "matching/options.h"
+#include "matching/experiment/options.h"
 #include "solvers/minimizer.h"
 
 #include <string>
@@ -45,7 +45,7 @@ struct EarlierRuns {
 
 /// Reads and places the shapes, runs the cascade and writes the output folder, all of it or nothing. With
 /// options.resume it keeps finished levels beside that folder and goes on after those that an earlier run of the same
-/// experiment has kept (matching/kept_levels.h).
+/// experiment has kept (matching/checkpoint/checkpoints.h).
 /// \throws InputError, EnvironmentError, and Stopped (base/stop.h) where that was wanted: its text says which level was
 ///   reached and where it is kept
 void run_matching(const ExperimentOptions& options, const std::string& output_folder, const EarlierRuns& earlier,

@@ -44,7 +44,7 @@ struct IterationRecord {
   long value_evaluations = 0;      ///< so far, those with gradient included
   long gradient_evaluations = 0;   ///< so far
   double seconds = 0;              ///< since the start of this minimisation
-  std::string solver;              ///< the method, where several may take turns (solvers/fallback.h)
+  std::string solver;              ///< the method, where several may take turns (solvers/methods/fallback.h)
 };
 
 enum class StopReason {

@@ -5,7 +5,7 @@
 
 #include "base/level_overrides.h"
 #include "base/options.h"
-#include "solvers/library_options.h"
+#include "solvers/libraries/library_options.h"
 #include "solvers/minimizer.h"
 
 #include <memory>
@@ -41,7 +41,7 @@ struct EnumNames<ConjugateUpdate> {
       {ConjugateUpdate::bounded_polak_ribiere, "bounded_polak_ribiere"}};
 };
 
-/// The paper's method, solvers/fletcher_reeves.h. Its letter is interpolation = halving, initial_step = memory,
+/// The paper's method, solvers/methods/fletcher_reeves.h. Its letter is interpolation = halving, initial_step = memory,
 /// step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality = 0, least_cosine = 0.
 struct FletcherReevesOptions {
   double armijo = 1e-4;
@@ -75,7 +75,7 @@ struct FletcherReevesOptions {
   }
 };
 
-/// Our limited-memory BFGS, solvers/lbfgs.h.
+/// Our limited-memory BFGS, solvers/methods/lbfgs.h.
 struct LbfgsOptions {
   int memory = 12;
   double armijo = 1e-4;
@@ -98,7 +98,7 @@ struct LbfgsOptions {
   }
 };
 
-/// Newton's method with an inexact linear solver, solvers/newton.h.
+/// Newton's method with an inexact linear solver, solvers/methods/newton.h.
 struct NewtonOptions {
   double armijo = 1e-4;
   double max_forcing = 0.1, min_forcing = 0.1;

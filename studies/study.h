@@ -4,8 +4,8 @@
 /// list of its runs.
 
 #include "base/options.h"
-#include "matching/options.h"
-#include "matching/yaml_options.h"
+#include "matching/experiment/options.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "base/error.h"
-#include "matching/option_text.h"
-#include "matching/yaml_document.h"
+#include "matching/experiment/option_text.h"
+#include "matching/experiment/yaml_document.h"
 #include "studies/study.h"
 
 #include <fmt/format.h>

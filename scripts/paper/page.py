@@ -115,9 +115,9 @@ class Page:
         self.add("An energy *oscillates* here if the normals that the map carries along are further off the template's than",
                  "with the model on the same grid, and ten times as much of the band folds over. *P2 left out* is W(Dphi P1 +",
                  "n2 n1^T), the letter of the caption of fig:cubes. With n2 held fixed it is still convex along rank-one lines",
-                 "(`tests/energies/comparison_test.cpp`) and need not oscillate; what section 4.1 proves to oscillate is W of",
+                 "(`tests/energies/terms/comparison_test.cpp`) and need not oscillate; what section 4.1 proves to oscillate is W of",
                  "the Cauchy-Green tensor. The curves [eq:varphik] close exactly only for a start radius that is smaller than",
-                 "the paper's r0 by a share of order 1/k (`tests/energies/oscillation_test.cpp`).")
+                 "the paper's r0 by a share of order 1/k (`tests/energies/terms/oscillation_test.cpp`).")
 
     def papers_table(self):
         rows = []
@@ -210,11 +210,11 @@ class Page:
 
     def oscillations(self):
         self.add("### fig:oscillation", "The curves [eq:varphik] for R = 0.95 and k = 6, 20, 50, each with the start radius for which it closes, and the",
-                 "circle that they tend to. What the two membranes charge for them is in `tests/energies/oscillation_test.cpp`.")
+                 "circle that they tend to. What the two membranes charge for them is in `tests/energies/terms/oscillation_test.cpp`.")
         write_oscillations(self.own_picture("oscillation.svg"))
         self.add("![oscillating curves of unit speed](pictures/paper/oscillation.svg)")
         self.add("### fig:Dtt and fig:detDtt", "Drawings of definitions. The numbers in them, det(Dtg id + n2 n1^T) = 0 and < 0, are in",
-                 "`tests/energies/theory_test.cpp`: in the plane that determinant is n1 . n2.")
+                 "`tests/energies/densities/theory_test.cpp`: in the plane that determinant is n1 . n2.")
 
     def penalty(self):
         rows = self.results.penalty_rows()

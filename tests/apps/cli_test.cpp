@@ -1,7 +1,7 @@
 // The program as a user meets it: help, exit codes and one clear message for every mistake.
 
-#include "matching/option_tree.h"
-#include "matching/options.h"
+#include "matching/experiment/option_tree.h"
+#include "matching/experiment/options.h"
 #include "tests/apps/cli_harness.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // Runs that are stopped by signals, as a user and a scheduler meet them.
 
-#include "matching/history_file.h"
-#include "matching/summary.h"
+#include "matching/output/history_file.h"
+#include "matching/output/summary.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 #include "tests/energies/exact_shapes.h"
 
-#include "grid/constraints.h"
+#include "grid/octree/constraints.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -2,7 +2,7 @@
 /// \file
 /// Shapes whose signed distance, normal and shape operator are known exactly, and their coefficients at the nodes.
 
-#include "grid/curvature.h"
+#include "grid/fits/curvature.h"
 
 #include <functional>
 

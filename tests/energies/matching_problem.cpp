@@ -1,6 +1,6 @@
 #include "tests/energies/matching_problem.h"
 
-#include "grid/constraints.h"
+#include "grid/octree/constraints.h"
 #include "tests/grid/test_grids.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 /// \file
 /// A small matching with everything that an energy refers to in one object, and deformations to try it on.
 
-#include "energies/matching_energy.h"
-#include "grid/curvature.h"
+#include "energies/assembly/matching_energy.h"
+#include "grid/fits/curvature.h"
 
 #include <functional>
 #include <optional>

@@ -2,7 +2,7 @@
 /// \file
 /// Grids that the tests of this folder share.
 
-#include "grid/octree.h"
+#include "grid/octree/octree.h"
 
 #include <functional>
 #include <random>

@@ -2,7 +2,7 @@
 /// \file
 /// Shapes whose pictures are known.
 
-#include "geometry/surface.h"
+#include "geometry/surface/surface.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "tests/repository/include_rules.h"
 #include "tests/repository/mutation_rules.h"
 #include "tests/repository/text_rules.h"
+#include "tests/support/folders.h"
 
 // The rules held against this repository. That each rule can be broken is shown in rules_test.cpp.
 
@@ -10,7 +11,7 @@ namespace shellmatch::repository {
 namespace {
 
 const SourceTree& this_repository() {
-  static const SourceTree tree = read_tree(SHELLMATCH_SOURCE_DIR);
+  static const SourceTree tree = read_tree(test::source_folder());
   return tree;
 }
 

@@ -47,9 +47,9 @@ TEST_F(Rules, PatternsStayWithinAFolder) {
 }
 
 TEST_F(Rules, SiblingsDoNotIncludeEachOther) {
-  plant("grid/octree.h", "#include \"base/types.h\"\n");
+  plant("grid/octree/octree.h", "#include \"base/types.h\"\n");
   plant("base/types.h", "#include <vector>\n");
-  plant("geometry/mesh.cpp", "#include \"base/types.h\"\n#include \"grid/octree.h\"\n");
+  plant("geometry/mesh.cpp", "#include \"base/types.h\"\n#include \"grid/octree/octree.h\"\n");
   expect_one(check_include_direction(tree()), "geometry/mesh.cpp", 2);
 }
 
@@ -61,38 +61,38 @@ TEST_F(Rules, SolversDoNotSeeEnergies) {
 }
 
 TEST_F(Rules, BaseIncludesNothingAbove) {
-  plant("matching/options.h", "");
-  plant("base/error.cpp", "#include \"matching/options.h\"\n");
+  plant("matching/experiment/options.h", "");
+  plant("base/error.cpp", "#include \"matching/experiment/options.h\"\n");
   expect_one(check_include_direction(tree()), "base/error.cpp", 1);
 }
 
 TEST_F(Rules, IncludesAreWrittenFromTheRoot) {
-  plant("grid/octree.h", "");
-  plant("grid/octree.cpp", "#include \"octree.h\"\n");
-  expect_one(check_include_direction(tree()), "grid/octree.cpp", 1);
+  plant("grid/octree/octree.h", "");
+  plant("grid/octree/octree.cpp", "#include \"octree.h\"\n");
+  expect_one(check_include_direction(tree()), "grid/octree/octree.cpp", 1);
 }
 
 TEST_F(Rules, IncludedFilesExist) {
-  plant("grid/octree.cpp", "#include \"grid/octree.h\"\n");
-  expect_one(check_include_direction(tree()), "grid/octree.cpp", 1);
+  plant("grid/octree/octree.cpp", "#include \"grid/octree/octree.h\"\n");
+  expect_one(check_include_direction(tree()), "grid/octree/octree.cpp", 1);
 }
 
 TEST_F(Rules, ALibraryStaysBehindItsDoor) {
-  plant("geometry/cgal_read.cpp", "#include <CGAL/Surface_mesh.h>\n");
+  plant("geometry/repair/cgal_read.cpp", "#include <CGAL/Surface_mesh.h>\n");
   plant("geometry/mesh.cpp", "#include <cmath>\n#include <CGAL/Surface_mesh.h>\n");
   expect_one(check_doors(tree()), "geometry/mesh.cpp", 2);
 }
 
 TEST_F(Rules, HeadersOfADoorStayBehindIt) {
-  plant("geometry/cgal_mesh.h", "#include <CGAL/Surface_mesh.h>\n");
-  plant("geometry/cgal_read.cpp", "#include \"geometry/cgal_mesh.h\"\n");
-  plant("geometry/mesh.h", "\n#include \"geometry/cgal_mesh.h\"\n");
+  plant("geometry/repair/cgal_mesh.h", "#include <CGAL/Surface_mesh.h>\n");
+  plant("geometry/repair/cgal_read.cpp", "#include \"geometry/repair/cgal_mesh.h\"\n");
+  plant("geometry/mesh.h", "\n#include \"geometry/repair/cgal_mesh.h\"\n");
   expect_one(check_doors(tree()), "geometry/mesh.h", 2);
 }
 
 TEST_F(Rules, EnergiesSeeOnlyTheDualNumbersOfCeres) {
-  plant("energies/check.cpp", "#include <ceres/jet.h>\n#include <ceres/ceres.h>\n");
-  expect_one(check_doors(tree()), "energies/check.cpp", 2);
+  plant("energies/terms/check.cpp", "#include <ceres/jet.h>\n#include <ceres/ceres.h>\n");
+  expect_one(check_doors(tree()), "energies/terms/check.cpp", 2);
 }
 
 TEST_F(Rules, HeadersStayFreeOfLibraries) {
@@ -152,9 +152,9 @@ TEST_F(Rules, DeadHeadingsAreFound) {
 }
 
 TEST_F(Rules, FilesNamedInDocumentsExist) {
-  plant("grid/octree.cpp", "");
+  plant("grid/octree/octree.cpp", "");
   plant("docs/theory.md",
-        "`grid/octree.cpp`, `grid/oct*.cpp` and `out/deformed.ply`\n\n`grid/quadtree.cpp`\n");
+        "`grid/octree/octree.cpp`, `grid/oct*.cpp` and `out/deformed.ply`\n\n`grid/quadtree.cpp`\n");
   expect_one(check_links(tree()), "docs/theory.md", 3);
 }
 
@@ -168,7 +168,7 @@ TEST_F(Rules, AForgottenDependencyIsFound) {
 // One entry of two lines is right; the file has the second text twice and the third not at all.
 TEST_F(Rules, ErrorsThatCannotBeMadeAreFound) {
   plant("tests/grid/CMakeLists.txt", "shellmatch_test(grid_octree SOURCES octree_test.cpp)\n");
-  plant("grid/octree.cpp", "int a = 1;\n  int b = 2;\nint c = 2;\n");
+  plant("grid/octree/octree.cpp", "int a = 1;\n  int b = 2;\nint c = 2;\n");
   const std::string good = "# a comment\ngrid/octree.cpp: grid_octree/Octree*\n- a = 1;\n-   int b\n+ a = 2;\n~ why\n\n";
   const auto findings_for = [&](const std::string& text) {
     plant("tests/mutations.txt", good + text);
@@ -180,8 +180,8 @@ TEST_F(Rules, ErrorsThatCannotBeMadeAreFound) {
   expect_one(findings_for("\n+ int d;\n"), "tests/mutations.txt", 9);
   expect_one(findings_for("- int a\n+ int a\n"), "tests/mutations.txt", 8);
   expect_one(findings_for("grid/quadtree.cpp: grid_octree\n- b\n+ c\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("grid/octree.cpp: octree\n- b\n+ d\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("grid/octree.cpp:\n- b\n+ d\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("grid/octree/octree.cpp: octree\n- b\n+ d\n"), "tests/mutations.txt", 8);
+  expect_one(findings_for("grid/octree/octree.cpp:\n- b\n+ d\n"), "tests/mutations.txt", 8);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
   return {};
 }
 
-// Is it the path of a file as this repository has them, "grid/octree.h"?
+// Is it the path of a file as this repository has them, "grid/octree/octree.h"?
 bool looks_like_file(std::string_view text) {
   static const std::set<std::string_view> folders = {"base",    "geometry", "grid",  "energies", "solvers",
                                                      "render",  "matching", "apps",  "docs",     "cmake",

@@ -1,5 +1,5 @@
 // The example of docs/adding-a-solver.md: gradient steps of Barzilai and Borwein's length.
-#include "solvers/metric.h"
+#include "solvers/metric/metric.h"
 #include "solvers/minimization_run.h"
 #include "solvers/vector_ops.h"
 #include "tests/support/test_problems.h"

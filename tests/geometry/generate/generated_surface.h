@@ -2,8 +2,8 @@
 /// \file
 /// From what a generator returns to what the checks work on.
 
-#include "geometry/generate_shape.h"
-#include "geometry/surface.h"
+#include "geometry/generate/generate_shape.h"
+#include "geometry/surface/surface.h"
 
 #include <algorithm>
 

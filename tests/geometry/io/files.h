@@ -3,7 +3,7 @@
 /// Files made for one test, a cube to write into them, and what a message must say.
 
 #include "base/error.h"
-#include "geometry/surface.h"
+#include "geometry/surface/surface.h"
 
 #include <gtest/gtest.h>
 

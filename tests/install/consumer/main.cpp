@@ -1,5 +1,5 @@
 #include <base/options.h>
-#include <matching/options.h>
+#include <matching/experiment/options.h>
 
 #include <iostream>
 

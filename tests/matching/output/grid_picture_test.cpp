@@ -1,5 +1,5 @@
-#include "matching/grid_picture.h"
-#include "render/image.h"
+#include "matching/output/grid_picture.h"
+#include "render/canvas/image.h"
 #include "tests/grid/test_grids.h"
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/render/test_shapes.h"

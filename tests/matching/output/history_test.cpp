@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "matching/history_file.h"
+#include "matching/output/history_file.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "matching/level_picture.h"
-#include "render/image.h"
+#include "matching/output/level_picture.h"
+#include "render/canvas/image.h"
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/render/test_shapes.h"
 

@@ -1,4 +1,4 @@
-#include "matching/output_folder.h"
+#include "matching/output/output_folder.h"
 #include "base/error.h"
 #include "tests/matching/output/temporary_folder.h"
 

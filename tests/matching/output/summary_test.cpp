@@ -1,6 +1,6 @@
-#include "matching/summary.h"
+#include "matching/output/summary.h"
 #include "base/error.h"
-#include "matching/process_info.h"
+#include "matching/output/process_info.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "matching/verdict.h"
+#include "matching/output/verdict.h"
 
 #include <gtest/gtest.h>
 

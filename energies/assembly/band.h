@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// What the band terms need of the reference shape, at the quadrature points of the elements that the band
+/// meets. It does not depend on phi and is computed once for each grid.
+
+#include "energies/autodiff/pack.h"
+#include "energies/elements/unknowns.h"
+#include "energies/fields/geometry_field.h"
+#include "energies/terms/integrands.h"
+
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// Elements in which eta_sigma(d1) does not vanish at every quadrature point, eight at a time: the lanes of a
+/// pack are different elements at the same local point.
+template <int Dim>
+class Band {
+ public:
+  static constexpr int n_lanes = autodiff::pack_size;
+  static constexpr int n_reference = ReferencePoint<Dim, double>::size;
+
+  /// One local quadrature point of eight elements.
+  struct Point {
+    autodiff::Pack weight;  ///< eta_sigma(d1) h^Dim w_q; 0 in lanes where the point is outside the band
+    std::array<autodiff::Pack, n_reference> reference;
+  };
+  struct Batch {
+    std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); where there are fewer than lanes the
+                                         ///< first is repeated
+    int n_elements;
+  };
+
+  /// sigma in units of the domain's side. root_is_inverse: of GeometryPair.
+  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
+       const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
+
+  std::span<const Batch> batches() const { return batches_; }
+  /// Those of a patch of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.
+  std::array<std::size_t, 2> batches_of(std::size_t patch) const {
+    return {first_batch_[patch], first_batch_[patch + 1]};
+  }
+  /// Point q of batch b.
+  const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
+  /// Asks for the point after that one, early: what lies between takes too long for the processor to see the row.
+  void prefetch_after(std::size_t b, std::size_t q) const {
+    const auto next = reinterpret_cast<const char*>(&point(b, q) + 1);
+    for (std::size_t line = 0; line < sizeof(Point); line += 64) __builtin_prefetch(next + line);
+  }
+  std::size_t n_elements() const { return n_elements_; }
+  std::size_t n_active_points() const { return n_active_points_; }
+  /// Integral of eta_sigma(d1) over the domain: tends to the measure of M1. Unit: length^(Dim-1).
+  double measure() const { return measure_; }
+
+ private:
+  std::vector<Batch> batches_;
+  std::vector<std::size_t> first_batch_;  ///< by patch
+  std::vector<Point> points_;
+  std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
+  double measure_ = 0;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,112 @@
+// The inner loop of the program: match, membrane and bending at eight quadrature points at a time.
+
+#include "energies/assembly/band_kernel.h"
+#include "energies/elements/sum_factorised_evaluator.h"
+#include "energies/assembly/matching_energy.h"
+
+namespace shellmatch {
+
+namespace {
+
+using autodiff::Pack;
+using autodiff::pack_size;
+
+/// Template and Dphi at eight points: the functors' active arguments. What does not count must not become
+/// NaN.
+template <int Dim, bool WithGradient>
+void look_up(const GeometryField<Dim>& target, const Pack& weight, const typename GeometryField<Dim>::Spots& spots,
+             const GaussImages<Dim>& images, std::size_t q, PointArrays<Dim>& p) {
+  if constexpr (WithGradient)
+    target.look_up(weight, spots, p.active.data(), p.derivative);
+  else
+    target.look_up(weight, spots, p.active.data());
+  Pack* dphi = p.active.data() + PointArrays<Dim>::n_target;
+  images.jacobian(q, dphi);
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      Pack& entry = dphi[i * Dim + j];
+      entry = weight > 0 ? entry : Pack{} + (i == j ? 1.0 : 0.0);
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+template <bool WithGradient>
+void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                         TermValues& values, double* gradients, BandSums* band_sums) const {
+  constexpr int n_target = PointArrays<Dim>::n_target;
+  constexpr int n_reference = ReferencePoint<Dim, double>::size;
+  if (!(band_sums || weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return;
+  const auto elements = elements_;
+  const auto batches = band_.batches();
+  const TermKernel<Dim> other_membrane = comparison_kernel<Dim, WithGradient>(options_.membrane);
+  const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);
+
+  ElementBatch<Dim> batch;
+  GaussImages<Dim> images(shape_);
+  PointArrays<Dim> p;
+  p.passive[n_reference] = Pack{} + options_.lambda;
+  p.passive[n_reference + 1] = Pack{} + options_.mu;
+  std::array<Pack, 3> sums{};
+  const auto [first, last] = band_.batches_of(patch.index);
+  for (std::size_t b = first; b < last; ++b) {
+    batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
+    images.evaluate(batch);
+    if constexpr (WithGradient) images.clear_adjoint();
+    if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return batches[b + 1].element[lane]; });
+    auto next = target_->find(images.position(0));
+    for (std::size_t q = 0; q < shape_.points.size(); ++q) {
+      const auto& point = band_.point(b, q);
+      band_.prefetch_after(b, q);
+      const auto spots = next;  // the following are found while these are worked on
+      if (q + 1 < shape_.points.size()) next = target_->find(images.position(q + 1));
+      if (autodiff::sum_lanes(point.weight) == 0) continue;
+      look_up<Dim, WithGradient>(*target_, point.weight, spots, images, q, p);
+      for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
+      if (band_sums) band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
+      if constexpr (WithGradient) p.adjoint.fill(Pack{});
+      if (weights[Term::match] > 0)
+        sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(
+            p, point.weight * weights[Term::match]);
+      if (weights[Term::membrane] > 0) {
+        const Pack seed = point.weight * weights[Term::membrane];
+        sums[1] += other_membrane ? other_membrane(p, seed)
+                                  : apply_term<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, seed);
+      }
+      if (weights[Term::bending] > 0) {
+        const Pack seed = point.weight * weights[Term::bending];
+        sums[2] += other_bending ? other_bending(p, seed)
+                                 : apply_term<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, seed);
+      }
+      if constexpr (WithGradient) {
+        std::array<Pack, Dim> by_position;
+        for (int k = 0; k < Dim; ++k) {
+          by_position[k] = p.adjoint[0] * p.derivative[k][0];
+          for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
+        }
+        images.add_by_position(q, by_position);
+        images.add_by_jacobian(q, p.adjoint.data() + n_target);
+      }
+    }
+    if constexpr (WithGradient) {
+      batch.clear_gradient();
+      images.add_to_gradient(batch);
+      batch.add_gradients(batches[b].n_elements, [&](int lane) {
+        return gradients + (static_cast<std::size_t>(batches[b].element[lane]) - patch.begin) * batch.n_dofs;
+      });
+    }
+  }
+  for (int t = 0; t < 3; ++t) values.v[t] = autodiff::sum_lanes(sums[t]);
+}
+
+template void MatchingEnergy<2>::add_band_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                    TermValues&, double*, BandSums*) const;
+template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                    TermValues&, double*, BandSums*) const;
+template void MatchingEnergy<3>::add_band_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                    TermValues&, double*, BandSums*) const;
+template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                    TermValues&, double*, BandSums*) const;
+
+}  // namespace shellmatch

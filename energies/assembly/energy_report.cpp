@@ -1,0 +1,44 @@
+#include "energies/assembly/energy_report.h"
+
+#include "base/parallel.h"
+
+namespace shellmatch {
+
+namespace {
+
+struct Part {
+  TermValues values;
+  BandSums band;
+  bool is_evaluable = true;
+  Part& operator+=(const Part& o) {
+    values += o.values;
+    band += o.band;
+    is_evaluable = is_evaluable && o.is_evaluable;
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
+                           const EnergyOptions& options, double sigma, int points_per_direction,
+                           std::span<const Vec<Dim>> phi, const TermValues& weights) {
+  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second cache
+  const auto elements = unknowns.elements();
+  const Part all = parallel_sum(elements.size(), elements_at_a_time, Part{}, [&](const Chunk& piece) {
+    const auto some = elements.subspan(piece.begin, piece.end - piece.begin);
+    const MatchingEnergy<Dim> energy(some, geometry, options, sigma, points_per_direction);
+    Part part;
+    part.is_evaluable = energy.report(phi, weights, part.values, part.band);
+    return part;
+  });
+  return {all.is_evaluable ? all.values : TermValues{}, all.band.means()};
+}
+
+template EnergyReport report_energy<2>(const Unknowns<2>&, const GeometryPair<2>&, const EnergyOptions&, double, int,
+                                       std::span<const Vec<2>>, const TermValues&);
+template EnergyReport report_energy<3>(const Unknowns<3>&, const GeometryPair<3>&, const EnergyOptions&, double, int,
+                                       std::span<const Vec<3>>, const TermValues&);
+
+}  // namespace shellmatch

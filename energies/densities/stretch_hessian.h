@@ -1,0 +1,99 @@
+#pragma once
+/// \file
+/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches.
+///
+/// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s).
+/// In the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each
+/// pair (i, j), a twist (e_i e_j^T - e_j e_i^T) with eigenvalue (psi_i + psi_j)/(s_i + s_j) and a flip (e_i
+/// e_j^T + e_j e_i^T) with (psi_i - psi_j)/(s_i - s_j). Smith, de Goes and Kim, 'Analytic eigensystems for
+/// isotropic distortion energies', ACM TOG 38(1), 2019. psi and its derivatives come from the density's own
+/// functor.
+
+#include "base/types.h"
+#include "energies/autodiff/second_order.h"
+#include "energies/terms/integrands.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+/// A = U diag(s) V^T.
+template <int Dim>
+struct Stretches {
+  Mat<Dim> u, v;
+  Vec<Dim> s;  ///< the first is the smallest and carries the sign of det A
+};
+
+template <int Dim>
+Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
+  // Singular vectors from A^T A; the decomposition need not be accurate where stretches coincide, as any
+  // basis serves there.
+  Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen;
+  eigen.computeDirect(a.transpose() * a);
+  Mat<Dim> v = eigen.eigenvectors();
+  if (v.determinant() < 0) v.col(0) = -v.col(0);
+  Mat<Dim> u;
+  Vec<Dim> s;
+  for (int i = Dim - 1; i > 0; --i) {  // ascending eigenvalues: the smallest is column 0
+    u.col(i) = a * v.col(i);
+    for (int j = i + 1; j < Dim; ++j) u.col(i) -= u.col(j).dot(u.col(i)) * u.col(j);
+    s[i] = u.col(i).norm();
+    u.col(i) = s[i] > 1e-12 ? Vec<Dim>(u.col(i) / s[i]) : Vec<Dim>(Vec<Dim>::Unit(i));
+  }
+  if constexpr (Dim == 3)
+    u.col(0) = u.col(1).cross(u.col(2));
+  else
+    u.col(0) = Vec<2>(u(1, 1), -u(0, 1));
+  s[0] = u.col(0).dot(a * v.col(0));
+  return {u, v, s};
+}
+
+/// psi with its derivatives by the stretches; V is double, or Pack for eight matrices at once.
+/// VolumeTerm: SimplifiedVolume, FullVolume, SymmetricDirichletVolume.
+template <class VolumeTerm, int Dim, class V>
+autodiff::SecondOrder<Dim, V> density_of_stretches(const std::array<V, Dim>& s, const Lame<double>& lame) {
+  using Scalar = autodiff::SecondOrder<Dim, V>;
+  SmallMat<Scalar, Dim> diagonal;
+  for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);
+  return VolumeTerm::template density<Scalar, double>(diagonal, lame);
+}
+
+/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight
+/// matrices, given by its lane of psi.
+template <int Dim>
+Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
+    const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi, int lane) {
+  Vec<Dim> first;
+  Mat<Dim> second;
+  for (int i = 0; i < Dim; ++i) {
+    first[i] = psi.g[i][lane];
+    for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j)[lane];
+  }
+  Eigen::Matrix<double, Dim * Dim, Dim* Dim> h = Eigen::Matrix<double, Dim * Dim, Dim * Dim>::Zero();
+  const auto add = [&](const Mat<Dim>& mode, double value) {
+    if (!(value > 0)) return;
+    const Mat<Dim> q = a.u * mode * a.v.transpose();
+    Eigen::Matrix<double, Dim * Dim, 1> flat;
+    for (int i = 0; i < Dim; ++i)
+      for (int j = 0; j < Dim; ++j) flat[i * Dim + j] = q(i, j);
+    h += value * flat * flat.transpose();
+  };
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i + 1; j < Dim; ++j) {
+      Mat<Dim> twist = Mat<Dim>::Zero(), flip = Mat<Dim>::Zero();
+      twist(i, j) = flip(i, j) = flip(j, i) = std::sqrt(0.5);
+      twist(j, i) = -twist(i, j);
+      const double sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
+      if (std::abs(sum) > 1e-9) add(twist, (first[i] + first[j]) / sum);
+      add(flip, std::abs(gap) > 1e-4 ? (first[i] - first[j]) / gap
+                                     : 0.5 * (second(i, i) + second(j, j)) - second(i, j));
+    }
+  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> stretch(second);
+  for (int m = 0; m < Dim; ++m) add(stretch.eigenvectors().col(m).asDiagonal(), stretch.eigenvalues()[m]);
+  return h;
+}
+
+}  // namespace shellmatch

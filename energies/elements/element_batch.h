@@ -1,0 +1,116 @@
+#pragma once
+/// \file
+/// Eight elements at once: nodal positions in, element gradients out.
+
+#include "energies/autodiff/pack.h"
+#include "energies/autodiff/transpose.h"
+#include "energies/elements/unknowns.h"
+
+#include <algorithm>
+#include <span>
+
+namespace shellmatch {
+
+template <int Dim>
+struct ElementBatch {
+  using Pack = autodiff::Pack;
+  static constexpr int n_lanes = autodiff::pack_size;
+  static constexpr int n_dofs = n_corners<Dim> * Dim;
+
+  std::array<Pack, n_dofs> u;         ///< nodal positions, corner after corner
+  std::array<Pack, n_dofs> gradient;  ///< derivative by them
+  Pack side, inverse_side;
+
+  /// `element` gives the element of each lane.
+  template <class ElementOf>
+  void load(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, ElementOf&& element) {
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const Element<Dim>& e = elements[element(lane)];
+      side[lane] = e.side;
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (int k = 0; k < Dim; ++k) u[c * Dim + k][lane] = phi[e.nodes[c]][k];
+    }
+    inverse_side = 1.0 / side;
+  }
+
+  /// Asks for the positions that load() reads, early.
+  template <class ElementOf>
+  static void prefetch(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, ElementOf&& element) {
+    for (int lane = 0; lane < n_lanes; ++lane)
+      for (const Index node : elements[element(lane)].nodes) __builtin_prefetch(&phi[node]);
+  }
+
+  /// Elements [first, first + 8), or what there is of them; their number. Lanes that are left repeat the last.
+  std::size_t load_run(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi, std::size_t first) {
+    const std::size_t n = std::min<std::size_t>(n_lanes, elements.size() - first);
+    load(elements, phi, [&](int lane) { return first + std::min(static_cast<std::size_t>(lane), n - 1); });
+    return n;
+  }
+
+  void clear_gradient() { gradient.fill(Pack{}); }
+
+  /// Writes the gradients of the first n lanes, lane after lane.
+  void store_gradients(std::size_t n, double* to) const {
+    const auto lanes = by_lane();
+    for (std::size_t lane = 0; lane < n; ++lane)
+      for (int i = 0; i < n_dofs; ++i) *to++ = lanes[lane][i / n_lanes][i % n_lanes];
+  }
+  /// Adds the gradients of the first n lanes, that of lane i where to(i) points to.
+  template <class To>
+  void add_gradients(int n, To&& to) const {
+    const auto lanes = by_lane();
+    for (int lane = 0; lane < n; ++lane) {
+      double* out = to(lane);
+      for (int i = 0; i < n_dofs; ++i) out[i] += lanes[lane][i / n_lanes][i % n_lanes];
+    }
+  }
+
+  /// Largest entry, in size, that Dphi has anywhere on the element: it is a mean of differences along edges.
+  Pack largest_entry() const {
+    Pack largest{};
+    for (int k = 0; k < Dim; ++k)
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        if ((c >> k) & 1) continue;
+        for (int a = 0; a < Dim; ++a) {
+          const Pack x = u[(c | 1 << k) * Dim + a] - u[c * Dim + a];
+          largest = autodiff::max_of(largest, autodiff::max_of(x, -x));
+        }
+      }
+    return largest * inverse_side;
+  }
+
+ private:
+  static_assert(n_dofs % n_lanes == 0);
+  std::array<std::array<Pack, n_dofs / n_lanes>, n_lanes> by_lane() const {
+    std::array<std::array<Pack, n_dofs / n_lanes>, n_lanes> lanes;
+    for (int i = 0; i < n_dofs / n_lanes; ++i) {
+      std::array<Pack, n_lanes> rows;
+      std::copy_n(gradient.begin() + i * n_lanes, n_lanes, rows.begin());
+      autodiff::transpose(rows);
+      for (int lane = 0; lane < n_lanes; ++lane) lanes[lane][i] = rows[lane];
+    }
+    return lanes;
+  }
+};
+
+/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at
+/// most `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
+template <int Dim>
+autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
+  const autodiff::Pack after = largest + change;
+  if constexpr (Dim == 2)
+    return 2.0 * (after * after - largest * largest);
+  else
+    return 6.0 * (after * after * after - largest * largest * largest);
+}
+
+/// A lower bound of all Bernstein coefficients of det Dphi on each of the eight, at a third of their cost: exact
+/// where phi is affine. NaN where a position is.
+template <int Dim>
+autodiff::Pack determinant_bound(const ElementBatch<Dim>& batch);
+
+/// Smallest Bernstein coefficient of det Dphi on each of the eight (energies/terms/fold_barrier.h).
+template <int Dim>
+autodiff::Pack least_determinant(const ElementBatch<Dim>& batch);
+
+}  // namespace shellmatch

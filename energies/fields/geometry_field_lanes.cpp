@@ -1,0 +1,109 @@
+// Look-ups of a shape's fields at eight points at once: where most of the time of a gradient goes.
+
+#include "energies/autodiff/transpose.h"
+#include "energies/fields/geometry_field.h"
+#include "energies/fields/spline_sum.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace shellmatch {
+
+using autodiff::pack_size;
+
+template <int Dim>
+typename GeometryField<Dim>::Spots GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
+  Spots spots{.y = y, .inside = {}, .leaf = {}};
+  std::array<std::array<double, pack_size>, Dim> place;
+  for (int k = 0; k < Dim; ++k) {
+    // In this order what is not a number, as in lanes that do not count, becomes 0.
+    Pack& inside = spots.inside[k];
+    inside = y[k] > 0.0 ? y[k] : Pack{};
+    inside = inside < 1.0 ? inside : Pack{} + 1.0;
+    place[k] = std::bit_cast<std::array<double, pack_size>>(inside);
+  }
+  if (!is_smooth()) return spots;
+  splines_->locate(place, spots.leaf);
+  for (const Index l : spots.leaf) splines_->prefetch(l);
+  return spots;
+}
+
+// In stages over all lanes, so that none waits for what another one has to fetch from memory.
+template <int Dim>
+template <bool WithGradient>
+inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& spots,
+                                             LaneRows<WithGradient>& rows) const {
+  std::array<typename SplineSpace<Dim>::Local, pack_size> local;
+  Pack size;
+  std::array<Pack, Dim> corner;
+  for (int lane = 0; lane < pack_size; ++lane) {
+    const Index leaf = spots.leaf[lane];
+    local[lane] = splines_->coefficients_of(leaf);
+    size[lane] = static_cast<double>(1 << splines_->level_of(leaf));
+    const auto c = splines_->corner_of(leaf);
+    for (int k = 0; k < Dim; ++k) corner[k][lane] = c[k];
+  }
+  std::array<Pack, Dim> t, scale;
+  for (int k = 0; k < Dim; ++k) {
+    t[k] = spots.inside[k] * size - corner[k];
+    scale[k] = spots.inside[k] == spots.y[k] ? size : Pack{};  // none where y is projected
+  }
+  const SplineFactors<Dim, Pack> factors(t, scale);
+
+  for (int lane = 0; lane < pack_size; ++lane) {
+    if (!(weight[lane] > 0)) {
+      rows.clear(lane);
+      continue;
+    }
+    const auto& c = local[lane];
+    const auto sum = [&](const auto* from, auto&& put) {
+      const auto of_lane = [&](const Pack& x) { return reinterpret_cast<const double*>(&x)[lane]; };
+      sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[c[n]]; }, of_lane, put);
+    };
+    sum(main_->data(), [&](int i, const Pack& x) { rows.main[i][lane] = x; });
+    if constexpr (n_rest > 0)
+      sum(rest_->data(), [&](int i, const Pair& x) {
+        for (int r = 0; r < n_rest; ++r) rows.rest[n_rest * i + r][lane] = x[r];
+      });
+  }
+}
+
+template <int Dim>
+template <bool WithGradient>
+void GeometryField<Dim>::look_up_lanes(const Pack& weight, const Spots& spots, Pack* values,
+                                       Packs* derivative) const {
+  LaneRows<WithGradient> rows;
+  if (is_smooth())
+    spline_lanes(weight, spots, rows);
+  else
+    multilinear_lanes(weight, spots.y, rows);
+  constexpr int n_main = std::min<int>(n_values, pack_size);
+  for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
+    autodiff::transpose(rows.main[k]);
+    Pack* to = k == 0 ? values : derivative[k - 1].data();
+    for (int i = 0; i < n_main; ++i) to[i] = rows.main[k][i];
+    for (int i = 0; i < n_rest; ++i) to[n_main + i] = weight > 0 ? rows.rest[n_rest * k + i] : Pack{};
+  }
+  values[1] = weight > 0 ? values[1] : Pack{} + 1.0;
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const Spots& spots, Pack* values) const {
+  look_up_lanes<false>(weight, spots, values, nullptr);
+}
+
+template <int Dim>
+void GeometryField<Dim>::look_up(const Pack& weight, const Spots& spots, Pack* values,
+                                 std::array<Packs, Dim>& derivative) const {
+  look_up_lanes<true>(weight, spots, values, derivative.data());
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
+  template typename GeometryField<Dim>::Spots GeometryField<Dim>::find(const std::array<Pack, Dim>&) const; \
+  template void GeometryField<Dim>::look_up(const Pack&, const Spots&, Pack*) const;                        \
+  template void GeometryField<Dim>::look_up(const Pack&, const Spots&, Pack*, std::array<Packs, Dim>&) const;
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

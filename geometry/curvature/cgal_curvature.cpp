@@ -1,0 +1,97 @@
+#include "geometry/curvature/mesh_curvature.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+// The least-squares problem of the fit is solved by Eigen.
+#ifndef CGAL_EIGEN3_ENABLED
+#define CGAL_EIGEN3_ENABLED
+#endif
+#include <CGAL/Eigen_svd.h>
+#include <CGAL/Monge_via_jet_fitting.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using JetFit = CGAL::Monge_via_jet_fitting<Kernel, Kernel, CGAL::Eigen_svd>;
+
+Vec<3> to_vec(const Kernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::vector<std::vector<Index>> vertex_neighbours(const Surface<3>& surface) {
+  std::vector<std::vector<Index>> neighbours(surface.vertices.size());
+  for (const auto& facet : surface.facets)
+    for (const Index v : facet)
+      for (const Index w : facet)
+        if (v != w) neighbours[v].push_back(w);
+  for (auto& list : neighbours) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return neighbours;
+}
+
+/// v itself and its neighbours: n_rings of them, and then more until there are n_points.
+std::vector<Index> neighbourhood(const std::vector<std::vector<Index>>& neighbours, Index v, int n_rings,
+                                 std::size_t n_points) {
+  std::vector<Index> found{v}, ring{v};
+  for (int r = 0; !ring.empty() && (r < n_rings || found.size() < n_points); ++r) {
+    std::vector<Index> next;
+    for (const Index w : ring)
+      for (const Index u : neighbours[w])
+        if (std::find(found.begin(), found.end(), u) == found.end()) found.push_back(u), next.push_back(u);
+    ring = std::move(next);
+  }
+  return found;
+}
+
+VertexCurvature fit(const std::vector<Kernel::Point_3>& points, const Vec<3>& outward, int degree) {
+  JetFit fit;
+  auto monge = fit(points.begin(), points.end(), static_cast<std::size_t>(degree), 2);
+  monge.comply_wrt_given_normal({outward.x(), outward.y(), outward.z()});
+  // In CGAL's form z = (k1 x^2 + k2 y^2)/2 + ..., z along the normal, a convex surface has negative
+  // curvatures and the first is the larger one.
+  VertexCurvature result;
+  result.k1 = -monge.principal_curvatures(1);
+  result.k2 = -monge.principal_curvatures(0);
+  result.d1 = to_vec(monge.minimal_principal_direction());
+  result.normal = to_vec(monge.normal_direction());
+  result.d2 = result.normal.cross(result.d1);
+  return result;
+}
+
+}  // namespace
+
+std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const CurvatureOptions& options) {
+  SHELLMATCH_CHECK(options.degree >= 2 && options.degree <= 4 && options.n_rings >= 1,
+                   "jets of degree 2 to 4 are fitted to at least one ring of neighbours");
+  const auto n_points = static_cast<std::size_t>((options.degree + 1) * (options.degree + 2) / 2);
+  const auto neighbours = vertex_neighbours(surface);
+  std::vector<Vec<3>> normals(surface.vertices.size(), Vec<3>::Zero());
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (const Index v : surface.facets[f]) normals[v] += facet_normal(surface, static_cast<Index>(f));
+
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Vec<3> no_vector = Vec<3>::Constant(nan);
+  std::vector<VertexCurvature> result(surface.vertices.size(), {nan, nan, no_vector, no_vector, no_vector});
+  parallel_for(
+      surface.vertices.size(),
+      [&](std::size_t v) {
+        std::vector<Kernel::Point_3> points;
+        for (const Index w : neighbourhood(neighbours, static_cast<Index>(v), options.n_rings, n_points)) {
+          const Vec<3>& x = surface.vertices[w];
+          points.emplace_back(x.x(), x.y(), x.z());
+        }
+        if (points.size() >= n_points) result[v] = fit(points, normals[v], options.degree);
+      },
+      64);
+  return result;
+}
+
+}  // namespace shellmatch

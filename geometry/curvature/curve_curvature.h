@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Curvature of closed contours from their vertices.
+
+#include "geometry/surface/surface.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+/// At every vertex that of the parabola that fits the vertex and its `n_rings` neighbours to each side best, in the
+/// sense of least squares: the counterpart in the plane of geometry/curvature/mesh_curvature.h. Positive where convex;
+/// unit 1/length. NaN where the ring has fewer than 2 n_rings + 1 vertices, or a vertex is not on exactly one ring.
+/// \pre n_rings >= 1 (checked)
+std::vector<double> curve_curvatures(const Surface<2>& curve, int n_rings = 2);
+
+}  // namespace shellmatch

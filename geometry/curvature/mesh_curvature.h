@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Principal curvatures at the vertices of a mesh from a polynomial through nearby vertices: Cazals and
+/// Pouget, 'Estimating differential quantities using polynomial fitting of osculating jets', CAGD 22(2), 2005
+/// (CGAL).
+
+#include "base/types.h"
+#include "geometry/surface/surface.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+/// Curvatures with respect to the outward normal: positive where the surface is convex, 1/R on a sphere of
+/// radius R.
+struct VertexCurvature {
+  double k1, k2;  ///< k1 >= k2; unit 1/length
+  Vec<3> d1, d2;  ///< unit principal directions; (d1, d2, normal) is orthonormal
+  Vec<3> normal;  ///< of the fitted polynomial, outward
+};
+
+struct CurvatureOptions {
+  int degree =
+      2;  ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
+  int n_rings = 2;  ///< of neighbours the polynomial is fitted to, >= 1; more where they are too few
+};
+
+/// One for each vertex. All entries NaN where the whole connected part has fewer vertices than the polynomial
+/// has coefficients, or the vertex has no facet.
+std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface,
+                                               const CurvatureOptions& options = {});
+
+}  // namespace shellmatch

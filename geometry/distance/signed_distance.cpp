@@ -1,0 +1,62 @@
+#include "geometry/distance/signed_distance.h"
+
+#include "base/error.h"
+#include "geometry/surface/facet_point.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/pseudonormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shellmatch {
+
+template <int Dim>
+struct SignedDistance<Dim>::Tree {
+  explicit Tree(Surface<Dim> s) : surface(std::move(s)), facets(surface), normals(surface) {
+    const Box<Dim> box = bounding_box(surface.vertices);
+    rounding = 1e-12 * std::max(box.max.cwiseAbs().maxCoeff(), box.min.cwiseAbs().maxCoeff());
+  }
+  Surface<Dim> surface;
+  FacetTree<Dim> facets;
+  Pseudonormals<Dim> normals;
+  double
+      rounding;  // below this distance the direction from the surface to a point is not known to four digits
+};
+
+template <int Dim>
+SignedDistance<Dim>::SignedDistance(Surface<Dim> surface) {
+  SHELLMATCH_CHECK(!surface.facets.empty(), "the distance to a surface without facets is not defined");
+  tree_ = std::make_unique<Tree>(std::move(surface));
+}
+
+template <int Dim>
+SignedDistance<Dim>::~SignedDistance() = default;
+template <int Dim>
+SignedDistance<Dim>::SignedDistance(SignedDistance&&) noexcept = default;
+template <int Dim>
+SignedDistance<Dim>& SignedDistance<Dim>::operator=(SignedDistance&&) noexcept = default;
+
+template <int Dim>
+const Surface<Dim>& SignedDistance<Dim>::surface() const {
+  return tree_->surface;
+}
+
+template <int Dim>
+ClosestPoint<Dim> SignedDistance<Dim>::closest(const Vec<Dim>& x) const {
+  const Index facet = tree_->facets.nearest(x);
+  SHELLMATCH_CHECK(facet != no_index, "a point whose distance is asked for is not finite");
+  const auto [point, feature] = closest_point_on_facet(tree_->surface, facet, x);
+  const Vec<Dim>& pseudonormal = tree_->normals(tree_->surface, facet, feature);
+  const Vec<Dim> difference = x - point;
+  const double distance = std::copysign(difference.norm(), difference.dot(pseudonormal));
+  // Above the inside of a facet its normal is the gradient; elsewhere rounding must not decide on the
+  // direction.
+  const bool take_pseudonormal = feature == inside_facet<Dim> || std::abs(distance) <= tree_->rounding;
+  return {distance, point, take_pseudonormal ? pseudonormal : Vec<Dim>(difference / distance), facet};
+}
+
+template class SignedDistance<2>;
+template class SignedDistance<3>;
+
+}  // namespace shellmatch

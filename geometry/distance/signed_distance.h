@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Exact signed distance to a closed oriented surface, from one bounding volume tree.
+
+#include "base/types.h"
+#include "geometry/surface/surface.h"
+
+#include <memory>
+
+namespace shellmatch {
+
+/// What the tree knows of a query point x.
+template <int Dim>
+struct ClosestPoint {
+  double signed_distance;  ///< negative inside
+  Vec<Dim> point;          ///< nearest point of the surface
+  Vec<Dim> normal;         ///< unit gradient of the distance at x: (x - point) / signed_distance away from the
+                           ///< surface, the pseudonormal of the nearest feature on it
+  Index facet;             ///< a facet that contains `point`
+};
+
+/// Closest point queries on a closed, outward oriented surface. The sign comes from the angle-weighted
+/// pseudonormal of the nearest feature (vertex, edge or facet): Baerentzen and Aanaes, 'Signed distance
+/// computation using the angle weighted pseudonormal', IEEE TVCG 11(3), 2005.
+/// Immutable after construction; queries may run in parallel.
+template <int Dim>
+class SignedDistance {
+ public:
+  /// \pre the surface is not empty and has finite coordinates. Keeps a copy.
+  explicit SignedDistance(Surface<Dim> surface);
+  ~SignedDistance();
+  SignedDistance(SignedDistance&&) noexcept;
+  SignedDistance& operator=(SignedDistance&&) noexcept;
+
+  /// Of facets at the same distance the one with the lowest index counts. \pre x is finite (checked).
+  ClosestPoint<Dim> closest(const Vec<Dim>& x) const;
+  double operator()(const Vec<Dim>& x) const { return closest(x).signed_distance; }
+  const Surface<Dim>& surface() const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,68 @@
+#include "geometry/distance/surface_distance.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+std::vector<Vec<Dim>> used_vertices(const Surface<Dim>& surface) {
+  std::vector<bool> used(surface.vertices.size(), false);
+  for (const auto& facet : surface.facets)
+    for (const Index v : facet) used[v] = true;
+  std::vector<Vec<Dim>> points;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) points.push_back(surface.vertices[v]);
+  return points;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+DistanceStatistics statistics(std::vector<double> values) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {nan, nan, nan};
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  const double max = *std::max_element(values.begin(), values.end());
+  return {mean, quantile(std::move(values), 0.95), max};
+}
+
+template <int Dim>
+std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
+  std::vector<double> distances(points.size());
+  parallel_for(
+      points.size(), [&](std::size_t i) { distances[i] = std::abs(surface(points[i])); }, 256);
+  return distances;
+}
+
+template <int Dim>
+MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
+  const std::vector<Vec<Dim>> template_points = used_vertices(template_distance.surface());
+  const double diagonal = bounding_box(template_points).diagonal();
+  const auto summary = [&](const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
+    const DistanceStatistics s = statistics(distances_to(points, surface));
+    return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
+  };
+  return {summary(used_vertices(deformed), template_distance),
+          summary(template_points, SignedDistance<Dim>(deformed))};
+}
+
+template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);
+template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
+template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&);
+template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// A hand: palm, wrist and five fingers that turn rigidly about their bases. Fingers point along y, the thumb
+/// towards -x, the palm looks along -z.
+
+#include "base/options.h"
+#include "geometry/generate/body.h"
+#include "geometry/generate/implicit.h"
+
+#include <array>
+#include <optional>
+
+namespace shellmatch {
+
+struct HandOptions {
+  double spread = 1;
+  double bend_thumb = 0, bend_index = 0, bend_middle = 0, bend_ring = 0, bend_little = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("spread", self.spread,
+          {.min = 0.85, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
+    const auto bend = [&](const char* name, auto& value) {
+      visit(name, value,
+            {.unit = "degrees",
+             .min = -20,
+             .max = 60,
+             .meaning = "turn of the finger about its base, towards the palm"});
+    };
+    bend("bend_thumb", self.bend_thumb);
+    bend("bend_index", self.bend_index);
+    bend("bend_middle", self.bend_middle);
+    bend("bend_ring", self.bend_ring);
+    bend("bend_little", self.bend_little);
+  }
+};
+
+/// The hand as a signed function of a point of the domain, part by part.
+class Hand {
+ public:
+  explicit Hand(const HandOptions& options);
+
+  double operator()(const Vec<3>& x) const;
+
+  /// Where a point x of this hand's surface lies on `other`, if that is known: x belongs to one finger or to
+  /// the palm alone, untouched by any blend, in both poses. Both hands must have the same spread.
+  std::optional<Vec<3>> corresponding_point(const Hand& other, const Vec<3>& x) const;
+
+  /// The finger (0 thumb to 4 little finger) that alone makes up the surface near x, 5 for palm and wrist, or
+  /// -1.
+  int part_of(const Vec<3>& x) const;
+
+ private:
+  struct Finger {
+    Vec<3> base;      // where it turns
+    Mat<3> rotation;  // from the finger's own axes (y along it) to those of the domain
+    double length, thickness;
+  };
+  double finger(int k, const Vec<3>& x) const;
+  double palm(const Vec<3>& x) const;
+
+  std::array<Finger, 5> fingers_;
+};
+
+/// Rest shape: the posed shape itself. Correspondence is Hand::corresponding_point's.
+Body<3> hand_body(const HandOptions& options, double edge_length);
+
+}  // namespace shellmatch

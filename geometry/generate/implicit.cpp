@@ -1,0 +1,109 @@
+#include "geometry/generate/implicit.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/generate/lattice.h"
+#include "geometry/generate/mesh_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+double smooth_union(double a, double b, double width) {
+  const double overlap = std::max(1 - std::abs(a - b) / width, 0.0);
+  return std::min(a, b) - width / 6 * overlap * overlap * overlap;
+}
+
+double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb) {
+  const Vec<3> axis = b - a;
+  const double length = axis.norm();
+  const double along = (x - a).dot(axis) / length;
+  const double across = std::sqrt(std::max((x - a).squaredNorm() - along * along, 0.0));
+  // In the half plane (along, across) the mantle is a segment with the unit normal (sine, cosine).
+  const double sine = (ra - rb) / length, cosine = std::sqrt(1 - sine * sine);
+  const double on_mantle = along * cosine - across * sine;
+  if (on_mantle <= 0) return std::hypot(along, across) - ra;
+  if (on_mantle >= length * cosine) return std::hypot(along - length, across) - rb;
+  return along * sine + across * cosine - ra;
+}
+
+double rounded_box(const Vec<3>& x, const Vec<3>& half_sides, double radius) {
+  const Vec<3> q = (x.cwiseAbs() - half_sides).array() + radius;
+  return q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0) - radius;
+}
+
+double ellipsoid_function(const Vec<3>& x, const Vec<3>& semi_axes) {
+  const double level = x.cwiseQuotient(semi_axes).norm();
+  const double slope = x.cwiseQuotient(semi_axes.cwiseAbs2()).norm();
+  // Near the centre the quotient has no limit; any value below -(smallest semi-axis)/2 serves there.
+  if (level < 1e-3) return -0.999 * semi_axes.minCoeff();
+  return level * (level - 1) / slope;
+}
+
+double rounded_plate(const Vec<3>& x, std::span<const Vec<2>> polygon, double half_thickness, double radius) {
+  const Vec<2> p = x.head<2>();
+  double squared = (p - polygon[0]).squaredNorm();
+  bool inside = true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec<2>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Vec<2> e = b - a, w = p - a;
+    squared = std::min(squared, (w - e * std::clamp(w.dot(e) / e.squaredNorm(), 0.0, 1.0)).squaredNorm());
+    inside = inside && e.x() * w.y() - e.y() * w.x() >= 0;
+  }
+  const double in_plane = inside ? -std::sqrt(squared) : std::sqrt(squared);
+  const double off_plane = std::abs(x.z()) - half_thickness;
+  return std::hypot(std::max(in_plane, 0.0), std::max(off_plane, 0.0)) +
+         std::min(std::max(in_plane, off_plane), 0.0) - radius;
+}
+
+Vec<3> implicit_gradient(const ImplicitFunction& f, const Vec<3>& x) {
+  constexpr double step = 1e-5;
+  Vec<3> gradient;
+  for (int k = 0; k < 3; ++k) {
+    Vec<3> right = x, left = x;
+    right[k] += step;
+    left[k] -= step;
+    gradient[k] = (f(right) - f(left)) / (2 * step);
+  }
+  return gradient;
+}
+
+Vec<3> project_to_zero(const ImplicitFunction& f, Vec<3> x) {
+  for (int step = 0; step < 10; ++step) {
+    const double value = f(x);
+    if (std::abs(value) < 1e-12) break;
+    const Vec<3> gradient = implicit_gradient(f, x);
+    x -= value / std::max(gradient.squaredNorm(), 0.01) * gradient;
+  }
+  return x;
+}
+
+Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name) {
+  // The lattice yields edges of 0.78 times its spacing on average. Where two sheets of the surface come
+  // close, an unlucky lattice may glue them together: a slightly finer one is tried then.
+  Surface<3> surface;
+  for (const double finer : {1.0, 0.93, 0.86, 0.8}) {
+    surface = triangulate_on_lattice(f, finer * edge_length / 0.78);
+    if (is_closed_manifold(surface)) break;
+  }
+  const Box<3> box = bounding_box(surface.vertices);
+  if (!surface.vertices.empty() && (box.min.minCoeff() < 0.05 || box.max.maxCoeff() > 0.95))
+    throw_input_error("{}: with these parameters the body leaves [0.05, 0.95]^3; choose less extreme ones",
+                      name);
+  if (!is_closed_manifold(surface))
+    throw_input_error(
+        "{}: an edge length of {:g} is too coarse for the details of this body; choose a smaller one", name,
+        edge_length);
+  const auto project = [&](std::size_t v) { surface.vertices[v] = project_to_zero(f, surface.vertices[v]); };
+  parallel_for(surface.vertices.size(), project);
+  for (int round = 0; round < 3; ++round) {
+    swap_to_delaunay(surface);
+    smooth_tangentially(f, 2, surface);
+  }
+  parallel_for(surface.vertices.size(), project);
+  swap_to_delaunay(surface);
+  return surface;
+}
+
+}  // namespace shellmatch

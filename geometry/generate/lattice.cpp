@@ -1,0 +1,235 @@
+#include "geometry/generate/lattice.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/generate/lattice_link.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+namespace shellmatch {
+
+namespace {
+
+using Site = std::int64_t;  // even: corner of a cube; odd: centre; divided by two: linear index of the cube
+constexpr double low = 0.04, high = 0.96;
+constexpr double short_threshold = 0.41, long_threshold = 0.25;  // fractions of an edge
+constexpr int block = 4;  // cubes along a side of the blocks that are skipped as a whole far from the surface
+
+class Lattice {
+ public:
+  Lattice(const ImplicitFunction& f, double spacing)
+      : n_(block * static_cast<int>(std::ceil((high - low) / (block * spacing))) + 1), spacing_(spacing) {
+    evaluate(f);
+  }
+
+  Surface<3> triangulate() {
+    move_close_sites();
+    for_each_tetrahedron([this](const std::array<Site, 4>& t) { cut(t); });
+    for (const auto& [key, facet] : facets_) surface_.facets.push_back(facet);
+    return std::move(surface_);
+  }
+
+ private:
+  Site site(int i, int j, int k, bool centre) const {
+    return 2 * ((static_cast<Site>(k) * n_ + j) * n_ + i) + (centre ? 1 : 0);
+  }
+  Vec<3> rest_position(Site s) const {
+    const Site c = s / 2;
+    const Vec<3> corner(static_cast<double>(c % n_), static_cast<double>(c / n_ % n_),
+                        static_cast<double>(c / (static_cast<Site>(n_) * n_)));
+    return Vec<3>::Constant(low) + spacing_ * (corner + Vec<3>::Constant(s % 2 ? 0.5 : 0.0));
+  }
+  Vec<3> position(Site s) const {
+    const auto moved = moved_.find(s);
+    return moved == moved_.end() ? rest_position(s) : moved->second;
+  }
+
+  // A block whose centre is farther from the surface than Lipschitz constant 2 times its half diagonal, one
+  // cube of margin included, has one sign throughout: it takes the value of its centre.
+  void evaluate(const ImplicitFunction& f) {
+    const int n_blocks = (n_ + block - 1) / block;
+    values_.resize(2 * static_cast<std::size_t>(n_) * n_ * n_);
+    std::vector<char> active(static_cast<std::size_t>(n_blocks) * n_blocks * n_blocks);
+    parallel_for(
+        active.size(),
+        [&](std::size_t b) {
+          const int first[3] = {static_cast<int>(b) % n_blocks * block,
+                                static_cast<int>(b) / n_blocks % n_blocks * block,
+                                static_cast<int>(b) / (n_blocks * n_blocks) * block};
+          const Vec<3> middle = rest_position(site(first[0], first[1], first[2], false)) +
+                                Vec<3>::Constant(0.5 * block * spacing_);
+          const double far = f(middle);
+          active[b] = std::abs(far) < 2 * std::sqrt(3.0) * (0.5 * block + 1) * spacing_;
+          for (int k = first[2]; k < std::min(first[2] + block, n_); ++k)
+            for (int j = first[1]; j < std::min(first[1] + block, n_); ++j)
+              for (int i = first[0]; i < std::min(first[0] + block, n_); ++i)
+                for (const bool centre : {false, true}) {
+                  const Site s = site(i, j, k, centre);
+                  // An exact zero would be a vertex that no cut accounts for: it counts as barely outside.
+                  const double value = active[b] ? f(rest_position(s)) : far;
+                  values_[s] = value == 0 ? 1e-300 : value;
+                }
+        },
+        1);
+    for (std::size_t b = 0; b < active.size(); ++b)
+      if (active[b])
+        blocks_.push_back({static_cast<int>(b) % n_blocks * block,
+                           static_cast<int>(b) / n_blocks % n_blocks * block,
+                           static_cast<int>(b) / (n_blocks * n_blocks) * block});
+  }
+
+  template <class Body>
+  void for_each_cube(Body&& body) {
+    for (const auto& first : blocks_)
+      for (int k = first[2]; k < std::min(first[2] + block, n_ - 1); ++k)
+        for (int j = first[1]; j < std::min(first[1] + block, n_ - 1); ++j)
+          for (int i = first[0]; i < std::min(first[0] + block, n_ - 1); ++i)
+            body(std::array<int, 3>{i, j, k});
+  }
+
+  // Each of the three upper faces of a cube joins two centres; with every edge of the face they span a
+  // tetrahedron.
+  template <class Body>
+  void for_each_tetrahedron(Body&& body) {
+    for_each_cube([&](const std::array<int, 3>& c) {
+      for (int axis = 0; axis < 3; ++axis) {
+        std::array<int, 3> next = c;
+        if (++next[axis] >= n_ - 1) continue;
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        std::array<Site, 4> ring;
+        for (int q = 0; q < 4; ++q) {
+          std::array<int, 3> corner = next;
+          corner[u] += q == 1 || q == 2;
+          corner[v] += q >= 2;
+          ring[q] = site(corner[0], corner[1], corner[2], false);
+        }
+        const Site lower = site(c[0], c[1], c[2], true), upper = site(next[0], next[1], next[2], true);
+        for (int q = 0; q < 4; ++q) body({lower, upper, ring[q], ring[(q + 1) % 4]});
+      }
+    });
+  }
+
+  // The site at `offset`, in half sides of a cube, from the site s of the cube c; -1 beyond the lattice.
+  Site neighbour(const std::array<int, 3>& c, bool centre, const std::array<int, 3>& offset) const {
+    const bool other = offset[0] % 2 != 0;
+    std::array<int, 3> d;
+    for (int k = 0; k < 3; ++k) {
+      const int twice = 2 * c[k] + (centre ? 1 : 0) + offset[k];
+      if (twice < 0 || twice >= 2 * n_) return -1;
+      d[k] = twice / 2;
+    }
+    return site(d[0], d[1], d[2], centre != other);
+  }
+
+  // Sites are moved one after the other in a fixed order; a moved site lies on the surface and its edges have
+  // no cuts any more. Where two sheets of the surface pass close to a site, moving it would glue them
+  // together: it stays where the surface does not cut the sphere of its neighbours into two connected pieces.
+  void move_close_sites() {
+    for_each_cube([&](const std::array<int, 3>& c) {
+      for (const bool centre : {false, true}) {
+        const Site s = site(c[0], c[1], c[2], centre);
+        const Vec<3> x = rest_position(s);
+        double least = std::numeric_limits<double>::infinity();
+        Vec<3> target;
+        std::array<double, n_lattice_neighbours> around;
+        bool complete = true;
+        for (int q = 0; q < n_lattice_neighbours && complete; ++q) {
+          const Site t = neighbour(c, centre, lattice_neighbour_offsets[q]);
+          complete = t >= 0;
+          if (!complete) break;
+          around[q] = values_[t];
+          if (values_[s] * values_[t] >= 0) continue;
+          const double fraction = values_[s] / (values_[s] - values_[t]);
+          const Vec<3> way = fraction * (rest_position(t) - x);
+          if (fraction < (q < 8 ? short_threshold : long_threshold) && way.norm() < least) {
+            least = way.norm();
+            target = x + way;
+          }
+        }
+        if (complete && std::isfinite(least) && link_is_cut_in_two(around)) {
+          moved_.emplace(s, target);
+          values_[s] = 0;
+        }
+      }
+    });
+  }
+
+  // The vertex on the edge from a to b, or on the site a where b == a.
+  Index vertex(Site a, Site b) {
+    if (a > b) std::swap(a, b);
+    const auto key = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint64_t>(b);
+    const auto [entry, is_new] = vertices_.try_emplace(key, static_cast<Index>(surface_.vertices.size()));
+    if (is_new) {
+      const Vec<3> pa = position(a);
+      const double fraction = a == b ? 0 : values_[a] / (values_[a] - values_[b]);
+      surface_.vertices.push_back(pa + fraction * (position(b) - pa));
+    }
+    return entry->second;
+  }
+
+  void add_facet(Index a, Index b, Index c, const Vec<3>& outward) {
+    const std::vector<Vec<3>>& x = surface_.vertices;
+    if ((x[b] - x[a]).cross(x[c] - x[a]).dot(outward) < 0) std::swap(b, c);
+    std::array<Index, 3> key{a, b, c};
+    std::sort(key.begin(), key.end());
+    // Two tetrahedra inside the body may share a face of three moved sites: a film without thickness, which
+    // both of them report and which is no part of the surface.
+    if (!facets_.emplace(key, std::array<Index, 3>{a, b, c}).second) facets_.erase(key);
+  }
+
+  void cut(const std::array<Site, 4>& t) {
+    std::array<Site, 4> inside, outside, on;
+    int n_inside = 0, n_outside = 0, n_on = 0;
+    Vec<3> outward = Vec<3>::Zero();
+    for (const Site s : t) {
+      if (values_[s] < 0) inside[n_inside++] = s;
+      if (values_[s] > 0) outside[n_outside++] = s;
+      if (values_[s] == 0) on[n_on++] = s;
+    }
+    if (n_inside == 0 || (n_outside == 0 && n_on < 3)) return;
+    for (int i = 0; i < n_inside; ++i) outward -= position(inside[i]) / n_inside;
+    if (n_outside == 0) {
+      outward += (position(on[0]) + position(on[1]) + position(on[2])) / 3;
+    } else {
+      for (int i = 0; i < n_outside; ++i) outward += position(outside[i]) / n_outside;
+    }
+    std::array<Index, 4> corners;
+    int n = 0;
+    for (int i = 0; i < n_on; ++i) corners[n++] = vertex(on[i], on[i]);
+    for (int i = 0; i < n_inside; ++i)
+      // Backwards on the second turn, so that four cuts come in cyclic order.
+      for (int j = 0; j < n_outside; ++j)
+        corners[n++] = vertex(inside[i], outside[i % 2 ? n_outside - 1 - j : j]);
+    if (n == 3) {
+      add_facet(corners[0], corners[1], corners[2], outward);
+      return;
+    }
+    SHELLMATCH_CHECK(n == 4, "a tetrahedron is cut in a triangle or a quadrilateral");
+    const std::vector<Vec<3>>& x = surface_.vertices;
+    const int first = (x[corners[0]] - x[corners[2]]).norm() < (x[corners[1]] - x[corners[3]]).norm() ? 0 : 1;
+    add_facet(corners[first], corners[first + 1], corners[first + 2], outward);
+    add_facet(corners[first], corners[first + 2], corners[(first + 3) % 4], outward);
+  }
+
+  int n_;  // sites along an axis
+  double spacing_;
+  std::vector<double> values_;
+  std::vector<std::array<int, 3>> blocks_;
+  std::unordered_map<Site, Vec<3>> moved_;
+  std::unordered_map<std::uint64_t, Index> vertices_;
+  std::map<std::array<Index, 3>, std::array<Index, 3>> facets_;  // by sorted corners, so in a fixed order
+  Surface<3> surface_;
+};
+
+}  // namespace
+
+Surface<3> triangulate_on_lattice(const ImplicitFunction& f, double spacing) {
+  return Lattice(f, spacing).triangulate();
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,124 @@
+#include "geometry/generate/mesh_quality.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace shellmatch {
+
+namespace {
+
+std::uint64_t edge_key(Index from, Index to) {
+  return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
+}
+
+// The facet left of each directed edge.
+using FacetOfEdge = std::unordered_map<std::uint64_t, Index>;
+
+FacetOfEdge facets_of_edges(const Surface<3>& s) {
+  FacetOfEdge facet_of;
+  facet_of.reserve(3 * s.facets.size());
+  for (std::size_t f = 0; f < s.facets.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      facet_of[edge_key(s.facets[f][k], s.facets[f][(k + 1) % 3])] = static_cast<Index>(f);
+  return facet_of;
+}
+
+Index opposite(const std::array<Index, 3>& facet, Index a, Index b) {
+  for (const Index v : facet)
+    if (v != a && v != b) return v;
+  return no_index;
+}
+
+double angle_at(const Vec<3>& apex, const Vec<3>& a, const Vec<3>& b) {
+  return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
+}
+
+}  // namespace
+
+void swap_to_delaunay(Surface<3>& s) {
+  FacetOfEdge facet_of = facets_of_edges(s);
+  const std::vector<Vec<3>>& x = s.vertices;
+  std::vector<int> valence(x.size(), 0);
+  for (const auto& facet : s.facets)
+    for (const Index v : facet) ++valence[v];
+  for (int pass = 0; pass < 8; ++pass) {
+    int n_swaps = 0;
+    for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = s.facets[f][k], b = s.facets[f][(k + 1) % 3];
+        const Index g = facet_of.at(edge_key(b, a));
+        const Index c = opposite(s.facets[f], a, b), d = opposite(s.facets[g], a, b);
+        if (angle_at(x[c], x[a], x[b]) + angle_at(x[d], x[a], x[b]) < 1.001 * M_PI) continue;
+        if (facet_of.count(edge_key(c, d)) || facet_of.count(edge_key(d, c))) continue;
+        if (valence[a] <= 3 || valence[b] <= 3) continue;
+        const Vec<3> normal = (x[b] - x[a]).cross(x[c] - x[a]) + (x[a] - x[b]).cross(x[d] - x[b]);
+        if ((x[d] - x[c]).cross(x[a] - x[c]).dot(normal) * (x[b] - x[c]).cross(x[d] - x[c]).dot(normal) <= 0)
+          continue;
+        // Facets (a, b, c) and (b, a, d) become (c, a, d) and (d, b, c).
+        facet_of.erase(edge_key(a, b));
+        facet_of.erase(edge_key(b, a));
+        s.facets[f] = {c, a, d};
+        s.facets[g] = {d, b, c};
+        for (const Index h : {f, g})
+          for (int q = 0; q < 3; ++q) facet_of[edge_key(s.facets[h][q], s.facets[h][(q + 1) % 3])] = h;
+        --valence[a], --valence[b], ++valence[c], ++valence[d];
+        ++n_swaps;
+        break;
+      }
+    if (n_swaps == 0) break;
+  }
+}
+
+void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& s) {
+  for (int sweep = 0; sweep < n_sweeps; ++sweep) {
+    std::vector<Vec<3>> sum(s.vertices.size(), Vec<3>::Zero());
+    std::vector<double> weight(s.vertices.size(), 0.0);
+    for (const auto& [a, b, c] : s.facets) {
+      const Vec<3>&pa = s.vertices[a], &pb = s.vertices[b], &pc = s.vertices[c];
+      const double area = (pb - pa).cross(pc - pa).norm();
+      for (const Index v : {a, b, c}) {
+        sum[v] += area * (pa + pb + pc) / 3;
+        weight[v] += area;
+      }
+    }
+    parallel_for(s.vertices.size(), [&](std::size_t v) {
+      const Vec<3> x = s.vertices[v];
+      const Vec<3> gradient = implicit_gradient(f, x);
+      const double squared = std::max(gradient.squaredNorm(), 0.01);
+      const Vec<3> step = sum[v] / weight[v] - x;
+      const Vec<3> y = x + 0.9 * (step - step.dot(gradient) / squared * gradient);
+      s.vertices[v] = y - f(y) / squared * gradient;
+    });
+  }
+}
+
+bool is_closed_manifold(const Surface<3>& s) {
+  const FacetOfEdge facet_of = facets_of_edges(s);
+  if (s.facets.empty() || facet_of.size() != 3 * s.facets.size()) return false;
+  std::vector<Index> n_facets(s.vertices.size(), 0), start(s.vertices.size(), no_index);
+  for (std::size_t f = 0; f < s.facets.size(); ++f)
+    for (const Index v : s.facets[f]) {
+      ++n_facets[v];
+      start[v] = static_cast<Index>(f);
+    }
+  for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v) {
+    if (n_facets[v] == 0) return false;
+    // Walk around v from facet to facet: the walk must come back after all of them.
+    Index f = start[v], n = 0;
+    do {
+      const auto& facet = s.facets[f];
+      const Index before = facet[(std::find(facet.begin(), facet.end(), v) - facet.begin() + 2) % 3];
+      const auto next = facet_of.find(edge_key(v, before));
+      if (next == facet_of.end()) return false;
+      f = next->second;
+    } while (++n <= n_facets[v] && f != start[v]);
+    if (n != n_facets[v]) return false;
+  }
+  return true;
+}
+
+}  // namespace shellmatch

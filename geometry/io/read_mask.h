@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Masks: images whose bright part is the shape.
+
+#include "geometry/surface/surface.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shellmatch {
+
+/// Brightness from 0 (black) to 1 (white), row by row from the top.
+struct GreyImage {
+  int width = 0, height = 0;
+  std::vector<float> values;  // width * height
+
+  float at(int column, int row) const { return values[static_cast<std::size_t>(row) * width + column]; }
+};
+
+/// Largest number of pixels that is read: 64 million.
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 26;
+
+/// PNG with 1 to 16 bits, grey or colour (mean of the channels); transparent is dark.
+/// \throws InputError where the file is cut off or damaged.
+GreyImage read_png(const std::string& path, std::string_view bytes);
+/// PGM, text (P2) or binary (P5). \throws as above.
+GreyImage read_pgm(const std::string& path, std::string_view bytes);
+
+/// The border lines of what is brighter than 1/2, as closed smooth rings: marching squares with linear
+/// interpolation on a slightly smoothed image (Gaussian, standard deviation 1 pixel for black-and-white
+/// images, half a pixel where grey pixels already tell where the border runs). Pixel units, y upward: the
+/// centre of the pixel in column i of row j (from the top) is (i + 1/2, height - j - 1/2). Bright parts lie
+/// to the left of the direction of a ring. Rings shorter than 8 pixels are left out, with a note. \throws
+/// InputError where nothing is bright, or where the bright part touches the rim of the image.
+OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
+                            std::vector<std::string>& notes);
+
+}  // namespace shellmatch

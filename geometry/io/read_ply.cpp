@@ -1,0 +1,213 @@
+// Polygon file format (Stanford): text and both binary forms, with every scalar vertex property.
+// http://paulbourke.net/dataformats/ply/
+#include "geometry/io/read_mesh_formats.h"
+#include "geometry/io/read_ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace shellmatch {
+namespace {
+
+// The values of the body one after the other, whatever the form.
+class PlyBody {
+ public:
+  PlyBody(const PlyHeader& header, LineReader& lines)
+      : form_(header.form), lines_(lines), bytes_(lines.rest()) {}
+
+  void begin_item(const PlyElement& element, std::size_t item) {
+    element_ = &element;
+    item_ = item;
+    if (form_ != PlyForm::text) return;
+    if (!lines_.next()) ends_early();
+    rest_ = lines_.line();
+  }
+
+  double value(PlyType type) {
+    if (form_ == PlyForm::text) return lines_.number_of(rest_, "a value of the " + element_->name);
+    switch (type) {
+      case PlyType::int8:
+        return binary<std::int8_t>();
+      case PlyType::uint8:
+        return binary<std::uint8_t>();
+      case PlyType::int16:
+        return binary<std::int16_t>();
+      case PlyType::uint16:
+        return binary<std::uint16_t>();
+      case PlyType::int32:
+        return binary<std::int32_t>();
+      case PlyType::uint32:
+        return binary<std::uint32_t>();
+      case PlyType::float32:
+        return binary<float>();
+      case PlyType::float64:
+        return binary<double>();
+    }
+    return 0;
+  }
+
+  // A count or an index: a whole number that fits.
+  std::int64_t integer(PlyType type, const char* what) {
+    const double v = value(type);
+    if (!(std::abs(v) < 1e15) || v != std::floor(v))
+      throw_input_error("{}: {} is {}, which is not a whole number", place().text(), what, v);
+    return static_cast<std::int64_t>(v);
+  }
+
+  std::int64_t list_length(const PlyProperty& property) {
+    const std::int64_t n = integer(property.count_type, "the length of a list");
+    if (n < 0) throw_input_error("{}: the length of a list is negative ({})", place().text(), n);
+    return n;
+  }
+
+  // A text item is one line; more values than declared mean that the header is wrong.
+  void end_item() {
+    if (form_ == PlyForm::text && rest_.find_first_not_of(" \t") != rest_.npos)
+      lines_.fail("more values than the header declares for a {}", element_->name);
+  }
+
+  Place place() const {
+    if (form_ == PlyForm::text) return {lines_.path(), "line", lines_.number()};
+    return {lines_.path(), element_->name, item_};
+  }
+
+  // What follows the last element.
+  void end(const PlyHeader& header, std::vector<std::string>& notes) {
+    if (form_ != PlyForm::text && !bytes_.empty())
+      notes.push_back(counted(bytes_.size(), "byte", "bytes") + " after the last element ignored");
+    if (form_ == PlyForm::text && lines_.next())
+      lines_.fail("the header declares {}, but the file goes on; correct the header",
+                  describe_counts(header));
+  }
+
+ private:
+  template <class T>
+  double binary() {
+    static_assert(std::endian::native == std::endian::little);
+    if (bytes_.size() < sizeof(T)) ends_early();
+    std::array<char, sizeof(T)> raw;
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+      raw[form_ == PlyForm::big_endian ? sizeof(T) - 1 - i : i] = bytes_[i];
+    bytes_.remove_prefix(sizeof(T));
+    return static_cast<double>(std::bit_cast<T>(raw));
+  }
+
+  [[noreturn]] void ends_early() const {
+    throw_input_error("{}: cut off: the header declares {} elements of kind '{}', the file ends in number {}",
+                      lines_.path(), element_->n_items, element_->name, item_ + 1);
+  }
+
+  PlyForm form_;
+  LineReader& lines_;
+  std::string_view bytes_, rest_;
+  const PlyElement* element_ = nullptr;
+  std::size_t item_ = 0;
+};
+
+void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
+  // What becomes of each property: a coordinate, a column of an attribute, or nothing.
+  enum class Use { x, y, z, keep, drop };
+  std::vector<Use> uses;
+  std::vector<VertexAttribute> attributes;
+  std::vector<std::string> lists;
+  int n_coordinates = 0;
+  bool normals = false;
+  for (const PlyProperty& p : element.properties) {
+    Use use = Use::keep;
+    if (p.is_list) {
+      lists.push_back(p.name);
+      use = Use::drop;
+    } else if (p.name == "x" || p.name == "y" || p.name == "z") {
+      use = p.name == "x" ? Use::x : p.name == "y" ? Use::y : Use::z;
+      ++n_coordinates;
+    } else if (p.name == "nx" || p.name == "ny" || p.name == "nz") {
+      normals = true;
+      use = Use::drop;
+    }
+    if (use == Use::keep) attributes.push_back({p.name, std::string(ply_type_name(p.type)), {}});
+    uses.push_back(use);
+  }
+  if (n_coordinates != 3)
+    throw_input_error("{}: the vertices need the properties x, y and z", body.place().path);
+  for (std::size_t i = 0; i < element.n_items; ++i) {
+    body.begin_item(element, i);
+    Vec<3> x = Vec<3>::Zero();
+    std::size_t column = 0;
+    for (std::size_t k = 0; k < uses.size(); ++k) {
+      const PlyProperty& p = element.properties[k];
+      for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) {
+        const double v = body.value(p.type);
+        if (uses[k] == Use::keep) attributes[column++].values.push_back(v);
+        if (uses[k] <= Use::z) x[static_cast<int>(uses[k])] = v;
+      }
+    }
+    body.end_item();
+    add_vertex(body.place(), x, mesh.shape);
+  }
+  mesh.shape.attributes = std::move(attributes);
+  if (normals) mesh.notes.push_back("vertex normals dropped: they would be wrong after a deformation");
+  for (const std::string& name : lists) mesh.notes.push_back("vertex lists '" + name + "' dropped");
+}
+
+void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body, MeshFile& mesh) {
+  const auto is_corners = [](const PlyProperty& p) {
+    return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+  };
+  if (element.n_items > 0 && std::none_of(element.properties.begin(), element.properties.end(), is_corners))
+    throw_input_error("{}: the faces need the property vertex_indices", body.place().path);
+  std::size_t n_ignored = 0;
+  for (std::size_t f = 0; f < element.n_items; ++f) {
+    body.begin_item(element, f);
+    std::vector<Index> polygon;
+    for (const PlyProperty& p : element.properties) {
+      const bool corners = is_corners(p);
+      for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) {
+        if (corners)
+          add_corner(body.place(), body.integer(p.type, "a corner of a face"), n_vertices, polygon);
+        else
+          body.value(p.type);
+      }
+    }
+    body.end_item();
+    add_polygon(std::move(polygon), mesh.shape, n_ignored);
+  }
+  note_ignored_polygons(n_ignored, mesh.notes);
+}
+
+void skip(const PlyElement& element, PlyBody& body) {
+  for (std::size_t i = 0; i < element.n_items && !element.properties.empty(); ++i) {
+    body.begin_item(element, i);
+    for (const PlyProperty& p : element.properties)
+      for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) body.value(p.type);
+    body.end_item();
+  }
+}
+
+}  // namespace
+
+MeshFile read_ply(const std::string& path, std::string_view bytes) {
+  MeshFile mesh;
+  LineReader lines(path, bytes, '\0');
+  const PlyHeader header = read_ply_header(lines);
+  PlyBody body(header, lines);
+  std::size_t n_vertices = 0;
+  for (const PlyElement& element : header.elements)
+    if (element.name == "vertex") n_vertices = element.n_items;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") {
+      read_vertices(element, body, mesh);
+    } else if (element.name == "face") {
+      read_faces(element, n_vertices, body, mesh);
+    } else if (element.name == "tristrips") {
+      throw_input_error("{}: triangle strips are not supported; save the mesh with faces", path);
+    } else {
+      skip(element, body);
+    }
+  }
+  body.end(header, mesh.notes);
+  return mesh;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,119 @@
+#include "geometry/io/read_ply_header.h"
+
+#include <iterator>
+
+namespace shellmatch {
+namespace {
+
+struct TypeFacts {
+  std::string_view name, new_name;
+  std::size_t size;
+};
+constexpr TypeFacts types[] = {{"char", "int8", 1},     {"uchar", "uint8", 1},   {"short", "int16", 2},
+                               {"ushort", "uint16", 2}, {"int", "int32", 4},     {"uint", "uint32", 4},
+                               {"float", "float32", 4}, {"double", "float64", 8}};
+
+PlyType known_type(std::string_view name, const LineReader& lines) {
+  const std::optional<PlyType> type = ply_type(name);
+  if (!type)
+    lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
+  return *type;
+}
+
+PlyProperty read_property(LineReader& lines, std::string_view rest) {
+  PlyProperty property;
+  std::string_view type = next_word(rest);
+  if (type == "list") {
+    property.is_list = true;
+    property.count_type = known_type(next_word(rest), lines);
+    type = next_word(rest);
+  }
+  property.type = known_type(type, lines);
+  property.name = next_word(rest);
+  if (property.name.empty()) lines.fail("a property needs a name");
+  return property;
+}
+
+PlyForm read_form(LineReader& lines, std::string_view rest) {
+  const std::string_view name = next_word(rest);
+  if (name == "ascii") return PlyForm::text;
+  if (name == "binary_little_endian") return PlyForm::little_endian;
+  if (name == "binary_big_endian") return PlyForm::big_endian;
+  lines.fail("the format should be ascii, binary_little_endian or binary_big_endian, not '{}'", name);
+}
+
+// Every item takes at least so many bytes: a damaged count must not make us allocate what the file cannot
+// hold.
+void check_size(const PlyHeader& header, const LineReader& lines) {
+  for (const PlyElement& element : header.elements) {
+    std::size_t item = 0;
+    for (const PlyProperty& p : element.properties) {
+      if (header.form == PlyForm::text)
+        item += 2;
+      else
+        item += ply_type_size(p.is_list ? p.count_type : p.type);
+    }
+    // The last line of a text may do without its end.
+    if (item > 0 && element.n_items > (lines.n_left() + 1) / item)
+      throw_input_error(
+          "{}: cut off, or the header is wrong: it declares {} elements of kind '{}', which do not fit into "
+          "the {} bytes that follow",
+          lines.path(), element.n_items, element.name, lines.n_left());
+  }
+}
+
+}  // namespace
+
+PlyHeader read_ply_header(LineReader& lines) {
+  PlyHeader header;
+  if (!lines.next() || lines.line() != "ply")
+    throw_input_error("{}: a PLY file starts with the line 'ply'", lines.path());
+  bool form_known = false;
+  while (lines.next_line()) {
+    std::string_view rest = lines.line();
+    const std::string_view keyword = next_word(rest);
+    if (keyword == "end_header") {
+      if (!form_known) lines.fail("the header does not name the format (ascii or binary)");
+      check_size(header, lines);
+      return header;
+    }
+    if (keyword == "format") {
+      header.form = read_form(lines, rest);
+      form_known = true;
+    } else if (keyword == "element") {
+      PlyElement element;
+      element.name = next_word(rest);
+      const std::int64_t n = lines.integer_of(rest, "the number of elements");
+      if (n < 0) lines.fail("the number of elements is negative");
+      element.n_items = static_cast<std::size_t>(n);
+      for (const PlyElement& other : header.elements)
+        if (other.name == element.name) lines.fail("the element '{}' is declared twice", element.name);
+      header.elements.push_back(std::move(element));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) lines.fail("a property comes before the first element");
+      header.elements.back().properties.push_back(read_property(lines, rest));
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+      lines.fail(
+          "unknown word in the header; a PLY header has format, comment, element, property and end_header");
+    }
+  }
+  throw_input_error("{}: cut off: the header has no end_header", lines.path());
+}
+
+std::size_t ply_type_size(PlyType type) { return types[static_cast<std::size_t>(type)].size; }
+std::string_view ply_type_name(PlyType type) { return types[static_cast<std::size_t>(type)].name; }
+
+std::optional<PlyType> ply_type(std::string_view name) {
+  for (std::size_t k = 0; k < std::size(types); ++k)
+    if (name == types[k].name || name == types[k].new_name) return static_cast<PlyType>(k);
+  return std::nullopt;
+}
+
+std::string describe_counts(const PlyHeader& header) {
+  std::string text;
+  for (const PlyElement& e : header.elements)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", e.n_items, e.name);
+  return text;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The header of a PLY file: which elements follow, how many, with which properties.
+
+#include "geometry/io/read_text.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shellmatch {
+
+enum class PlyForm { text, little_endian, big_endian };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::float32;
+  bool is_list = false;
+  PlyType count_type = PlyType::uint8;  ///< of a list's length
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t n_items = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyForm form = PlyForm::text;
+  std::vector<PlyElement> elements;
+};
+
+/// Reads up to "end_header". \throws InputError naming the line where it is not a header, or where it
+/// declares more elements than the file has bytes for.
+PlyHeader read_ply_header(LineReader& lines);
+
+/// Bytes of a value in a binary file.
+std::size_t ply_type_size(PlyType type);
+/// "char", "uchar", ... "double".
+std::string_view ply_type_name(PlyType type);
+/// The type with this name, in the old or the new spelling ("uchar", "uint8"); nothing where there is none.
+std::optional<PlyType> ply_type(std::string_view name);
+/// "8 vertex, 12 face".
+std::string describe_counts(const PlyHeader& header);
+
+}  // namespace shellmatch

@@ -1,0 +1,48 @@
+// PNG through libpng's simplified interface, the one of its interfaces that survives damaged files without
+// help: VTK 9.1's reader jumps into a function that has returned.
+#include "base/error.h"
+#include "geometry/io/read_mask.h"
+
+#include <png.h>
+
+namespace shellmatch {
+namespace {
+
+// libpng frees what it has allocated by the end of every path, an exception included.
+struct Image {
+  png_image control{};
+  Image() { control.version = PNG_IMAGE_VERSION; }
+  ~Image() { png_image_free(&control); }
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+};
+
+}  // namespace
+
+GreyImage read_png(const std::string& path, std::string_view bytes) {
+  Image image;
+  const auto check = [&](int success) {
+    if (!success || PNG_IMAGE_FAILED(image.control))
+      throw_input_error("{}: the PNG image is cut off or damaged ({}); save it again", path,
+                        image.control.message);
+  };
+  check(png_image_begin_read_from_memory(&image.control, bytes.data(), bytes.size()));
+  const std::int64_t width = image.control.width, height = image.control.height;
+  if (width * height > max_pixels)
+    throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height,
+                      max_pixels / 1'000'000);
+  // Brightness and opacity with 8 bits each, whatever the file has. Without this flag libpng takes 16 bits to
+  // be linear in the light, and half of white would be another grey than with 8 bits.
+  image.control.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+  image.control.format = PNG_FORMAT_GA;
+  std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image.control));
+  check(png_image_finish_read(&image.control, nullptr, pixels.data(), 0, nullptr));
+  GreyImage result{static_cast<int>(width), static_cast<int>(height), {}};
+  result.values.reserve(pixels.size() / 2);
+  for (std::size_t i = 0; i < pixels.size(); i += 2)
+    result.values.push_back(static_cast<float>(pixels[i]) * static_cast<float>(pixels[i + 1]) /
+                            (255.0f * 255.0f));
+  return result;
+}
+
+}  // namespace shellmatch

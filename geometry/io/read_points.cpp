@@ -1,0 +1,127 @@
+#include "geometry/io/read_points.h"
+
+#include "geometry/io/read_text.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shellmatch {
+namespace {
+
+constexpr std::string_view separators = " \t,;";
+
+std::vector<std::string_view> split(const LineReader& lines) {
+  std::string_view rest = lines.line();
+  char before = ' ';
+  for (const char c : rest) {
+    if ((c == ',' || c == ';') && c == before) lines.fail("a column is empty");
+    if (c != ' ' && c != '\t') before = c;
+  }
+  std::vector<std::string_view> words;
+  for (auto word = next_word(rest, separators); !word.empty(); word = next_word(rest, separators)) {
+    if (word.size() > 1 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
+    words.push_back(word);
+  }
+  return words;
+}
+
+// Which columns are coordinates, and the names of all.
+template <int Dim>
+struct Columns {
+  std::array<std::size_t, Dim> coordinates;
+  std::vector<std::string> names;
+};
+
+constexpr std::string_view axis_names = "xyz";
+
+template <int Dim>
+Columns<Dim> named_columns(const std::vector<std::string_view>& words, const LineReader& lines) {
+  Columns<Dim> columns;
+  columns.names.assign(words.begin(), words.end());
+  std::iota(columns.coordinates.begin(), columns.coordinates.end(), std::size_t{0});
+  const auto column_of = [&](std::size_t axis) {
+    return static_cast<std::size_t>(
+        std::find_if(
+            words.begin(), words.end(),
+            [&](std::string_view word) { return equals_ignoring_case(word, axis_names.substr(axis, 1)); }) -
+        words.begin());
+  };
+  if (Dim == 2 && column_of(2) < words.size())
+    lines.fail("there is a column z: these are points of space, but an outline in the plane is wanted");
+  for (std::size_t axis = 0; axis < Dim; ++axis)
+    if (column_of(axis) < words.size()) columns.coordinates[axis] = column_of(axis);
+  auto sorted = columns.coordinates;
+  std::sort(sorted.begin(), sorted.end());
+  if (words.size() < Dim || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    lines.fail("{} columns with coordinates are needed", Dim);
+  return columns;
+}
+
+template <int Dim>
+Columns<Dim> unnamed_columns(std::size_t n_words, const LineReader& lines) {
+  if (n_words != Dim)
+    lines.fail("{}, but points of {} have {}; further columns need a first line with names",
+               counted(n_words, "column", "columns"), Dim == 2 ? "the plane" : "space", Dim);
+  Columns<Dim> columns;
+  std::iota(columns.coordinates.begin(), columns.coordinates.end(), std::size_t{0});
+  columns.names.resize(Dim);
+  return columns;
+}
+
+}  // namespace
+
+template <int Dim>
+OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, bool closed) {
+  OriginalShape<Dim> shape;
+  LineReader lines(path, bytes);
+  Columns<Dim> columns;
+  std::vector<std::vector<double>> values;
+  std::vector<Index> block;
+  const auto end_block = [&] {
+    if (closed && block.size() > 1 && shape.vertices[block.front()] == shape.vertices[block.back()]) {
+      shape.vertices.pop_back();
+      for (auto& column : values) column.pop_back();
+      block.pop_back();
+    }
+    if (Dim == 2 && !block.empty()) shape.polygons.push_back(block);
+    block.clear();
+  };
+  while (lines.next_line()) {
+    if (lines.line().empty()) {
+      if (!lines.only_comment()) end_block();
+      continue;
+    }
+    const std::vector<std::string_view> words = split(lines);
+    if (words.empty()) lines.fail("separators, but no numbers");
+    if (values.empty()) {
+      const bool header = !to_double(words[0]);
+      columns = header ? named_columns<Dim>(words, lines) : unnamed_columns<Dim>(words.size(), lines);
+      values.resize(words.size());
+      if (header) continue;
+    }
+    if (words.size() != values.size())
+      lines.fail("{}, the lines above have {}", counted(words.size(), "column", "columns"), values.size());
+    for (std::size_t c = 0; c < words.size(); ++c) {
+      std::string_view word = words[c];
+      values[c].push_back(lines.number_of(word, "a column"));
+    }
+    Vec<Dim> x;
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+      x[static_cast<int>(axis)] = values[columns.coordinates[axis]].back();
+    if (!x.allFinite())
+      lines.fail("the point has a coordinate that is not finite; remove it or give it a position");
+    block.push_back(static_cast<Index>(shape.vertices.size()));
+    shape.vertices.push_back(x);
+  }
+  end_block();
+  if (shape.vertices.empty()) throw_input_error("{}: no points in it", path);
+  for (std::size_t c = 0; c < values.size(); ++c)
+    if (std::find(columns.coordinates.begin(), columns.coordinates.end(), c) == columns.coordinates.end())
+      shape.attributes.push_back({columns.names[c], "double", std::move(values[c])});
+  return shape;
+}
+
+template OriginalShape<2> read_points<2>(const std::string&, std::string_view, bool);
+template OriginalShape<3> read_points<3>(const std::string&, std::string_view, bool);
+
+}  // namespace shellmatch

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Reading of shapes: what a file name stands for, and a closed surface out of it.
+///
+/// In space: meshes .obj, .off, .ply, .stl. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
+/// separated by blank lines) and masks .png, .pgm (bright on dark).
+
+#include "geometry/surface/surface.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace shellmatch {
+
+using AnyShape = std::variant<Shape<2>, Shape<3>>;
+
+/// Reads and mends a mesh (geometry/repair/repair.h says how).
+/// \throws InputError in one sentence that names the file, the line or element, what is wrong and what to do.
+Shape<3> read_mesh(const std::string& path);
+
+/// Reads an outline or the border of a mask, whose coordinates are pixels with y upward
+/// (geometry/io/read_mask.h). A last point that repeats the first of its ring is dropped. \throws InputError as
+/// above.
+Shape<2> read_outline(const std::string& path);
+
+/// One of the two, by the ending of the file name.
+AnyShape read_shape(const std::string& path);
+
+/// 2 or 3 by the ending of the file name; 0 where it is neither's.
+int dimension_of_file(const std::string& path);
+
+/// Something to be moved by a deformation: any mesh, open or not, or points as text (.csv, .txt, .xyz) with
+/// three columns. `notes`, if given, takes what was dropped. \throws InputError where it cannot be read.
+OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std::string>* notes = nullptr);
+
+/// The same in the plane: points or outlines with two columns, as they stand in the file; or a mask.
+OriginalShape<2> read_points_or_outline_2d(const std::string& path,
+                                           std::vector<std::string>* notes = nullptr);
+
+}  // namespace shellmatch

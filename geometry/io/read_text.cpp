@@ -1,0 +1,141 @@
+#include "geometry/io/read_text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace shellmatch {
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f";
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// Long words come from binary data; a message shows their beginning only, and only printable characters.
+std::string shown(std::string_view word) {
+  std::string text(word.substr(0, 24));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
+  return word.size() > 24 ? text + "..." : text;
+}
+
+}  // namespace
+
+void require_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+      throw_input_error("{}: cannot be opened ({})", path, error.message());
+    throw_input_error("{}: no such file; check the name and the folder", path);
+  }
+  if (fs::is_directory(status)) throw_input_error("{}: is a folder, not a file; name the file in it", path);
+}
+
+std::string read_file_bytes(const std::string& path) {
+  require_file(path);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw_input_error("{}: cannot be opened ({})", path, std::strerror(errno));
+  std::string bytes;
+  // Pipes and devices have no size: reading in pieces serves all of them.
+  std::string piece(1 << 20, '\0');
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+    bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) throw_input_error("{}: cannot be read to its end ({})", path, std::strerror(errno));
+  if (bytes.empty()) throw_input_error("{}: the file is empty (0 bytes)", path);
+  return bytes;
+}
+
+std::string file_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), lower);
+  return extension;
+}
+
+std::optional<double> to_double(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || word.empty()) return std::nullopt;
+  // Out of range: strtod knows whether that means 0 or infinity.
+  if (error == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::int64_t> to_integer(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size() || error != std::errc() || word.empty()) return std::nullopt;
+  return value;
+}
+
+bool equals_ignoring_case(std::string_view text, std::string_view lower_case_word) {
+  return std::equal(text.begin(), text.end(), lower_case_word.begin(), lower_case_word.end(),
+                    [](char a, char b) { return lower(a) == b; });
+}
+
+std::string_view next_word(std::string_view& rest, std::string_view separators) {
+  const std::size_t begin = std::min(rest.find_first_not_of(separators), rest.size());
+  const std::size_t end = std::min(rest.find_first_of(separators, begin), rest.size());
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
+
+LineReader::LineReader(std::string path, std::string_view text, char comment)
+    : path_(std::move(path)), text_(text), comment_(comment) {
+  // A byte order mark is no part of the first word.
+  if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+}
+
+bool LineReader::next() {
+  while (next_line())
+    if (!line_.empty()) return true;
+  return false;
+}
+
+bool LineReader::next_line() {
+  line_ = {};
+  only_comment_ = false;
+  if (position_ >= text_.size()) return false;
+  ++number_;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
+  line_ = text_.substr(position_, end - position_);
+  position_ = std::min(end + 1, text_.size());
+  if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++position_;
+  const std::size_t comment = comment_ ? line_.find(comment_) : std::string_view::npos;
+  if (comment != std::string_view::npos) line_ = line_.substr(0, comment);
+  line_.remove_prefix(std::min(line_.find_first_not_of(blanks), line_.size()));
+  line_ = line_.substr(0, line_.find_last_not_of(blanks) + 1);
+  only_comment_ = comment != std::string_view::npos && line_.empty();
+  return true;
+}
+
+double LineReader::number_of(std::string_view& rest, std::string_view what) const {
+  const std::string_view word = next_word(rest);
+  if (word.empty()) fail("{} is missing", what);
+  const std::optional<double> value = to_double(word);
+  if (!value) fail("{} should be a number, not '{}'", what, shown(word));
+  return *value;
+}
+
+std::int64_t LineReader::integer_of(std::string_view& rest, std::string_view what) const {
+  const std::string_view word = next_word(rest);
+  if (word.empty()) fail("{} is missing", what);
+  const std::optional<std::int64_t> value = to_integer(word);
+  if (!value) fail("{} should be a whole number, not '{}'", what, shown(word));
+  return *value;
+}
+
+std::string counted(std::size_t n, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", n, n == 1 ? singular : plural);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,95 @@
+#include "base/error.h"
+#include "geometry/io/read_ply_header.h"
+#include "geometry/io/read_text.h"
+#include "geometry/io/write_shape.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+template <class T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// Rounded and clamped; not a number becomes 0.
+template <class T>
+void append_integer(std::string& bytes, double value) {
+  const double low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
+  append(bytes, static_cast<T>(std::isnan(value) ? 0 : std::clamp(std::round(value), low, high)));
+}
+
+void append_value(std::string& bytes, PlyType type, double value) {
+  switch (type) {
+    case PlyType::int8:
+      return append_integer<std::int8_t>(bytes, value);
+    case PlyType::uint8:
+      return append_integer<std::uint8_t>(bytes, value);
+    case PlyType::int16:
+      return append_integer<std::int16_t>(bytes, value);
+    case PlyType::uint16:
+      return append_integer<std::uint16_t>(bytes, value);
+    case PlyType::int32:
+      return append_integer<std::int32_t>(bytes, value);
+    case PlyType::uint32:
+      return append_integer<std::uint32_t>(bytes, value);
+    case PlyType::float32:
+      return append(bytes, static_cast<float>(value));
+    case PlyType::float64:
+      return append(bytes, value);
+  }
+}
+
+// PLY names are single words.
+std::string word_of(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }, '_');
+  return name.empty() ? "unnamed" : name;
+}
+
+}  // namespace
+
+void write_ply(const std::string& path, const OriginalShape<3>& shape) {
+  std::size_t n_corners = 0, longest = 0;
+  for (const auto& polygon : shape.polygons) {
+    n_corners += polygon.size();
+    longest = std::max(longest, polygon.size());
+  }
+  const PlyType count_type = longest < 256 ? PlyType::uint8 : PlyType::uint32;
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\n",
+      shape.vertices.size());
+  std::vector<PlyType> types;
+  for (const VertexAttribute& a : shape.attributes) {
+    SHELLMATCH_CHECK(a.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
+    const std::optional<PlyType> type = ply_type(a.type);
+    SHELLMATCH_CHECK(type.has_value(), "an attribute has a PLY type");
+    types.push_back(*type);
+    bytes += fmt::format("property {} {}\n", ply_type_name(*type), word_of(a.name));
+  }
+  if (!shape.polygons.empty())
+    bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(),
+                         ply_type_name(count_type));
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) +
+                4 * (n_corners + shape.polygons.size()));
+  for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
+    for (int k = 0; k < 3; ++k) append(bytes, shape.vertices[v][k]);
+    for (std::size_t a = 0; a < types.size(); ++a)
+      append_value(bytes, types[a], shape.attributes[a].values[v]);
+  }
+  for (const auto& polygon : shape.polygons) {
+    append_value(bytes, count_type, static_cast<double>(polygon.size()));
+    for (const Index v : polygon) append(bytes, static_cast<std::int32_t>(v));
+  }
+  replace_file(path, bytes);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,153 @@
+#include "geometry/io/write_shape.h"
+
+#include "base/error.h"
+#include "geometry/io/read_text.h"
+#include "geometry/repair/repair_steps.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace shellmatch {
+namespace {
+
+// Checks that all columns have one value for each vertex before any of them is read.
+template <int Dim>
+void check_attributes(const OriginalShape<Dim>& shape) {
+  for (const VertexAttribute& attribute : shape.attributes)
+    SHELLMATCH_CHECK(attribute.values.size() == shape.vertices.size(),
+                     "an attribute has one value for each vertex");
+}
+
+template <int Dim>
+void append_point_line(fmt::memory_buffer& text, const OriginalShape<Dim>& shape, std::size_t v) {
+  for (int k = 0; k < Dim; ++k)
+    fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
+  for (const VertexAttribute& a : shape.attributes)
+    fmt::format_to(std::back_inserter(text), ",{}", a.values[v]);
+  text.push_back('\n');
+}
+
+template <int Dim>
+void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
+  check_attributes(shape);
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), Dim == 2 ? "x,y" : "x,y,z");
+  for (const VertexAttribute& a : shape.attributes) fmt::format_to(std::back_inserter(text), ",{}", a.name);
+  text.push_back('\n');
+  // A point after which a ring ends.
+  std::vector<bool> last(shape.vertices.size(), false);
+  if (Dim == 2)
+    for (const std::vector<Index>& ring : shape.polygons)
+      if (!ring.empty()) last[*std::max_element(ring.begin(), ring.end())] = true;
+  for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
+    append_point_line(text, shape, v);
+    if (last[v] && v + 1 < shape.vertices.size()) text.push_back('\n');
+  }
+  replace_file(path, {text.data(), text.size()});
+}
+
+const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::string_view name) {
+  for (const VertexAttribute& a : shape.attributes)
+    if (a.name == name) return &a;
+  return nullptr;
+}
+
+void write_obj(const std::string& path, const OriginalShape<3>& shape) {
+  fmt::memory_buffer text;
+  const VertexAttribute* const colours[] = {attribute_named(shape, "red"), attribute_named(shape, "green"),
+                                            attribute_named(shape, "blue")};
+  const bool coloured = colours[0] && colours[1] && colours[2];
+  for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
+    const Vec<3>& x = shape.vertices[v];
+    fmt::format_to(std::back_inserter(text), "v {} {} {}", x.x(), x.y(), x.z());
+    if (coloured)
+      for (const VertexAttribute* c : colours)
+        fmt::format_to(std::back_inserter(text), " {}",
+                       c->type == "uchar" ? c->values[v] / 255 : c->values[v]);
+    text.push_back('\n');
+  }
+  for (const std::vector<Index>& polygon : shape.polygons) {
+    text.push_back('f');
+    for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v + 1);
+    text.push_back('\n');
+  }
+  replace_file(path, {text.data(), text.size()});
+}
+
+void write_off(const std::string& path, const OriginalShape<3>& shape) {
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
+  for (const Vec<3>& x : shape.vertices)
+    fmt::format_to(std::back_inserter(text), "{} {} {}\n", x.x(), x.y(), x.z());
+  for (const std::vector<Index>& polygon : shape.polygons) {
+    fmt::format_to(std::back_inserter(text), "{}", polygon.size());
+    for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v);
+    text.push_back('\n');
+  }
+  replace_file(path, {text.data(), text.size()});
+}
+
+void write_stl(const std::string& path, const OriginalShape<3>& shape) {
+  if (shape.polygons.empty())
+    throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
+  const Triangles triangles = triangulate(shape);
+  std::string bytes(80, ' ');
+  const auto append = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  append(static_cast<std::uint32_t>(triangles.size()));
+  for (const auto& [a, b, c] : triangles) {
+    const Vec<3>&xa = shape.vertices[a], &xb = shape.vertices[b], &xc = shape.vertices[c];
+    const Vec<3> normal = (xb - xa).cross(xc - xa).stableNormalized();
+    for (const Vec<3>& x : {normal, xa, xb, xc})
+      for (int k = 0; k < 3; ++k) append(static_cast<float>(x[k]));
+    append(std::uint16_t{0});
+  }
+  replace_file(path, bytes);
+}
+
+}  // namespace
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  namespace fs = std::filesystem;
+  const std::string part = path + ".part";
+  const auto fail = [&](const std::string& reason) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw_environment_error(
+        "{}: cannot be written ({}); check the folder, its permissions and the free space", path, reason);
+  };
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  if (!stream) fail(std::strerror(errno));
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (!stream) fail(errno != 0 ? std::strerror(errno) : "writing failed");
+  std::error_code error;
+  fs::rename(part, path, error);
+  if (error) fail(error.message());
+}
+
+void write_outline_csv(const std::string& path, const OriginalShape<2>& shape) { write_csv(path, shape); }
+void write_points_csv(const std::string& path, const OriginalShape<3>& shape) { write_csv(path, shape); }
+
+void write_shape(const std::string& path, const OriginalShape<3>& shape) {
+  check_attributes(shape);
+  const std::string extension = file_extension(path);
+  if (extension == ".ply") return write_ply(path, shape);
+  if (extension == ".csv") return write_points_csv(path, shape);
+  if (extension == ".obj") return write_obj(path, shape);
+  if (extension == ".off") return write_off(path, shape);
+  if (extension == ".stl") return write_stl(path, shape);
+  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl or .csv, not as '{}'", path, extension);
+}
+
+}  // namespace shellmatch

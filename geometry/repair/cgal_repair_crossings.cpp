@@ -1,0 +1,98 @@
+#include "geometry/repair/repair_crossings.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace shellmatch {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using SegmentBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Index>;
+
+Point point(const Surface<2>& outline, Index v) { return {outline.vertices[v].x(), outline.vertices[v].y()}; }
+
+// Segments a -> b -> c fold back onto each other.
+bool fold_back(const Point& a, const Point& b, const Point& c) {
+  return CGAL::collinear(a, b, c) && CGAL::angle(a, b, c) == CGAL::ACUTE;
+}
+
+bool meet(const Surface<2>& outline, Index f, Index g) {
+  const auto& [a, b] = outline.facets[f];
+  const auto& [c, d] = outline.facets[g];
+  const Point pa = point(outline, a), pb = point(outline, b), pc = point(outline, c), pd = point(outline, d);
+  // A common end is no crossing, unless the segments run on top of each other from there.
+  if (pb == pc) return fold_back(pa, pb, pd);
+  if (pa == pd) return fold_back(pb, pa, pc);
+  if (pa == pc) return fold_back(pb, pa, pd);
+  if (pb == pd) return fold_back(pa, pb, pc);
+  return CGAL::do_intersect(Kernel::Segment_2(pa, pb), Kernel::Segment_2(pc, pd));
+}
+
+// Calls visit(f, g), f < g, for all pairs of segments whose boxes meet.
+template <class Visit>
+void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
+  std::vector<SegmentBox> boxes;
+  for (std::size_t f = 0; f < outline.facets.size(); ++f) {
+    const auto& [a, b] = outline.facets[f];
+    boxes.emplace_back(point(outline, a).bbox() + point(outline, b).bbox(), static_cast<Index>(f));
+  }
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                [&](const SegmentBox& one, const SegmentBox& two) {
+                                  visit(std::min(one.info(), two.info()), std::max(one.info(), two.info()));
+                                });
+}
+
+}  // namespace
+
+std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline) {
+  std::vector<std::pair<Index, Index>> found;
+  for_each_near_pair(outline, [&](Index f, Index g) {
+    if (meet(outline, f, g)) found.emplace_back(f, g);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline) {
+  std::vector<std::pair<Index, Index>> found;
+  const auto look = [&](Index f, Index v) {
+    const auto& [a, b] = outline.facets[f];
+    if (CGAL::collinear(point(outline, a), point(outline, v), point(outline, b)) &&
+        CGAL::collinear_are_strictly_ordered_along_line(point(outline, a), point(outline, v),
+                                                        point(outline, b)))
+      found.emplace_back(f, v);
+  };
+  for_each_near_pair(outline, [&](Index f, Index g) {
+    for (const Index v : outline.facets[g]) look(f, v);
+    for (const Index v : outline.facets[f]) look(g, v);
+  });
+  const auto order = [&](const std::pair<Index, Index>& one) {
+    const Vec<2> from_end = outline.vertices[one.second] - outline.vertices[outline.facets[one.first][0]];
+    return std::make_tuple(one.first, from_end.squaredNorm(), one.second);
+  };
+  std::sort(found.begin(), found.end(),
+            [&](const auto& one, const auto& two) { return order(one) < order(two); });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Vec<2> crossing_point(const Surface<2>& outline, Index f, Index g) {
+  const auto& [a, b] = outline.facets[f];
+  const auto& [c, d] = outline.facets[g];
+  const Vec<2>&pa = outline.vertices[a], &pc = outline.vertices[c];
+  const Vec<2> u = outline.vertices[b] - pa, v = outline.vertices[d] - pc, w = pc - pa;
+  const double cross = u.x() * v.y() - u.y() * v.x();
+  if (cross != 0) return pa + std::clamp((w.x() * v.y() - w.y() * v.x()) / cross, 0.0, 1.0) * u;
+  // Parallel: an end of g that lies on f, or else f lies within g.
+  for (const Vec<2>& end : {pc, Vec<2>(pc + v)}) {
+    const double t = (end - pa).dot(u);
+    if (t >= 0 && t <= u.squaredNorm()) return end;
+  }
+  return pa;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Our triangles as CGAL's mesh, for the cgal_*.cpp files alone.
+
+#include "geometry/surface/surface.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace shellmatch {
+
+using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
+
+/// The mesh of the triangles `facets` of a surface; faces that would make it non-manifold are left out.
+inline CgalMesh cgal_mesh(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& facets) {
+  CgalMesh mesh;
+  std::vector<CgalMesh::Vertex_index> vertex(surface.vertices.size(), CgalMesh::null_vertex());
+  for (const std::array<Index, 3>& facet : facets) {
+    std::array<CgalMesh::Vertex_index, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = static_cast<std::size_t>(facet[k]);
+      const Vec<3>& x = surface.vertices[i];
+      if (vertex[i] == CgalMesh::null_vertex()) vertex[i] = mesh.add_vertex({x.x(), x.y(), x.z()});
+      corners[k] = vertex[i];
+    }
+    mesh.add_face(corners);
+  }
+  return mesh;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,134 @@
+#include "geometry/repair/repair.h"
+
+#include "base/error.h"
+#include "geometry/surface/self_intersections.h"
+#include "geometry/io/read_text.h"
+#include "geometry/repair/repair_steps.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+namespace {
+
+// More triangles than this are not searched for self-intersections.
+constexpr std::size_t self_intersection_limit = 100'000;
+
+// A part whose volume is below this share of the cube of its diagonal encloses nothing but rounding errors.
+constexpr double flat_share = 1e-9;
+
+class Notes {
+ public:
+  explicit Notes(std::vector<std::string>& notes) : notes_(notes) {}
+  void add(std::size_t n, std::string_view singular, std::string_view plural, std::string_view what) {
+    if (n > 0) notes_.push_back(fmt::format("{} {}", counted(n, singular, plural), what));
+  }
+
+ private:
+  std::vector<std::string>& notes_;
+};
+
+struct PartMeasure {
+  double volume = 0, diagonal = 0;
+  bool is_flat() const { return std::abs(volume) <= flat_share * diagonal * diagonal * diagonal; }
+};
+
+PartMeasure measure(const Surface<3>& surface, const std::vector<Index>& part) {
+  Box<3> box;
+  for (const Index f : part)
+    for (const Index v : surface.facets[f]) box.add(surface.vertices[v]);
+  PartMeasure result;
+  result.diagonal = box.diagonal();
+  // From the centre of the box, or shapes far from the origin would lose their volume to rounding.
+  const Vec<3> centre = 0.5 * (box.min + box.max);
+  for (const Index f : part) {
+    const auto& [a, b, c] = surface.facets[f];
+    result.volume += (surface.vertices[a] - centre)
+                         .dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre)) /
+                     6;
+  }
+  return result;
+}
+
+void orient_outward(Surface<3>& surface, const std::string& source, Notes& notes) {
+  std::vector<std::vector<Index>> parts;
+  std::vector<PartMeasure> measures;
+  std::size_t n_flat = 0;
+  for (std::vector<Index>& part : connected_parts(surface)) {
+    const PartMeasure m = measure(surface, part);
+    if (m.is_flat()) {
+      ++n_flat;
+      continue;
+    }
+    parts.push_back(std::move(part));
+    measures.push_back(m);
+  }
+  if (parts.empty()) throw_input_error("{}: the surface encloses no volume; it is flat", source);
+  notes.add(n_flat, "flat closed part", "flat closed parts", "removed");
+  const std::vector<int> depths = nesting_depths(surface, parts);
+  std::size_t n_turned = 0, n_cavities = 0;
+  Triangles kept;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const bool cavity = depths[p] % 2 == 1;
+    const bool turn = (measures[p].volume < 0) != cavity;
+    n_cavities += cavity ? 1 : 0;
+    n_turned += turn ? 1 : 0;
+    for (const Index f : parts[p]) {
+      if (turn) std::swap(surface.facets[f][1], surface.facets[f][2]);
+      kept.push_back(surface.facets[f]);
+    }
+  }
+  surface.facets = std::move(kept);
+  notes.add(n_cavities, "part lies", "parts lie", "inside another and bound cavities");
+  notes.add(n_turned, "connected part", "connected parts", "turned inside out, to face outward");
+}
+
+}  // namespace
+
+Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& source,
+                        std::vector<std::string>& note_list) {
+  if (original.polygons.empty())
+    throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
+                      counted(original.vertices.size(), "vertex", "vertices"));
+  Notes notes(note_list);
+  Surface<3> surface{original.vertices, triangulate(original)};
+  const auto n_split = std::count_if(original.polygons.begin(), original.polygons.end(),
+                                     [](const std::vector<Index>& p) { return p.size() > 3; });
+  notes.add(static_cast<std::size_t>(n_split), "polygon", "polygons", "split into triangles");
+  notes.add(remove_unused_vertices(surface), "unused vertex", "unused vertices", "left out");
+  notes.add(weld_seams(surface), "duplicate vertex", "duplicate vertices", "welded");
+  const auto [n_collapsed, n_copies] = remove_repetitions(surface);
+  notes.add(n_collapsed, "triangle", "triangles", "with a repeated corner removed");
+  notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
+  if (surface.facets.empty())
+    throw_input_error("{}: the faces have no area; a closed surface is needed", source);
+  check_closed(surface, source);
+
+  const Orientation orientation = orient_consistently(surface);
+  notes.add(orientation.n_turned, "triangle", "triangles", "turned to agree with the neighbours");
+  try {
+    check_closed(surface, source);
+  } catch (const InputError&) {
+    throw_input_error(
+        "{}: the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart",
+        source);
+  }
+  notes.add(orientation.n_split, "vertex", "vertices", "added where the surface touches itself");
+  const std::size_t n_flat = count_flat_triangles(surface);
+  if (n_flat == surface.facets.size())
+    throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
+  if (n_flat > 0 && !remove_flat_triangles(surface))
+    throw_input_error("{}: {} without area could not be removed; remove them in a mesh editor", source,
+                      counted(n_flat, "triangle", "triangles"));
+  notes.add(n_flat, "triangle", "triangles", "without area removed");
+  orient_outward(surface, source, notes);
+  remove_unused_vertices(surface);
+  if (surface.facets.size() <= self_intersection_limit)
+    notes.add(self_intersecting_facets(surface).size(), "triangle", "triangles",
+              "that cross or touch others (left as they are)");
+  return surface;
+}
+
+}  // namespace shellmatch

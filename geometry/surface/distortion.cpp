@@ -1,0 +1,146 @@
+#include "geometry/surface/distortion.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/surface/self_intersections.h"
+#include "geometry/distance/surface_distance.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double ratio_or_nan(double deformed, double reference) { return reference > 0 ? deformed / reference : nan; }
+
+template <int Dim>
+void require_same_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  SHELLMATCH_CHECK(
+      reference.facets == deformed.facets && reference.vertices.size() == deformed.vertices.size(),
+      "distortion compares a surface with the same surface deformed");
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> facet_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  require_same_facets(reference, deformed);
+  std::vector<double> ratios(reference.facets.size());
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    const auto f = static_cast<Index>(i);
+    ratios[i] = ratio_or_nan(facet_measure(deformed, f), facet_measure(reference, f));
+  }
+  return ratios;
+}
+
+template <int Dim>
+std::vector<double> vertex_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  require_same_facets(reference, deformed);
+  std::vector<double> before(reference.vertices.size(), 0.0), after = before;
+  for (std::size_t i = 0; i < reference.facets.size(); ++i) {
+    const auto f = static_cast<Index>(i);
+    for (const Index v : reference.facets[i]) {
+      before[v] += facet_measure(reference, f);
+      after[v] += facet_measure(deformed, f);
+    }
+  }
+  for (std::size_t v = 0; v < before.size(); ++v) after[v] = ratio_or_nan(after[v], before[v]);
+  return after;
+}
+
+// With an orthonormal frame (u, v) in the reference triangle, its edges are (l, 0) and (x, y); the map has
+// the columns g1 / l and (g2 - x g1 / l) / y, g1 and g2 being the deformed edges. s1^2 + s2^2 is the square
+// of its norm and s1 s2 the ratio of areas, from which s1 -+ s2 follow without cancellation in s2.
+std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surface<3>& deformed) {
+  require_same_facets(reference, deformed);
+  std::vector<Stretch> stretches;
+  stretches.reserve(reference.facets.size());
+  for (std::size_t i = 0; i < reference.facets.size(); ++i) {
+    const auto f = static_cast<Index>(i);
+    const auto& [a, b, c] = reference.facets[i];
+    const Vec<3> e1 = reference.vertices[b] - reference.vertices[a];
+    const Vec<3> e2 = reference.vertices[c] - reference.vertices[a];
+    const double l = e1.norm(), area = facet_normal(reference, f).norm();
+    if (!(area > 0)) {
+      stretches.push_back({nan, nan});
+      continue;
+    }
+    const double x = e1.dot(e2) / l, y = area / l;
+    const Vec<3> column_1 = (deformed.vertices[b] - deformed.vertices[a]) / l;
+    const Vec<3> column_2 = (deformed.vertices[c] - deformed.vertices[a] - x * column_1) / y;
+    const double sum_of_squares = column_1.squaredNorm() + column_2.squaredNorm();
+    const double product = column_1.cross(column_2).norm();
+    const double sum = std::sqrt(sum_of_squares + 2 * product);
+    const double difference = std::sqrt(std::max(sum_of_squares - 2 * product, 0.0));
+    const double s1 = (sum + difference) / 2;
+    stretches.push_back({s1, s1 > 0 ? product / s1 : 0});
+  }
+  return stretches;
+}
+
+template <int Dim>
+std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  if constexpr (Dim == 2) {
+    require_same_facets(reference, deformed);
+    return std::vector<double>(reference.facets.size(), 1.0);
+  } else {
+    std::vector<double> result;
+    for (const auto& [s1, s2] : principal_stretches(reference, deformed))
+      result.push_back(std::isnan(s1) ? nan : s2 > 0 ? s1 / s2 : std::numeric_limits<double>::infinity());
+    return result;
+  }
+}
+
+template <int Dim>
+std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
+  return parallel_sum(deformed.facets.size(), 256, std::size_t{0}, [&](const Chunk& chunk) {
+    std::size_t count = 0;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      Vec<Dim> centre = Vec<Dim>::Zero();
+      for (const Index v : deformed.facets[f]) centre += deformed.vertices[v] / Dim;
+      const Vec<Dim> normal =
+          facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
+      if (facet_normal(deformed, static_cast<Index>(f)).dot(normal) < 0) ++count;
+    }
+    return count;
+  });
+}
+
+Quantiles quantiles(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
+}
+
+template <int Dim>
+Distortion<Dim> distortion(const Surface<Dim>& reference, const Surface<Dim>& deformed,
+                           const SignedDistance<Dim>& template_distance) {
+  const std::vector<double> ratios = facet_measure_ratios(reference, deformed);
+  Distortion<Dim> result;
+  result.measure_ratio = quantiles(ratios);
+  result.angle_distortion = quantiles(angle_distortions(reference, deformed));
+  result.n_collapsed =
+      static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
+  result.n_facing_away = count_facing_away(deformed, template_distance);
+  result.n_self_intersecting = self_intersecting_facets(deformed).size();
+  result.n_self_intersecting_reference = self_intersecting_facets(reference).size();
+  return result;
+}
+
+template std::vector<double> facet_measure_ratios(const Surface<2>&, const Surface<2>&);
+template std::vector<double> facet_measure_ratios(const Surface<3>&, const Surface<3>&);
+template std::vector<double> vertex_measure_ratios(const Surface<2>&, const Surface<2>&);
+template std::vector<double> vertex_measure_ratios(const Surface<3>&, const Surface<3>&);
+template std::vector<double> angle_distortions(const Surface<2>&, const Surface<2>&);
+template std::vector<double> angle_distortions(const Surface<3>&, const Surface<3>&);
+template std::size_t count_facing_away(const Surface<2>&, const SignedDistance<2>&);
+template std::size_t count_facing_away(const Surface<3>&, const SignedDistance<3>&);
+template Distortion<2> distortion(const Surface<2>&, const Surface<2>&, const SignedDistance<2>&);
+template Distortion<3> distortion(const Surface<3>&, const Surface<3>&, const SignedDistance<3>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,66 @@
+#include "geometry/surface/facet_point.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace shellmatch {
+
+namespace {
+
+/// Nearest point of the edge from corner i to corner k of a facet.
+template <int Dim>
+FacetPoint<Dim> closest_on_edge(const Vec<Dim>& a, const Vec<Dim>& b, int i, int k, const Vec<Dim>& x) {
+  const Vec<Dim> edge = b - a;
+  const double length2 = edge.squaredNorm();
+  const double t = length2 > 0 ? (x - a).dot(edge) / length2 : 0;
+  if (t <= 0) return {a, 1u << i};
+  if (t >= 1) return {b, 1u << k};
+  return {a + t * edge, 1u << i | 1u << k};
+}
+
+FacetPoint<2> closest_on(const std::array<Vec<2>, 2>& corners, const Vec<2>& x) {
+  return closest_on_edge(corners[0], corners[1], 0, 1, x);
+}
+
+// The nearest of the three edges, unless x lies in the prism over the triangle. The point in the prism is
+// made from its weights and not by subtracting the normal, so that it lies in the triangle however thin that
+// is.
+FacetPoint<3> closest_on(const std::array<Vec<3>, 3>& corners, const Vec<3>& x) {
+  const auto& [a, b, c] = corners;
+  FacetPoint<3> best = closest_on_edge(a, b, 0, 1, x);
+  double best_distance2 = (best.point - x).squaredNorm();
+  const auto compare = [&](const FacetPoint<3>& other) {
+    const double distance2 = (other.point - x).squaredNorm();
+    if (distance2 < best_distance2) best = other, best_distance2 = distance2;
+  };
+  compare(closest_on_edge(b, c, 1, 2, x));
+  compare(closest_on_edge(a, c, 0, 2, x));
+  const Vec<3> e1 = b - a, e2 = c - a, w = x - a;
+  if (!is_degenerate(e1, e2)) {
+    const Vec<3> n = e1.cross(e2), m = w.cross(n) / n.squaredNorm();
+    const double beta = -m.dot(e2), gamma = m.dot(e1);
+    if (beta > 0 && gamma > 0 && beta + gamma < 1) compare({a + beta * e1 + gamma * e2, inside_facet<3>});
+  }
+  return best;
+}
+
+}  // namespace
+
+// The rounding error of the product is about 1e-16 times the squared length: the normal is good to 1e-6 at
+// worst.
+bool is_degenerate(const Vec<3>& edge_1, const Vec<3>& edge_2) {
+  const double length2 = std::max(edge_1.squaredNorm(), edge_2.squaredNorm());
+  return !(edge_1.cross(edge_2).norm() > 1e-10 * length2);
+}
+
+template <int Dim>
+FacetPoint<Dim> closest_point_on_facet(const Surface<Dim>& surface, Index f, const Vec<Dim>& x) {
+  std::array<Vec<Dim>, Dim> corners;
+  for (int i = 0; i < Dim; ++i) corners[i] = surface.vertices[surface.facets[f][i]];
+  return closest_on(corners, x);
+}
+
+template FacetPoint<2> closest_point_on_facet(const Surface<2>&, Index, const Vec<2>&);
+template FacetPoint<3> closest_point_on_facet(const Surface<3>&, Index, const Vec<3>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Where the two shapes lie in the unit square or cube: one common similarity, so that their relative
+/// position stays meaningful, and its inverse for everything that is written out.
+
+#include "base/types.h"
+#include "geometry/surface/surface.h"
+
+namespace shellmatch {
+
+/// x -> scale x + offset; scale > 0. From the user's coordinates to the unit domain.
+template <int Dim>
+struct Similarity {
+  double scale = 1;
+  Vec<Dim> offset = Vec<Dim>::Zero();
+  Vec<Dim> operator()(const Vec<Dim>& x) const { return scale * x + offset; }
+  Vec<Dim> inverse(const Vec<Dim>& y) const { return (y - offset) / scale; }
+};
+
+/// The similarity that centres both shapes together in [margin, 1 - margin]^Dim.
+/// \pre both are not empty; 0 <= margin < 1/2. \throws InputError if they have no extent.
+template <int Dim>
+Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double margin);
+
+/// The identity. \throws InputError naming shape and vertex where a shape is not inside
+/// [clearance, 1 - clearance]^Dim.
+template <int Dim>
+Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double clearance);
+
+/// Moves the computational surface, not the original.
+template <int Dim>
+void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface);
+
+}  // namespace shellmatch

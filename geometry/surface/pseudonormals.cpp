@@ -1,0 +1,158 @@
+#include "geometry/surface/pseudonormals.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
+  const double length = x.stableNorm();
+  return length > 0 ? Vec<Dim>(x / length) : Vec<Dim>(Vec<Dim>::Zero());
+}
+
+/// Angle of facet f at its corner i; in the plane every segment counts with the same weight at its ends.
+double corner_angle(const Surface<2>&, Index, int) { return 1; }
+
+double corner_angle(const Surface<3>& surface, Index f, int i) {
+  const auto& facet = surface.facets[f];
+  const Vec<3>& a = surface.vertices[facet[i]];
+  const Vec<3> u = surface.vertices[facet[(i + 1) % 3]] - a, v = surface.vertices[facet[(i + 2) % 3]] - a;
+  // atan2 keeps small angles exact, where the arc cosine would lose half of the digits.
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// Numbers the edges of all facets, an edge by its two vertices; returns how many there are.
+std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index, 3>>& edges_of_facet) {
+  struct Side {
+    std::uint64_t key;
+    Index facet;
+    int edge;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * surface.facets.size());
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (int e = 0; e < 3; ++e) {
+      const auto [low, high] = std::minmax(surface.facets[f][e], surface.facets[f][(e + 1) % 3]);
+      sides.push_back({static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high),
+                       static_cast<Index>(f), e});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.key != b.key ? a.key < b.key : a.facet != b.facet ? a.facet < b.facet : a.edge < b.edge;
+  });
+  edges_of_facet.resize(surface.facets.size());
+  std::size_t n_edges = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i == 0 || sides[i].key != sides[i - 1].key) ++n_edges;
+    edges_of_facet[sides[i].facet][sides[i].edge] = static_cast<Index>(n_edges - 1);
+  }
+  return n_edges;
+}
+
+/// The edge of a facet, 0 to 2, that is at least as long as the others.
+int longest_edge(const Surface<3>& surface, Index f) {
+  const auto& facet = surface.facets[f];
+  Vec<3> lengths;
+  for (int e = 0; e < 3; ++e)
+    lengths[e] = (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm();
+  int longest;
+  lengths.maxCoeff(&longest);
+  return longest;
+}
+
+std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges_of_facet,
+                                  std::size_t n_edges, const std::vector<Vec<3>>& normals) {
+  std::vector<Vec<3>> sums(n_edges, Vec<3>::Zero());
+  for (std::size_t f = 0; f < normals.size(); ++f)
+    for (const Index e : edges_of_facet[f]) sums[e] += normals[f];
+  return sums;
+}
+
+/// A facet without area joins its longest edge to the two others, which lie on it. It gets the normal from
+/// across the longest edge, so that the others see what is really there; of a heap of such facets one ring
+/// after the other. Those that have not got a normal after `max_rings` keep the zero normal.
+void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
+                     std::size_t n_edges, const std::vector<Index>& degenerate,
+                     std::vector<Vec<3>>& normals) {
+  constexpr int max_rings = 16;
+  std::vector<Index> missing = degenerate;
+  bool any_edge = false;  // where the longest edges lead nowhere, all edges are asked
+  for (int ring = 0; ring < max_rings && !missing.empty(); ++ring) {
+    const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
+    std::vector<Index> still_missing;
+    for (const Index f : missing) {
+      const auto& edges = edges_of_facet[f];
+      normals[f] = unit_or_zero<3>(any_edge ? Vec<3>(sums[edges[0]] + sums[edges[1]] + sums[edges[2]])
+                                            : sums[edges[longest_edge(surface, f)]]);
+      if (normals[f].isZero(0)) still_missing.push_back(f);
+    }
+    any_edge = still_missing.size() == missing.size();
+    missing = std::move(still_missing);
+  }
+}
+
+/// Sums of the normals on both sides of every edge. A facet without area shows its longest edge the mean of
+/// what lies beyond the two others.
+std::vector<Vec<3>> edge_normals(const Surface<3>& surface,
+                                 const std::vector<std::array<Index, 3>>& edges_of_facet, std::size_t n_edges,
+                                 const std::vector<Index>& degenerate, const std::vector<Vec<3>>& normals) {
+  const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
+  std::vector<Vec<3>> result = sums;
+  for (const Index f : degenerate) {
+    const auto& facet = surface.facets[f];
+    const int longest = longest_edge(surface, f);
+    Vec<3> beyond = Vec<3>::Zero();
+    for (const int e : {(longest + 1) % 3, (longest + 2) % 3})
+      beyond += (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm() *
+                (sums[edges_of_facet[f][e]] - normals[f]);
+    result[edges_of_facet[f][longest]] += unit_or_zero<3>(beyond) - normals[f];
+  }
+  for (Vec<3>& n : result) n = unit_or_zero<3>(n);
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
+    : facets_(surface.facets.size()), vertices_(surface.vertices.size(), Vec<Dim>::Zero()) {
+  for (std::size_t f = 0; f < facets_.size(); ++f)
+    facets_[f] = unit_or_zero<Dim>(facet_normal(surface, static_cast<Index>(f)));
+  if constexpr (Dim == 3) {
+    std::vector<Index> degenerate;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      const auto& [a, b, c] = surface.facets[f];
+      if (!is_degenerate(surface.vertices[b] - surface.vertices[a],
+                         surface.vertices[c] - surface.vertices[a]))
+        continue;
+      facets_[f].setZero();
+      degenerate.push_back(static_cast<Index>(f));
+    }
+    const std::size_t n_edges = number_edges(surface, edges_of_facet_);
+    fill_degenerate(surface, edges_of_facet_, n_edges, degenerate, facets_);
+    edges_ = edge_normals(surface, edges_of_facet_, n_edges, degenerate, facets_);
+  }
+  for (std::size_t f = 0; f < facets_.size(); ++f)
+    for (int i = 0; i < Dim; ++i)
+      vertices_[surface.facets[f][i]] += corner_angle(surface, static_cast<Index>(f), i) * facets_[f];
+  for (Vec<Dim>& n : vertices_) n = unit_or_zero<Dim>(n);
+}
+
+template <int Dim>
+const Vec<Dim>& Pseudonormals<Dim>::operator()(const Surface<Dim>& surface, Index f,
+                                               FeatureMask feature) const {
+  if (feature == inside_facet<Dim>) return facets_[f];
+  if (std::has_single_bit(feature)) return vertices_[surface.facets[f][std::countr_zero(feature)]];
+  // Edges (0, 1), (1, 2), (2, 0) have the masks 3, 6 and 5.
+  return edges_[edges_of_facet_[f][feature == 3 ? 0 : feature == 6 ? 1 : 2]];
+}
+
+template class Pseudonormals<2>;
+template class Pseudonormals<3>;
+
+}  // namespace shellmatch

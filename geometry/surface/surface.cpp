@@ -1,0 +1,32 @@
+#include "geometry/surface/surface.h"
+
+#include "base/parallel.h"
+
+#include <Eigen/Geometry>
+
+namespace shellmatch {
+
+Vec<3> facet_normal(const Surface<3>& s, Index f) {
+  const auto& [a, b, c] = s.facets[f];
+  return (s.vertices[b] - s.vertices[a]).cross(s.vertices[c] - s.vertices[a]);
+}
+
+// The divergence theorem for the field x/Dim, seen from a point next to the surface: far from the origin the
+// terms would cancel.
+template <int Dim>
+double enclosed_measure(const Surface<Dim>& s) {
+  if (s.facets.empty()) return 0;
+  const Vec<Dim> origin = s.vertices[s.facets[0][0]];
+  const double flux = parallel_sum(s.facets.size(), 4096, 0.0, [&](const Chunk& chunk) {
+    double sum = 0;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f)
+      sum += (s.vertices[s.facets[f][0]] - origin).dot(facet_normal(s, static_cast<Index>(f)));
+    return sum;
+  });
+  return flux / (Dim * (Dim - 1));
+}
+
+template double enclosed_measure(const Surface<2>&);
+template double enclosed_measure(const Surface<3>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,31 @@
+#include "grid/fields/sample.h"
+
+#include "base/parallel.h"
+#include "grid/octree/constraints.h"
+
+namespace shellmatch {
+
+template <int Dim>
+std::vector<double> sample_nodes(const Octree<Dim>& grid,
+                                 const std::function<double(const Vec<Dim>&)>& function,
+                                 HangingValues hanging) {
+  std::vector<double> nodal(grid.n_nodes(), 0.0);
+  const bool interpolate = hanging == HangingValues::interpolated;
+  // A distance may cost microseconds: small chunks keep all threads busy to the end.
+  parallel_for(
+      nodal.size(),
+      [&](std::size_t n) {
+        const Index node = static_cast<Index>(n);
+        if (!interpolate || grid.free_index(node) != no_index) nodal[n] = function(grid.node_position(node));
+      },
+      256);
+  if (interpolate) distribute(grid, nodal);
+  return nodal;
+}
+
+template std::vector<double> sample_nodes<2>(const Octree<2>&, const std::function<double(const Vec<2>&)>&,
+                                             HangingValues);
+template std::vector<double> sample_nodes<3>(const Octree<3>&, const std::function<double(const Vec<3>&)>&,
+                                             HangingValues);
+
+}  // namespace shellmatch

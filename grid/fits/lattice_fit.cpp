@@ -1,0 +1,127 @@
+#include "grid/fits/lattice_fit.h"
+
+#include "base/parallel.h"
+#include "grid/fits/quadratic_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+/// All offsets with entries of lower <= . <= upper.
+template <int Dim>
+std::vector<std::array<int, Dim>> box(int lower, int upper) {
+  std::vector<std::array<int, Dim>> all(1);
+  for (int k = 0; k < Dim; ++k) {
+    std::vector<std::array<int, Dim>> longer;
+    for (auto offset : all)
+      for (offset[k] = lower; offset[k] <= upper; ++offset[k]) longer.push_back(offset);
+    all = std::move(longer);
+  }
+  return all;
+}
+
+template <int Dim>
+int square(const std::array<int, Dim>& offset) {
+  int sum = 0;
+  for (const int o : offset) sum += o * o;
+  return sum;
+}
+
+}  // namespace
+
+template <int Dim>
+LatticeFit<Dim>::LatticeFit(const Octree<Dim>& grid, std::size_t n_others, double exponent) : grid_(&grid) {
+  choose_terms(n_others, exponent);
+  if (terms_.empty()) return;
+  Around none;
+  none.fill(no_index);
+  around_.assign(static_cast<std::size_t>(grid.n_nodes()), none);
+  for (const Index leaf : grid.leaves())
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      around_[grid.cell(leaf).nodes[c]][n_corners<Dim> - 1 - c] = leaf;
+  parallel_for(around_.size(), [&](std::size_t node) {
+    Around& leaves = around_[node];
+    for (const Index leaf : leaves)
+      if (leaf == no_index || leaves[0] == no_index || grid.cell(leaf).level != grid.cell(leaves[0]).level)
+        leaves[0] = no_index;
+  });
+}
+
+template <int Dim>
+void LatticeFit<Dim>::choose_terms(std::size_t n_others, double exponent) {
+  auto offsets = box<Dim>(-2, 2);
+  std::ranges::stable_sort(offsets, {}, square<Dim>);
+  if (n_others >= offsets.size() || square<Dim>(offsets[n_others]) > 4) return;
+  const int farthest = square<Dim>(offsets[n_others]);  // the node itself comes first
+  std::erase_if(offsets, [&](const Offset& o) { return square<Dim>(o) > farthest || square<Dim>(o) == 0; });
+  if (farthest > 1) next_nodes_ = box<Dim>(-1, 1);
+
+  for (const Offset& one : offsets) {
+    QuadraticFit<Dim, 1> fit;
+    const auto add = [&](const Offset& o) {
+      Vec<Dim> x;
+      for (int k = 0; k < Dim; ++k) x[k] = o[k] / std::sqrt(farthest);
+      const double share = static_cast<double>(std::max(square<Dim>(o), 1)) / farthest;
+      fit.add(x, {o == one ? 1.0 : 0.0}, exponent == 0 ? 1.0 : std::pow(share, -0.5 * exponent));
+    };
+    add({});
+    for (const Offset& o : offsets) add(o);
+    if (!fit.factorise()) {
+      terms_.clear();
+      return;
+    }
+    terms_.push_back({one, fit.hessian(0)});
+    for (double& w : terms_.back().weight) w /= farthest;
+  }
+}
+
+template <int Dim>
+Index LatticeFit<Dim>::neighbour(Index node, const Offset& step) const {
+  int octant = 0, corner = 0;
+  for (int k = 0; k < Dim; ++k) {
+    octant |= (step[k] > 0) << k;
+    corner |= (step[k] >= 0) << k;  // of the leaf below for 0: its upper end
+  }
+  return grid_->cell(around_[node][octant]).nodes[corner];
+}
+
+template <int Dim>
+double LatticeFit<Dim>::find_neighbours(Index node, std::vector<Index>& neighbours) const {
+  if (terms_.empty() || around_[node][0] == no_index) return 0;
+  // A node and the next share a leaf, so that their leaves are of one size.
+  for (const Offset& step : next_nodes_)
+    if (around_[neighbour(node, step)][0] == no_index) return 0;
+  neighbours.clear();
+  for (const Term& term : terms_) {
+    Offset first, rest;
+    for (int k = 0; k < Dim; ++k) {
+      first[k] = std::clamp(term.offset[k], -1, 1);
+      rest[k] = term.offset[k] - first[k];
+    }
+    const Index other = neighbour(neighbour(node, first), rest);
+    if (grid_->free_index(other) == no_index) return 0;
+    neighbours.push_back(other);
+  }
+  return grid_->cell(around_[node][0]).side();
+}
+
+template <int Dim>
+SymmetricComponents<Dim> LatticeFit<Dim>::hessian(std::span<const double> field, Index node, double side,
+                                                  std::span<const Index> neighbours) const {
+  SymmetricComponents<Dim> sum{};
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    // Differences, so that a large value costs no digits.
+    const double difference = field[neighbours[i]] - field[node];
+    for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += terms_[i].weight[m] * difference;
+  }
+  for (double& s : sum) s /= side * side;
+  return sum;
+}
+
+template class LatticeFit<2>;
+template class LatticeFit<3>;
+
+}  // namespace shellmatch

@@ -1,0 +1,172 @@
+#include "grid/fits/local_fit.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "grid/fits/lattice_fit.h"
+#include "grid/fits/quadratic_fit.h"
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+
+namespace shellmatch {
+
+template <int Dim>
+std::size_t n_neighbours(const CoefficientOptions& options) {
+  // 12 and 32 are whole shells of the regular lattice: all nodes within two cells.
+  const int wanted = options.neighbours > 0 ? options.neighbours : (Dim == 2 ? 12 : 32);
+  return static_cast<std::size_t>(std::max(wanted, QuadraticFit<Dim, 1>::n_unknowns - 1));
+}
+
+namespace {
+
+// The free nodes in integer coordinates, so that equal distances are equal to the last bit.
+template <int Dim>
+struct FreeNodes {
+  std::vector<std::array<double, Dim>> points;
+  explicit FreeNodes(const Octree<Dim>& grid) : points(grid.free_nodes().size()) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int k = 0; k < Dim; ++k) points[i][k] = grid.node_coord(grid.free_nodes()[i])[k];
+  }
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t k) const { return points[i][k]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+template <int Dim>
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FreeNodes<Dim>>,
+                                                 FreeNodes<Dim>, Dim, Index>;
+
+// What one thread needs for its queries.
+struct Scratch {
+  std::vector<std::pair<Index, double>> ball;
+  std::vector<double> squares;
+  std::vector<Index> lattice;
+  double guess = 0;  // of a square that holds enough
+};
+
+// Fills scratch.ball with the free nodes no farther from the node than the n-th nearest of the others.
+// Returns the squares of the distances to the nearest and to the farthest of them. \pre n + 1 <= all
+template <int Dim>
+std::pair<double, double> find_ball(const Tree<Dim>& tree, const std::array<double, Dim>& centre,
+                                    std::size_t n, Scratch& scratch) {
+  auto& ball = scratch.ball;
+  auto& squares = scratch.squares;
+  double& guess = scratch.guess;
+  // Squares are whole numbers and the search takes what is strictly nearer.
+  while (tree.radiusSearch(centre.data(), guess + 0.5, ball, nanoflann::SearchParams(0, 0.f, false)) <= n)
+    guess = 2 * guess + 1;
+  squares.clear();
+  for (const auto& member : ball) squares.push_back(member.second);
+  std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(n));  // the node is the first
+  const double farthest = guess = squares[n];
+  std::erase_if(ball, [&](const auto& member) { return member.second > farthest; });
+  double nearest = farthest;
+  for (const auto& member : ball)
+    if (member.second > 0) nearest = std::min(nearest, member.second);
+  return {nearest, farthest};
+}
+
+template <int Fields>
+using FieldPointers = std::array<const double*, Fields>;
+
+// One Hessian for each field.
+template <int Dim, int Fields>
+std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, const Tree<Dim>& tree,
+                                                    const FieldPointers<Fields>& fields, Index node,
+                                                    std::size_t n_others, double exponent, Scratch& scratch) {
+  const auto free = grid.free_nodes();
+  std::array<double, Dim> centre;
+  for (int k = 0; k < Dim; ++k) centre[k] = grid.node_coord(node)[k];
+  while (true) {
+    const std::size_t n = std::min(n_others, free.size() - 1);
+    const auto [nearest, farthest] = find_ball<Dim>(tree, centre, n, scratch);
+    const double per_radius = 1 / std::sqrt(farthest);
+    QuadraticFit<Dim, Fields> fit;
+    for (const auto& [position, square] : scratch.ball) {
+      const Index other = free[position];
+      Vec<Dim> x;
+      for (int k = 0; k < Dim; ++k)
+        x[k] = (grid.node_coord(other)[k] - grid.node_coord(node)[k]) * per_radius;
+      // Differences, so that a large value costs no digits.
+      std::array<double, Fields> values;
+      for (int f = 0; f < Fields; ++f) values[f] = fields[f][other] - fields[f][node];
+      // The node itself weighs as much as the nearest of the others.
+      const double weight =
+          exponent == 0 ? 1.0 : std::pow(std::max(square, nearest) / farthest, -0.5 * exponent);
+      fit.add(x, values, weight);
+    }
+    if (fit.factorise()) {
+      const double per_length = static_cast<double>(1 << Octree<Dim>::max_level) * per_radius;
+      std::array<SymmetricComponents<Dim>, Fields> hessians;
+      for (int f = 0; f < Fields; ++f) {
+        hessians[f] = fit.hessian(f);
+        for (double& v : hessians[f]) v *= per_length * per_length;
+      }
+      return hessians;
+    }
+    SHELLMATCH_CHECK(n + 1 < free.size(), "the grid is too coarse for a quadratic through its nodes");
+    n_others += n_others / 2;
+  }
+}
+
+template <int Dim, int Fields>
+std::array<Hessians<Dim>, Fields> fit_all(const Octree<Dim>& grid, const FieldPointers<Fields>& fields,
+                                          const CoefficientOptions& options, std::span<const Index> nodes) {
+  const std::size_t n_others = n_neighbours<Dim>(options);
+  const FreeNodes<Dim> points(grid);
+  const Tree<Dim> tree(Dim, points, nanoflann::KDTreeSingleIndexAdaptorParams(12));
+  const LatticeFit<Dim> lattice(grid, n_others, options.fit_weight);
+  std::array<Hessians<Dim>, Fields> hessians;
+  for (auto& h : hessians) h.resize(nodes.size());
+  parallel_chunks(nodes.size(), 512, [&](const Chunk& chunk) {
+    Scratch scratch;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      SHELLMATCH_CHECK(grid.free_index(nodes[i]) != no_index, "quadratics are fitted at free nodes");
+      if (const double side = lattice.find_neighbours(nodes[i], scratch.lattice); side > 0) {
+        for (int f = 0; f < Fields; ++f)
+          hessians[f][i] = lattice.hessian({fields[f], static_cast<std::size_t>(grid.n_nodes())}, nodes[i], side,
+                                           scratch.lattice);
+        continue;
+      }
+      const auto at_node =
+          fit_at<Dim, Fields>(grid, tree, fields, nodes[i], n_others, options.fit_weight, scratch);
+      for (int f = 0; f < Fields; ++f) hessians[f][i] = at_node[f];
+    }
+  });
+  return hessians;
+}
+
+}  // namespace
+
+template <int Dim>
+Hessians<Dim> fit_hessians(const Octree<Dim>& grid, const std::vector<double>& nodal,
+                           const CoefficientOptions& options, std::span<const Index> nodes) {
+  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid.n_nodes()), "size of a nodal field");
+  return fit_all<Dim, 1>(grid, {nodal.data()}, options, nodes)[0];
+}
+
+template <int Dim>
+std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid,
+                                          const std::array<std::vector<double>, 2>& nodal,
+                                          const CoefficientOptions& options, std::span<const Index> nodes) {
+  for (const auto& field : nodal)
+    SHELLMATCH_CHECK(field.size() == static_cast<std::size_t>(grid.n_nodes()), "size of a nodal field");
+  return fit_all<Dim, 2>(grid, {nodal[0].data(), nodal[1].data()}, options, nodes);
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                             \
+  template std::size_t n_neighbours<Dim>(const CoefficientOptions&);                            \
+  template Hessians<Dim> fit_hessians<Dim>(const Octree<Dim>&, const std::vector<double>&,      \
+                                           const CoefficientOptions&, std::span<const Index>);  \
+  template std::array<Hessians<Dim>, 2> fit_hessians<Dim>(                                      \
+      const Octree<Dim>&, const std::array<std::vector<double>, 2>&, const CoefficientOptions&, \
+      std::span<const Index>);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

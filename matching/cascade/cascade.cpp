@@ -1,0 +1,251 @@
+#include "matching/cascade/cascade.h"
+
+#include "base/error.h"
+#include "energies/assembly/energy_report.h"
+#include "grid/fields/mass.h"
+#include "grid/octree/prolongation.h"
+#include "matching/derivative_check/gradient_check.h"
+#include "matching/cascade/level_energy.h"
+#include "matching/cascade/level_metric.h"
+#include "matching/cascade/level_problem.h"
+#include "matching/experiment/level_solver.h"
+#include "matching/cascade/phase_clock.h"
+#include "matching/cascade/shape_fields.h"
+#include "solvers/methods/fallback.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace shellmatch {
+
+std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) {
+  const int k = level - o.min_level;
+  const double volume = o.volume * std::pow(o.volume_factor, k);
+  if (k == 0) return {{o.nu, volume}};
+  std::vector<ScheduleStep> steps;
+  for (int s = 1; s <= o.nu_substeps; ++s)
+    steps.push_back({o.nu * std::pow(o.nu_factor, k - 1 + static_cast<double>(s) / o.nu_substeps), volume});
+  return steps;
+}
+
+std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
+                       double negligible) {
+  const double rise = match * (steps[s].nu / steps.back().nu - 1);
+  return s + 1 < steps.size() && rise < negligible * std::abs(value) ? steps.size() - 1 : s + 1;
+}
+
+namespace {
+
+/// One level: all its minimisations, from phi, which is replaced by the result.
+template <int Dim>
+class Level {
+ public:
+  Level(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options)
+      : options_(options), grid_(grid), level_(grid, std::move(geometry), options) {}
+
+  LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted) {
+    LevelResult result;
+    LevelStart& start = result.start;
+    start.level = level;
+    start.sigma = level_.sigma;
+    start.n_nodes = grid_.n_nodes();
+    start.n_free_nodes = static_cast<Index>(grid_.free_nodes().size());
+    start.n_cells = static_cast<Index>(grid_.leaves().size());
+    result.n_band_cells = static_cast<Index>(level_.energy.band().n_elements());
+    result.n_band_points = level_.energy.band().n_active_points();
+    result.band_measure = level_.energy.band().measure();
+
+    const std::vector<double> mass = lumped_mass_of(level_.unknowns.nodes());
+    const auto steps = schedule_of_level(options_.cascade, level);
+    start.n_substeps = static_cast<int>(steps.size());
+    const SolverOptions solver = solver_at_level(options_.solver, level);
+    TermValues weights;
+    for (std::size_t s = 0, next = 0; s < steps.size() && !interrupted; s = next) {
+      start.substep = static_cast<int>(s) + 1;
+      start.nu = steps[s].nu;
+      start.volume_weight = steps[s].volume_weight;
+      weights = term_weights(options_.energy, start.nu, start.volume_weight);
+      LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
+                                [&](Metric metric) { return level_metric(level_, options_.energy, solver, weights, metric); });
+      std::vector<double> x = problem.unknowns_of(phi);
+      StopOptions stop = solver.stop;
+      if (level < options_.cascade.max_level || s + 1 < steps.size())
+        stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
+      observer.level_started(start);
+      std::vector<double> terms;  // where the minimisation ends
+      result.last = minimize_with_fallback(
+          solver, problem, x, stop,
+          [&](const IterationRecord& r) {
+            check(r.iteration, start, problem.last_positions(), weights, observer);
+            terms = r.terms;
+            return observer.iterated(start, r);
+          },
+          [&](const std::string& change) {
+            result.fallbacks.push_back(fmt::format("level {}, step {}: {}", level, start.substep, change));
+            observer.note(result.fallbacks.back());
+          });
+      if (result.last.reason == StopReason::cannot_evaluate_start) {
+        if (level == options_.cascade.min_level && s == 0) refuse_start(level, phi, weights);
+        result.fallbacks.push_back(fmt::format(
+            "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", level,
+            start.substep));
+        observer.note(result.fallbacks.back());
+      }
+      observer.level_finished(start, result.last);
+      interrupted = result.last.reason == StopReason::interrupted;
+      phi = problem.positions(x);
+      next = terms.empty() ? s + 1
+                           : step_after(steps, s, terms[static_cast<std::size_t>(Term::match)],
+                                        result.last.final_value, options_.cascade.negligible_rise);
+      result.iterations += result.last.iterations;
+      result.value_evaluations += result.last.value_evaluations;
+      result.gradient_evaluations += result.last.gradient_evaluations;
+      result.seconds += result.last.seconds;
+    }
+    level_.energy.evaluate(phi, weights, result.minimised, {});
+    weights_ = weights;
+    return result;
+  }
+
+  /// Adds to the result of minimise() what a finer quadrature says of it, and its folds.
+  void report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const {
+    const int finer = std::min(options_.energy.quadrature_order + 1, 5);
+    const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
+                                                   phi, weights_);
+    result.reported = report.values;
+    result.band = report.band;
+    result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
+  }
+
+ private:
+  // Where not even the first minimisation can begin there is nothing to match.
+  [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
+    std::string which;
+    for (int t = 0; t < n_terms; ++t) {
+      TermValues alone, values;
+      alone.v[t] = weights.v[t];
+      if (alone.v[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
+        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", term_names[t], alone.v[t]);
+    }
+    throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {}; "
+                      "choose smaller weights or parameters of it (energy.*, cascade.*)",
+                      level, which.empty() ? "the sum of its terms" : which);
+  }
+
+  // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
+  // the minimiser may still need.
+  void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+             Observer& observer) {
+    const CheckGradientOptions& o = options_.check_gradient;
+    if (o.every == 0 || iteration % o.every != 0) return;
+    // A method may have looked at a place that it did not go to.
+    TermValues values;
+    if (!level_.energy.evaluate(phi, weights, values, {})) return;
+    GradientReport report = check_gradient<Dim>(
+        level_, CheckedEnergy<Dim>(level_), options_.energy, phi, weights,
+        {.n_directions = o.directions, .seed = 1, .most_differenced = 200, .n_ceres_elements = 2, .newton_model = false});
+    report.substep = start.substep;
+    report.iteration = iteration;
+    report.nu = start.nu;
+    report.volume_weight = start.volume_weight;
+    observer.gradient_checked(start, report);
+  }
+
+  std::vector<double> lumped_mass_of(std::span<const Index> nodes) const {
+    const std::vector<double> all = lumped_mass(grid_);
+    std::vector<double> mass;
+    mass.reserve(nodes.size());
+    for (const Index n : nodes) mass.push_back(all[grid_.free_index(n)]);
+    return mass;
+  }
+
+  const ExperimentOptions& options_;
+  const Octree<Dim>& grid_;
+  LevelEnergy<Dim> level_;
+  TermValues weights_;  ///< of the last minimisation
+};
+
+/// The map at the nodes of `grid`, whose numbers differ from those of the map's own grid.
+template <int Dim>
+std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>& grid) {
+  bool same = map.grid.n_nodes() == grid.n_nodes() && map.grid.leaves().size() == grid.leaves().size();
+  std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
+  for (Index i = 0; same && i < grid.n_nodes(); ++i) {
+    const Index there = map.grid.find_node(grid.node_coord(i));
+    same = there != no_index;
+    if (same) phi[i] = map.phi[there];
+  }
+  if (!same)
+    throw_input_error("the levels that were kept lie on another grid than the one that this machine makes of the shapes; "
+                      "begin anew with --restart");
+  return phi;
+}
+
+}  // namespace
+
+template <int Dim>
+CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
+                               const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before) {
+  const CascadeOptions& schedule = options.cascade;
+  CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
+  Octree<Dim>& grid = result.grid;
+  result.phi = identity_map(grid);
+  ShapeFields<Dim> shapes(reference, template_shape, options);
+
+  const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
+    result.reference = at_nodes(geometry.reference, grid);
+    result.target = at_nodes(geometry.target, grid);
+  };
+
+  for (int level = schedule.min_level;; ++level) {
+    const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
+    PhaseClock clock(seconds);
+    clock.start("distances");
+    shapes.compute_distances(grid);
+    // Grids of levels that were finished before are made again, not read: nodes get the numbers that they had, by
+    // which sums are ordered.
+    const bool is_finished = before && level <= before->level;
+    std::optional<GeometryPair<Dim>> geometry;
+    if (!is_finished || level == schedule.max_level) {
+      clock.start("coefficients");
+      geometry.emplace(shapes.geometry(grid));
+    }
+    if (is_finished) {
+      if (level == before->level) {
+        result.phi = renumbered(before->map, grid);
+        before.reset();
+      }
+      if (ends()) keep_fields(*geometry);
+    } else {
+      {  // the level's matrices are not to lie beside what follows
+        clock.start("set-up");
+        Level<Dim> problem(grid, *geometry, options);
+        clock.start("minimisation");
+        result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+        clock.start("report");
+        problem.report(result.phi, result.levels.back());
+      }
+      clock.start("output");
+      if (finished) finished(result.levels.back(), {grid, result.phi});
+      if (ends()) keep_fields(*geometry);
+    }
+    if (ends()) break;
+
+    clock.start("refinement");
+    const Index n_old = grid.n_nodes();
+    shapes.refine(grid);
+    prolongate(grid, n_old, result.phi);
+  }
+  return result;
+}
+
+template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
+                                         Observer&, const LevelCallback<2>&, PhaseSeconds&,
+                                         std::optional<FinishedLevel<2>>);
+template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
+                                         Observer&, const LevelCallback<3>&, PhaseSeconds&,
+                                         std::optional<FinishedLevel<3>>);
+
+}  // namespace shellmatch

@@ -1,0 +1,65 @@
+#include "matching/cascade/level_problem.h"
+
+#include "base/error.h"
+
+namespace shellmatch {
+
+template <int Dim>
+LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy,
+                                EnergyHessian<Dim>& hessian, const TermValues& weights,
+                                std::span<const double> mass, std::vector<Vec<Dim>> phi,
+                                std::function<Eigen::SparseMatrix<double>(Metric)> metric)
+    : unknowns_(&unknowns),
+      energy_(&energy),
+      hessian_(hessian),
+      weights_(weights),
+      phi_(std::move(phi)),
+      metric_(std::move(metric)) {
+  SHELLMATCH_CHECK(mass.size() == unknowns.nodes().size(), "one mass for each unknown node");
+  mass_.reserve(mass.size() * Dim);
+  for (const double m : mass) mass_.insert(mass_.end(), Dim, m);
+}
+
+template <int Dim>
+bool LevelProblem<Dim>::evaluate(std::span<const double> x, double& value, std::span<double> gradient) {
+  unknowns_->expand(x, phi_);
+  if (!energy_->evaluate(phi_, weights_, values_, gradient)) return false;
+  value = values_.sum();
+  return true;
+}
+
+template <int Dim>
+void LevelProblem<Dim>::prepare_second_derivative(std::span<const double> x) {
+  unknowns_->expand(x, phi_);
+  hessian_.assemble(phi_, weights_);
+}
+
+template <int Dim>
+bool LevelProblem<Dim>::restrain(std::span<const double> x, std::span<const double> d) {
+  unknowns_->expand(x, phi_);
+  return hessian_.restrain(phi_, d);
+}
+
+template <int Dim>
+std::vector<std::string> LevelProblem<Dim>::term_names() const {
+  return {shellmatch::term_names.begin(), shellmatch::term_names.end()};
+}
+
+template <int Dim>
+std::vector<double> LevelProblem<Dim>::unknowns_of(const std::vector<Vec<Dim>>& phi) const {
+  std::vector<double> x(size());
+  unknowns_->restrict_to(phi, x);
+  return x;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> LevelProblem<Dim>::positions(std::span<const double> x) const {
+  std::vector<Vec<Dim>> phi = phi_;
+  unknowns_->expand(x, phi);
+  return phi;
+}
+
+template class LevelProblem<2>;
+template class LevelProblem<3>;
+
+}  // namespace shellmatch

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// The matching energy on one grid as a problem for the solvers: the only place where energies and solvers meet.
+
+#include "energies/assembly/energy_hessian.h"
+#include "energies/assembly/matching_energy.h"
+#include "solvers/objective.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+class LevelProblem final : public SecondOrderObjective {
+ public:
+  /// \param phi   nodal positions that fixed nodes keep; overwritten by evaluate()
+  /// \param mass  lumped mass of each unknown node, in the order of unknowns.nodes()
+  /// \param metric  matrices of the metrics h1 and h1_band on the unknown nodes; without it there are none
+  LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy, EnergyHessian<Dim>& hessian,
+               const TermValues& weights, std::span<const double> mass, std::vector<Vec<Dim>> phi,
+               std::function<Eigen::SparseMatrix<double>(Metric)> metric = {});
+
+  std::size_t size() const override { return unknowns_->size(); }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override;
+  std::vector<std::string> term_names() const override;
+  std::vector<double> term_values() const override { return {values_.v.begin(), values_.v.end()}; }
+  std::span<const double> lumped_mass() const override { return mass_; }
+  Eigen::SparseMatrix<double> metric_matrix(Metric metric) const override {
+    return metric_ ? metric_(metric) : Eigen::SparseMatrix<double>();
+  }
+
+  void prepare_second_derivative(std::span<const double> x) override;
+  void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
+  void precondition(std::span<const double> r, std::span<double> z) const override { hessian_.precondition(r, z); }
+
+  bool restrain(std::span<const double> x, std::span<const double> d) override;
+
+  /// The unknowns of the nodal positions.
+  std::vector<double> unknowns_of(const std::vector<Vec<Dim>>& phi) const;
+  /// The nodal positions that were evaluated last.
+  const std::vector<Vec<Dim>>& last_positions() const { return phi_; }
+  /// The nodal positions of the unknowns.
+  std::vector<Vec<Dim>> positions(std::span<const double> x) const;
+
+ private:
+  const Unknowns<Dim>* unknowns_;
+  const MatchingEnergy<Dim>* energy_;
+  EnergyHessian<Dim>& hessian_;
+  TermValues weights_, values_;
+  std::vector<double> mass_;
+  std::vector<Vec<Dim>> phi_;
+  std::function<Eigen::SparseMatrix<double>(Metric)> metric_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// From a list of cells back to the tree that has them as its leaves.
+
+#include "grid/octree/octree.h"
+
+#include <optional>
+#include <vector>
+
+namespace shellmatch {
+
+/// A cell's level and its lower corner in units of its side.
+template <int Dim>
+struct LeafPlace {
+  int level = 0;
+  typename Octree<Dim>::Coord corner{};
+};
+
+/// The tree whose leaves are exactly these cells, in any order; nothing if they overlap, leave gaps or are
+/// not 2:1 balanced. Takes memory in proportion to the number of cells, whatever the cells are. \pre levels
+/// in [0, max_level], corners in [0, 2^level)
+template <int Dim>
+std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leaves);
+
+}  // namespace shellmatch

@@ -1,0 +1,157 @@
+#include "matching/cascade/shape_fields.h"
+
+#include "base/parallel.h"
+#include "grid/octree/constraints.h"
+#include "grid/octree/elements.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace shellmatch {
+
+namespace {
+
+/// The finite element function with these values at the free nodes.
+template <int Dim>
+std::vector<double> conforming(const Octree<Dim>& grid, std::vector<double> nodal) {
+  distribute(grid, nodal);
+  return nodal;
+}
+
+bool takes_inverse_root(const ExperimentOptions& o) {
+  return reads_shape_operators(o.energy) || !o.coefficients.invert_at_point;
+}
+
+}  // namespace
+
+template <int Dim>
+ShapeFields<Dim>::ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
+                              const ExperimentOptions& options)
+    : shapes_{&reference, &template_shape}, options_(&options) {
+  if (is_smooth())
+    for (auto& own : own_) own.emplace(options.cascade.min_level);
+}
+
+template <int Dim>
+void ShapeFields<Dim>::compute_distances_on(const Octree<Dim>& grid) {
+  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
+  for (int s = 0; s < n_shapes; ++s) on_grid_[s].compute(grid, *shapes_[s], options_->coefficients.distance);
+}
+
+template <int Dim>
+void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
+  if (!is_smooth()) return compute_distances_on(grid);
+  if (!own_[0]) return;
+  const int level =
+      std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
+  if (own_[0]->grid.finest_level() < level) smooth_.reset();
+  for_both([&](int s) {
+    FieldGrid<Dim>& own = *own_[s];
+    if (own.distance.values().empty()) own.compute(*shapes_[s], options_->coefficients);
+    while (own.grid.finest_level() < level) {
+      own.refine(options_->coefficients.reach);
+      own.compute(*shapes_[s], options_->coefficients);
+    }
+  });
+}
+
+template <int Dim>
+CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const GridPair<Dim>& grids,
+                                                    std::array<NodalGeometry<Dim>, 2> geometry) const {
+  const auto compute =
+      reads_shape_operators(options_->energy) ? shape_operator_pair<Dim> : coefficient_pair<Dim>;
+  return compute(grids, std::move(geometry), options_->coefficients);
+}
+
+template <int Dim>
+GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
+  if (!is_smooth()) {
+    const auto nodal = coefficients(
+        {&grid, &grid}, nodal_geometry<Dim>(grid,
+                                            {conforming(grid, on_grid_[0].values()),
+                                             conforming(grid, on_grid_[1].values())},
+                                            options_->coefficients));
+    return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
+  }
+  if (!smooth_) smooth_ = smooth_geometry();
+  return *smooth_;
+}
+
+template <int Dim>
+GeometryPair<Dim> ShapeFields<Dim>::smooth_geometry() {
+  // Nothing is refined after these: whatever has been read goes at once.
+  const bool last = own_[0]->grid.finest_level() == options_->cascade.max_level;
+  std::array<NodalGeometry<Dim>, 2> geometry;
+  for_both([&](int s) {
+    FieldGrid<Dim>& own = *own_[s];
+    geometry[s] = nodal_geometry<Dim>(own.grid, last ? own.distance.take() : own.distance.values(),
+                                      options_->coefficients, own.hessians);
+    if (last) own.hessians = {};
+  });
+  auto nodal = coefficients({&own_[0]->grid, &own_[1]->grid}, std::move(geometry));
+  const bool roots = !reads_shape_operators(options_->energy);
+  const auto field = [&](int s, CoefficientFields<Dim> of) {
+    auto made = GeometryField<Dim>::smooth(own_[s]->grid, of.distance, of.normal, of.root, roots);
+    if (last) own_[s].reset();
+    return made;
+  };
+  auto reference = field(0, std::move(nodal.reference));
+  return {std::move(reference), field(1, std::move(nodal.target)), takes_inverse_root(*options_)};
+}
+
+template <int Dim>
+void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
+  if (is_smooth()) compute_distances_on(grid);  // for nothing else, and so not on the finest
+  const int n_shapes = refines_at_template(*options_) ? 2 : 1;
+  grid.refine([&](Index leaf) {
+    for (int s = 0; s < n_shapes; ++s)
+      if (meets_surface<Dim>(grid, on_grid_[s].values(), std::cref(*shapes_[s]), leaf)) return true;
+    return false;
+  });
+}
+
+template <int Dim>
+GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
+                                       const CoefficientFields<Dim>& target,
+                                       const ExperimentOptions& options) {
+  return {{grid, reference.distance, reference.normal, reference.root},
+          {grid, target.distance, target.normal, target.root},
+          takes_inverse_root(options)};
+}
+
+template <int Dim>
+CoefficientFields<Dim> at_nodes(const GeometryField<Dim>& field, const Octree<Dim>& grid) {
+  const std::size_t n = static_cast<std::size_t>(grid.n_nodes());
+  CoefficientFields<Dim> nodal{std::vector<double>(n), std::vector<Vec<Dim>>(n),
+                               std::vector<SymmetricComponents<Dim>>(n)};
+  parallel_for(
+      n,
+      [&](std::size_t i) {
+        const auto values = field.value(grid.node_position(static_cast<Index>(i)));
+        nodal.distance[i] = values[0];
+        for (int k = 0; k < Dim; ++k) nodal.normal[i][k] = values[1 + k];
+        for (int k = 0; k < n_symmetric<Dim>; ++k) nodal.root[i][k] = values[1 + Dim + k];
+      },
+      1024);
+  return nodal;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid) {
+  std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
+  for (Index i = 0; i < grid.n_nodes(); ++i) phi[i] = grid.node_position(i);
+  return phi;
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
+  template class ShapeFields<Dim>;                                                                        \
+  template GeometryPair<Dim> multilinear_geometry<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, \
+                                                       const CoefficientFields<Dim>&,                     \
+                                                       const ExperimentOptions&);                         \
+  template CoefficientFields<Dim> at_nodes<Dim>(const GeometryField<Dim>&, const Octree<Dim>&);           \
+  template std::vector<Vec<Dim>> identity_map<Dim>(const Octree<Dim>&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

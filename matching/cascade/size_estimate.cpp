@@ -1,0 +1,87 @@
+#include "matching/cascade/size_estimate.h"
+
+#include "base/error.h"
+#include "matching/output/process_info.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+// Measured with Newton's method, whose matrix takes the most, and rounded up: fields, elements of the band,
+// tables of the tree and the solver's vectors.
+constexpr double bytes_per_node = 1500;
+constexpr double bytes_at_start = 1.5e8;
+constexpr double disk_bytes_per_node = 250;
+
+// A shape's own grid is about twice as wide as the cells that meet the shape; its tree, distances and
+// splines.
+constexpr double field_layers = 2;
+constexpr double bytes_per_field_node = 300;
+
+bool fits(double needed, std::uint64_t given) { return given == 0 || needed <= static_cast<double>(given); }
+
+template <int Dim>
+double cells_at(double measure, int min_level, int max_level) {
+  // A hyperplane in a random direction meets 4/pi (plane) or 3/2 (space) cells of side h per h^(Dim - 1). All
+  // children of a cell that is met are there, 2^Dim in number; a level below has half as many along each
+  // direction of the surface; balance adds about one layer of cells to each side of every level but the
+  // finest.
+  const double met = Dim == 2 ? 1.28 : 1.5, children = n_corners<Dim>;
+  double cells = std::pow(children, min_level);
+  for (int level = min_level + 1; level <= max_level; ++level) {
+    const double parent_side = std::ldexp(1.0, 1 - level);
+    const double parents = met * measure / std::pow(parent_side, Dim - 1);
+    const double layers = level == max_level ? 1 : 3;
+    cells += std::min(layers * parents, std::pow(children, level - 1)) * (children - 1);
+  }
+  return cells;
+}
+
+}  // namespace
+
+template <int Dim>
+SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int max_level) {
+  constexpr double nodes_per_cell = Dim == 2 ? 1.3 : 1.45;
+  SizeEstimate size;
+  size.n_nodes = nodes_per_cell * cells_at<Dim>(measures.phi, min_level, max_level);
+  if (measures.fields > 0)
+    size.n_field_nodes = field_layers * nodes_per_cell * cells_at<Dim>(measures.fields, min_level, max_level);
+  size.memory_bytes =
+      bytes_at_start + bytes_per_node * size.n_nodes + bytes_per_field_node * size.n_field_nodes;
+  size.disk_bytes = disk_bytes_per_node * size.n_nodes;
+  return size;
+}
+
+template <int Dim>
+void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder) {
+  const std::uint64_t memory = available_memory_bytes(), disk = free_disk_bytes(folder);
+  const SizeEstimate size = estimate_size<Dim>(measures, min_level, max_level);
+  const bool memory_fits = fits(size.memory_bytes, memory);
+  // Nodes and cells are counted in 32 bits.
+  const bool countable = size.n_nodes < 1e9;
+  if (memory_fits && countable && fits(size.disk_bytes, disk)) return;
+  int largest = max_level - 1;
+  while (largest > min_level) {
+    const SizeEstimate s = estimate_size<Dim>(measures, min_level, largest);
+    if (fits(s.memory_bytes, memory) && fits(s.disk_bytes, disk) && s.n_nodes < 1e9) break;
+    --largest;
+  }
+  const char* what = memory_fits && countable ? "room on the disk" : "memory";
+  const double needed = memory_fits && countable ? size.disk_bytes : size.memory_bytes;
+  const double given = static_cast<double>(memory_fits && countable ? disk : memory);
+  throw_environment_error(
+      "level {} needs about {:.3g} GB of {}, of which {:.3g} GB are free (estimated: {:.3g} million "
+      "nodes); stop at level {} instead, with --levels {}:{}",
+      max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest, std::min(min_level, largest),
+      largest);
+}
+
+template SizeEstimate estimate_size<2>(const RefinedMeasures&, int, int);
+template SizeEstimate estimate_size<3>(const RefinedMeasures&, int, int);
+template void check_size<2>(const RefinedMeasures&, int, int, const std::string&);
+template void check_size<3>(const RefinedMeasures&, int, int, const std::string&);
+
+}  // namespace shellmatch

@@ -1,0 +1,185 @@
+#include "matching/checkpoint/checkpoints.h"
+
+#include "base/error.h"
+#include "matching/output/checksum.h"
+#include "matching/output/deformation_file.h"
+#include "matching/experiment/option_text.h"
+#include "matching/output/output_folder.h"
+#include "matching/output/process_info.h"
+#include "matching/experiment/yaml_options.h"
+
+#include <array>
+#include <filesystem>
+
+namespace shellmatch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* manifest_name = "state.json";
+constexpr const char* suffix = ".unfinished";
+constexpr const char* executable = "/proc/self/exe";
+
+constexpr const char* read_me = R"(An unfinished run of shellmatch: what is needed to go on after its last finished level.
+
+The same command as before goes on from here and removes this folder when it is done; with --restart it begins anew.
+The map reached so far is in deformation.vtu: `shellmatch apply THIS_FOLDER SHAPE -o MOVED` moves a shape by it.
+To give the run up, delete this folder.
+)";
+
+template <class T>
+std::uint64_t add_bytes(const std::vector<T>& values, std::uint64_t sum) {
+  static_assert(std::is_same_v<T, Vec<2>> || std::is_same_v<T, Vec<3>> || std::is_trivially_copyable_v<T>);
+  return text_checksum({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}, sum);
+}
+
+template <int Dim>
+std::string surface_checksum(const Surface<Dim>& surface) {
+  return checksum_text(add_bytes(surface.facets, add_bytes(surface.vertices, text_checksum(""))));
+}
+
+// Sources are told by what is in them; true positions are looked at when the run ends.
+bool changes_no_level(const std::string& option) {
+  for (const char* path : {"input.reference", "input.template", "input.correspondence", "threads"})
+    if (option == path) return true;
+  return option.starts_with("resume.");
+}
+
+std::string first_change(const OptionNode& before, const OptionNode& now) {
+  const auto text = [](const OptionNode& section, const OptionNode& option) {
+    return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides)
+                                             : value_text(option);
+  };
+  for (std::size_t i = 0; i < now.children.size(); ++i) {
+    const OptionNode &a = before.children[i], &b = now.children[i];
+    if (b.kind == OptionKind::section) {
+      if (std::string change = first_change(a, b); !change.empty()) return change;
+    } else if (!changes_no_level(b.path)) {
+      if (const std::string was = text(before, a), is = text(now, b); was != is)
+        return fmt::format("{}: {}, now {}", b.path, was, is);
+    }
+  }
+  return "";
+}
+
+[[noreturn]] void cannot_copy(const std::string& to, const std::error_code& error) {
+  throw_environment_error("{}: cannot be written: {}", to, error.message());
+}
+
+// All files of `from`; none where there is no such folder.
+void copy_files(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  if (!fs::is_directory(from, error)) return;
+  fs::create_directories(to, error);
+  if (error) cannot_copy(to.string(), error);
+  for (const fs::directory_entry& entry : fs::directory_iterator(from, error)) {
+    fs::copy_file(entry.path(), to / entry.path().filename(), fs::copy_options::overwrite_existing, error);
+    if (error) cannot_copy((to / entry.path().filename()).string(), error);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
+                         const Surface<Dim>& template_shape) {
+  return {with_absolute_paths(options), surface_checksum(reference), surface_checksum(template_shape),
+          fmt::format("{}, {}, {}", program_version(), compiler_name(),
+                      fs::exists(executable) ? checksum_text(file_checksum(executable)) : "unknown")};
+}
+
+std::string changed_option(const ExperimentOptions& before, const ExperimentOptions& now) {
+  ExperimentOptions a = before, b = now;
+  return first_change(option_tree(a), option_tree(b));
+}
+
+LevelKeeper::LevelKeeper(const std::string& output, RunIdentity identity)
+    : path_(output + suffix), identity_(std::move(identity)) {
+  remove_leftovers(path_);
+}
+
+bool LevelKeeper::is_ours() const {
+  std::error_code error;
+  return fs::is_regular_file(fs::path(path_) / manifest_name, error);
+}
+
+bool LevelKeeper::is_foreign() const {
+  std::error_code error;
+  return fs::exists(path_, error) && !is_ours();
+}
+
+std::string LevelKeeper::obstacle() const {
+  if (!is_ours()) return "";
+  const fs::path folder = path_;
+  const auto manifest = read_manifest(folder / manifest_name);
+  if (!manifest) return fmt::format("its {} is damaged", manifest_name);
+  try {
+    for (const KeptManifest::File& file : manifest->files)
+      if (checksum_text(file_checksum(folder / file.name)) != file.checksum)
+        return fmt::format("its {} is damaged", file.name);
+    if (manifest->program != identity_.program) return "another build of the program has written it";
+    const std::string change = changed_option(read_experiment(folder / "config.yaml"), identity_.options);
+    if (!change.empty()) return fmt::format("the configuration has changed ({})", change);
+  } catch (const InputError& damage) {
+    return fmt::format("it is damaged ({})", damage.what());
+  }
+  if (manifest->reference != identity_.reference) return "the reference is another one";
+  if (manifest->template_shape != identity_.template_shape) return "the template is another one";
+  return "";
+}
+
+template <int Dim>
+std::optional<KeptLevels<Dim>> LevelKeeper::read() const {
+  if (!is_ours()) return std::nullopt;
+  const fs::path folder = path_;
+  return KeptLevels<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
+                         read_summary(folder / "summary.json")};
+}
+
+template <int Dim>
+void LevelKeeper::keep(const LevelsSoFar<Dim>& levels, const std::string& pictures) {
+  OutputFolder folder(path_, true);
+  write_deformation(folder.path_of(deformation_file_name), levels.grid, levels.phi, levels.placement);
+  write_history(levels.history, folder.path_of("history.csv"));
+  write_summary(levels.summary, folder.path_of("summary.json"));
+  write_file(folder.path_of("config.yaml"), to_yaml(identity_.options));
+  write_file(folder.path_of("README.txt"), read_me);
+  copy_files(pictures, folder.path_of("pictures"));
+
+  KeptManifest manifest;
+  manifest.level = levels.summary.levels.back().level;
+  manifest.program = identity_.program;
+  manifest.reference = identity_.reference;
+  manifest.template_shape = identity_.template_shape;
+  const std::string manifest_file = folder.path_of(manifest_name);
+  const fs::path place = fs::path(manifest_file).parent_path();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place))
+    if (entry.is_regular_file())
+      manifest.files.push_back({fs::relative(entry.path(), place).string(), checksum_text(file_checksum(entry.path()))});
+  write_file(manifest_file, manifest_json(manifest));
+  folder.commit();
+}
+
+void LevelKeeper::copy_pictures(const std::string& pictures) const {
+  copy_files(fs::path(path_) / "pictures", pictures);
+}
+
+void LevelKeeper::remove() {
+  if (!is_ours()) return;
+  // Under a name that the next run clears away, so that a kill does not leave half of it.
+  const fs::path place = path_, hidden = partial_folder_name(place);
+  std::error_code error;
+  fs::rename(place, hidden, error);
+  if (!error) fs::remove_all(hidden, error);
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
+  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const Surface<Dim>&,                  \
+                                         const Surface<Dim>&);                                           \
+  template std::optional<KeptLevels<Dim>> LevelKeeper::read<Dim>() const;                                \
+  template void LevelKeeper::keep<Dim>(const LevelsSoFar<Dim>&, const std::string&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

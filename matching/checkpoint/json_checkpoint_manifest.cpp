@@ -1,0 +1,34 @@
+#include "matching/output/json_members.h"
+#include "matching/checkpoint/checkpoints.h"
+
+#include <fstream>
+
+namespace shellmatch {
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, KeptManifest::File>
+static void describe(S& s, Member&& member) { member("name", s.name), member("checksum", s.checksum); }
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, KeptManifest>
+static void describe(S& s, Member&& member) {
+  member("format", s.format), member("level", s.level), member("program", s.program);
+  member("reference", s.reference), member("template", s.template_shape), member("files", s.files);
+}
+
+std::string manifest_json(const KeptManifest& manifest) { return json_text(json_of(manifest)); }
+
+std::optional<KeptManifest> read_manifest(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return std::nullopt;
+  try {
+    KeptManifest manifest;
+    set_from_json(Json::parse(in), manifest);
+    if (manifest.format == KeptManifest().format) return manifest;
+  } catch (const Json::exception&) {
+    // As good as none.
+  }
+  return std::nullopt;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,155 @@
+#include "matching/derivative_check/direction_check.h"
+
+#include "base/taylor.h"
+#include "matching/derivative_check/kink_free.h"
+#include "matching/derivative_check/random_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr int n_decades = 3;
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Random, with every node moving by about the side of the smallest cell around it, neighbours partly together.
+template <int Dim>
+std::vector<double> random_direction(const LevelEnergy<Dim>& level, unsigned seed) {
+  const auto nodes = level.unknowns.nodes();
+  std::vector<double> side(static_cast<std::size_t>(level.grid.n_nodes()), 1.0);
+  for (const Element<Dim>& e : level.unknowns.elements())
+    for (const Index node : e.nodes) side[node] = std::min(side[node], e.side);
+  std::mt19937 random(seed);
+  const SmoothRandomField<Dim> field(random);
+  std::vector<double> v(level.unknowns.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Vec<Dim> together = field(level.grid.node_position(nodes[i]));
+    for (int k = 0; k < Dim; ++k) v[Dim * i + k] = 0.5 * side[nodes[i]] * (together[k] + random_unit(random));
+  }
+  return v;
+}
+
+/// The energy along phi + t v.
+template <int Dim>
+class Along {
+ public:
+  Along(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const TermValues& weights,
+        const std::vector<double>& direction)
+      : place_(place), energy_(energy), weights_(weights), direction_(direction), x_(direction.size()),
+        y_(direction.size()), phi_(place.phi) {
+    place.level.unknowns.restrict_to(place.phi, x_);
+  }
+  double operator()(double t) {
+    for (std::size_t i = 0; i < x_.size(); ++i) y_[i] = x_[i] + t * direction_[i];
+    place_.level.unknowns.expand(y_, phi_);
+    TermValues values;
+    if (!energy_.evaluate(phi_, weights_, values, {}, unused_)) return std::numeric_limits<double>::quiet_NaN();
+    return values.sum();
+  }
+
+ private:
+  const CheckPlace<Dim>& place_;
+  const CheckedEnergy<Dim>& energy_;
+  TermValues weights_;
+  const std::vector<double>& direction_;
+  std::vector<double> x_, y_, unused_;
+  std::vector<Vec<Dim>> phi_;
+};
+
+bool reads_target(const TermValues& w) { return w[Term::match] > 0 || w[Term::membrane] > 0 || w[Term::bending] > 0; }
+
+/// Along one direction: the shorter the reach, the fewer points have to be held back; rounding decides how short it
+/// can be. Leaves the direction that served in `v`.
+template <int Dim>
+DirectionCheck check_direction(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+                               unsigned seed, std::vector<double>& v) {
+  DirectionCheck result;
+  for (const double reach : {0.003, 0.02, 0.1}) {
+    v = random_direction(place.level, seed);
+    result = {};
+    if (reads_target(term.weights)) {
+      const HeldPoints held = hold_at_kinks<Dim>(place.level.unknowns, place.oracle, place.level.geometry.target, place.level.grid, place.phi, reach, v);
+      result.n_points_near_faces = held.n_points;
+      result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(place.level.unknowns.nodes().size());
+    }
+    result.slope = dot(term.gradient, v);
+    Along<Dim> line(place, energy, term.weights, v);
+    const TaylorScale scale = taylor_scale(std::ref(line), reach);
+    result.curvature = scale.curvature;
+    if (!scale.fits(reach, n_decades)) continue;
+    result.resolved = true;
+    TaylorRemainder remainder = taylor_remainder(std::ref(line), result.slope, scale.steps(n_decades));
+    result.steps = std::move(remainder.steps);
+    result.remainders = std::move(remainder.remainders);
+    result.orders = std::move(remainder.orders);
+    break;
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+                      TermCheck& check) {
+  int n_resolved = 0;
+  for (int d = 0; d < place.settings.n_directions; ++d) {
+    std::vector<double> v;
+    DirectionCheck direction = check_direction(place, energy, term, place.settings.seed + static_cast<unsigned>(d), v);
+    n_resolved += direction.resolved;
+    if (direction.resolved && !TaylorRemainder{direction.steps, direction.remainders, direction.orders}.is_second_order())
+      check.faults.push_back(fmt::format("the Taylor remainder along direction {} is of order {:.2f}, not 2", d + 1,
+                                         fmt::join(direction.orders, ", ")));
+    if (check.hessian) {
+      std::vector<double> hv(v.size());
+      place.level.hessian.apply(v, hv);
+      direction.model_curvature = dot(v, hv);
+    }
+    check.directions.push_back(std::move(direction));
+  }
+  if (n_resolved == 0 && !check.directions.empty())
+    check.notes.push_back("no direction has three decades of steps between rounding and the next order");
+}
+
+template <int Dim>
+void check_hessian(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check) {
+  place.level.hessian.assemble(place.phi, term.weights);
+  HessianCheck result;
+  result.least_quotient = std::numeric_limits<double>::infinity();
+  const std::size_t n = place.level.unknowns.size();
+  std::vector<double> hx(n), hy(n);
+  for (unsigned trial = 0; trial < 3; ++trial) {
+    const auto x = random_direction(place.level, place.settings.seed + 100 + trial);
+    const auto y = random_direction(place.level, place.settings.seed + 200 + trial);
+    place.level.hessian.apply(x, hx);
+    place.level.hessian.apply(y, hy);
+    const double xhx = dot(x, hx), yhy = dot(y, hy), size = std::sqrt(std::abs(xhx * yhy));
+    if (!(dot(hx, hx) > 0)) continue;
+    result.asymmetry = std::max(result.asymmetry, std::abs(dot(x, hy) - dot(y, hx)) / size);
+    result.least_quotient = std::min(result.least_quotient, xhx / std::sqrt(dot(x, x) * dot(hx, hx)));
+  }
+  if (!std::isfinite(result.least_quotient)) return;  // the model vanishes
+  check.hessian = result;
+  // The model is kept in single precision.
+  if (!(result.asymmetry <= 1e-5)) check.faults.push_back("the Newton model is not symmetric");
+  if (!(result.least_quotient >= -1e-5)) check.faults.push_back("the Newton model has a direction of negative curvature");
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
+  template void check_directions<Dim>(const CheckPlace<Dim>&, const CheckedEnergy<Dim>&, const AssembledTerm&, \
+                                      TermCheck&);                                                            \
+  template void check_hessian<Dim>(const CheckPlace<Dim>&, const AssembledTerm&, TermCheck&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// The part of a derivative check that follows the whole energy along directions: the Taylor remainder, and the
+/// Newton model of the second derivative.
+
+#include "matching/derivative_check/element_check.h"
+
+namespace shellmatch {
+
+/// Adds the directions to `check`.
+template <int Dim>
+void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+                      TermCheck& check);
+
+/// Symmetry and sign of the Newton model, and its curvature along the directions checked before.
+template <int Dim>
+void check_hessian(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check);
+
+}  // namespace shellmatch

@@ -1,0 +1,262 @@
+#include "matching/derivative_check/element_check.h"
+
+#include "base/parallel.h"
+#include "grid/octree/constraints.h"
+#include "matching/derivative_check/ceres_checker.h"
+#include "matching/derivative_check/kink_free.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double largest(std::span<const double> v) {
+  double m = 0;
+  for (const double x : v) m = std::max(m, std::abs(x));
+  return m;
+}
+
+/// One term on all elements: the assembly's gradients beside those of the functors.
+template <int Dim>
+class ElementComparison {
+ public:
+  using Oracle = ElementOracle<Dim>;
+  using Dofs = typename Oracle::Dofs;
+  static constexpr int n = Oracle::n_dofs;
+
+  ElementComparison(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check)
+      : place_(place), oracle_(place.oracle), elements_(place.level.unknowns.elements()), term_(term), check_(check) {}
+
+  void go() {
+    differentiate();
+    compare_sums();
+    if (acting_.empty()) return;
+    compare_with_differences();
+    find_worst();
+    probe_with_ceres();
+  }
+
+ private:
+  std::span<const double> assembled(std::size_t e) const { return std::span(term_.element_gradients).subspan(e * n, n); }
+
+  void differentiate() {
+    by_jets_.resize(elements_.size());
+    values_.resize(elements_.size());
+    natural_.resize(elements_.size());
+    error_.resize(elements_.size());
+    parallel_for(elements_.size(), [&](std::size_t e) {
+      values_[e] = oracle_.gradient(term_.weights, e, oracle_.dofs_of(e, place_.phi), by_jets_[e]);
+      natural_[e] = oracle_.natural_size(term_.weights, e);
+      // Both sides round; where they are the rest of a cancellation they agree to its size only.
+      const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
+      double difference = 0;
+      for (int i = 0; i < n; ++i) difference = std::max(difference, std::abs(by_jets_[e][i] - assembled(e)[i]));
+      error_[e] = difference == 0 ? 0 : difference / tolerance;
+    }, 16);
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      if (largest(by_jets_[e]) > 0 || largest(assembled(e)) > 0) acting_.push_back(e);
+      check_.element_error = std::max(check_.element_error, error_[e]);
+    }
+    check_.n_elements = acting_.size();
+    if (!(check_.element_error <= 1)) check_.faults.push_back("element gradients differ from the functor's by dual numbers");
+  }
+
+  // The sums over the elements, with hanging nodes treated by grid/octree/constraints.h and not by the assembly.
+  void compare_sums() {
+    const Octree<Dim>& grid = place_.level.grid;
+    double value = 0, size = 0;
+    std::vector<Vec<Dim>> nodal(place_.phi.size(), Vec<Dim>::Zero());
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      value += values_[e];
+      size += natural_[e] * elements_[e].side;
+      for (int i = 0; i < n; ++i) nodal[elements_[e].nodes[i / Dim]][i % Dim] += by_jets_[e][i];
+    }
+    std::vector<double> free(grid.free_nodes().size() * Dim);
+    Constraints<Dim>(grid).condense(components_of(nodal), free, Dim);
+    const auto nodes = place_.level.unknowns.nodes();
+    double difference = 0;
+    for (std::size_t i = 0; i < term_.gradient.size(); ++i) {
+      const std::size_t at = static_cast<std::size_t>(grid.free_index(nodes[i / Dim])) * Dim + i % Dim;
+      difference = std::max(difference, std::abs(free[at] - term_.gradient[i]));
+    }
+    const double natural = *std::max_element(natural_.begin(), natural_.end());
+    check_.value_error = std::abs(value - term_.value) / std::max(std::abs(value), 1e-6 * size);
+    check_.gradient_error = difference / std::max(largest(free), 1e-3 * natural);
+    if (difference == 0) check_.gradient_error = 0;
+    if (value == term_.value) check_.value_error = 0;
+    if (!(check_.value_error <= 1e-9)) check_.faults.push_back("the value differs from the sum of the element functors");
+    if (!(check_.gradient_error <= 1e-9)) check_.faults.push_back("the gradient differs from the sum of the element functors'");
+    if (largest(term_.gradient) < 1e-10 * natural && !acting_.empty()) check_.state = TermCheck::State::vanishing;
+  }
+
+  double value_at(std::size_t e, Dofs dofs, int i, double step) const {
+    dofs[i] += step;
+    return oracle_.value(term_.weights, e, dofs);
+  }
+
+  // Central differences of two steps, extrapolated: their error is of fourth order.
+  double central(std::size_t e, const Dofs& dofs, int i, double step) const {
+    const auto plain = [&](double h) { return (value_at(e, dofs, i, h) - value_at(e, dofs, i, -h)) / (2 * h); };
+    return (4 * plain(step / 2) - plain(step)) / 3;
+  }
+
+  struct Differences {
+    double error = 0;  // in units of the tolerance
+    bool near_face = false, kink = false;
+  };
+
+  Differences difference_element(std::size_t e) const {
+    const Dofs dofs = oracle_.dofs_of(e, place_.phi);
+    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
+    if (room < 1.1e-6 * side) return {.error = 0, .near_face = true, .kink = false};
+    Differences result;
+    for (int i = 0; i < n; ++i) {
+      double least = infinity;
+      for (const double share : {1e-4, 1e-5, 1e-6}) {
+        if (room < 1.1 * share * side) continue;
+        const double rounding = 1e-14 / share * (natural_[e] + std::abs(values_[e]) / side);
+        const double tolerance = 1e-6 * largest(by_jets_[e]) + rounding;
+        const double error = std::abs(central(e, dofs, i, share * side) - assembled(e)[i]) / tolerance;
+        least = std::min(least, error);  // keeps `least` where the error is no number
+        if (least <= 1) break;
+      }
+      if (!(least <= 1) && is_kink(e, dofs, i)) result.kink = true;
+      else result.error = std::max(result.error, least);
+    }
+    return result;
+  }
+
+  // Different derivatives to both sides, one of which is ours.
+  bool is_kink(std::size_t e, const Dofs& dofs, int i) const {
+    const double h = 1e-7 * elements_[e].side, middle = value_at(e, dofs, i, 0);
+    const double right = (value_at(e, dofs, i, h) - middle) / h, left = (middle - value_at(e, dofs, i, -h)) / h;
+    const double tolerance = 1e-5 * largest(by_jets_[e]) + 1e-6 * natural_[e], ours = assembled(e)[i];
+    return std::abs(right - left) > 10 * tolerance && std::min(std::abs(right - ours), std::abs(left - ours)) < tolerance;
+  }
+
+  // Elements all over the grid, and those that already look worst.
+  std::vector<std::size_t> sample(std::size_t most) const {
+    if (acting_.size() <= most) return acting_;
+    std::vector<std::size_t> chosen;
+    for (std::size_t k = 0; k < most; ++k) chosen.push_back(acting_[k * acting_.size() / most]);
+    std::vector<std::size_t> worst = acting_;
+    const auto middle = worst.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(32, most));
+    std::partial_sort(worst.begin(), middle, worst.end(), [&](std::size_t a, std::size_t b) { return error_[a] > error_[b]; });
+    chosen.insert(chosen.end(), worst.begin(), middle);
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    return chosen;
+  }
+
+  void compare_with_differences() {
+    const std::vector<std::size_t> chosen = sample(place_.settings.most_differenced);
+    std::vector<Differences> found(chosen.size());
+    parallel_for(chosen.size(), [&](std::size_t k) { found[k] = difference_element(chosen[k]); }, 4);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      check_.n_elements_near_faces += found[k].near_face;
+      check_.n_elements_with_kinks += found[k].kink;
+      check_.n_differenced += !found[k].near_face;
+      if (found[k].error > check_.difference_error) {
+        check_.difference_error = found[k].error;
+        worst_by_differences_ = chosen[k];
+      }
+    }
+    if (!(check_.difference_error <= 1)) check_.faults.push_back("element gradients differ from differences of the functor");
+  }
+
+  void find_worst() {
+    std::size_t e = worst_by_differences_;
+    if (!(check_.element_error <= 1))
+      e = static_cast<std::size_t>(std::max_element(error_.begin(), error_.end()) - error_.begin());
+    const Dofs dofs = oracle_.dofs_of(e, place_.phi);
+    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
+    const double step = room > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
+    WorstElement worst;
+    worst.element = static_cast<Index>(e);
+    const Index leaf = place_.level.grid.leaves()[e];
+    worst.level = place_.level.grid.cell(leaf).level;
+    const Vec<Dim> centre = place_.level.grid.cell_centre(leaf);
+    worst.centre.assign(centre.begin(), centre.end());
+    double greatest = -1;
+    for (int i = 0; i < n; ++i) {
+      const double numeric = central(e, dofs, i, step);
+      const double difference = check_.element_error <= 1 ? std::abs(assembled(e)[i] - numeric)
+                                                          : std::abs(assembled(e)[i] - by_jets_[e][i]);
+      if (!(difference > greatest)) continue;
+      greatest = difference;
+      worst.corner = i / Dim;
+      worst.axis = i % Dim;
+      worst.analytic = assembled(e)[i];
+      worst.by_jets = by_jets_[e][i];
+      worst.by_differences = numeric;
+    }
+    check_.worst = worst;
+  }
+
+  CeresVerdict probe(std::size_t e, double step) const {
+    const auto function = [&](std::span<const double> dofs, double& value, std::span<double> gradient) {
+      Dofs at;
+      std::ranges::copy(dofs, at.begin());
+      value = oracle_.value(term_.weights, e, at);
+      // Only asked for where the assembly has told it.
+      if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
+      return std::isfinite(value);
+    };
+    return check_with_ceres(function, oracle_.dofs_of(e, place_.phi), step * elements_[e].side, 1e-5);
+  }
+
+  void probe_with_ceres() {
+    double greatest = 0;
+    for (const std::size_t e : acting_) greatest = std::max(greatest, largest(by_jets_[e]));
+    std::vector<std::size_t> fit;
+    for (const std::size_t e : acting_)
+      if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
+          room_of_element(oracle_, place_.level.geometry.target, e, oracle_.dofs_of(e, place_.phi)) > 2e-4 * elements_[e].side)
+        fit.push_back(e);
+    std::vector<std::size_t> chosen;
+    const std::size_t n_wanted = std::min<std::size_t>(fit.size(), place_.settings.n_ceres_elements);
+    for (std::size_t k = 0; k < n_wanted; ++k) chosen.push_back(fit[k * fit.size() / n_wanted]);
+    if (!check_.faults.empty() && check_.worst) chosen.push_back(static_cast<std::size_t>(check_.worst->element));
+    for (const std::size_t e : chosen) {
+      // The barrier has a jump in its third derivative, which Ceres' extrapolation notices: shorter steps miss it.
+      CeresVerdict verdict = probe(e, 1e-4);
+      for (const double step : {1e-5, 1e-6})
+        if (!verdict.passed) verdict = probe(e, step);
+      ++check_.ceres.n_elements;
+      check_.ceres.n_failed += !verdict.passed;
+      check_.ceres.worst_relative_error = std::max(check_.ceres.worst_relative_error, verdict.worst_relative_error);
+    }
+    if (check_.ceres.n_failed > 0)
+      check_.faults.push_back(fmt::format("Ceres' GradientChecker rejects {} of {} elements", check_.ceres.n_failed,
+                                          check_.ceres.n_elements));
+  }
+
+  const CheckPlace<Dim>& place_;
+  const Oracle& oracle_;
+  std::span<const Element<Dim>> elements_;
+  const AssembledTerm& term_;
+  TermCheck& check_;
+  std::vector<Dofs> by_jets_;
+  std::vector<double> values_, natural_, error_;  // of each element
+  std::vector<std::size_t> acting_;
+  std::size_t worst_by_differences_ = 0;
+};
+
+}  // namespace
+
+template <int Dim>
+void check_elements(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check) {
+  ElementComparison<Dim>(place, term, check).go();
+}
+
+template void check_elements<2>(const CheckPlace<2>&, const AssembledTerm&, TermCheck&);
+template void check_elements<3>(const CheckPlace<3>&, const AssembledTerm&, TermCheck&);
+
+}  // namespace shellmatch

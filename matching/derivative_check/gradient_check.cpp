@@ -1,0 +1,85 @@
+#include "matching/derivative_check/gradient_check.h"
+
+#include "base/error.h"
+#include "matching/derivative_check/direction_check.h"
+#include "matching/derivative_check/element_check.h"
+
+#include <cmath>
+
+namespace shellmatch {
+
+template <int Dim>
+bool CheckedEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                                  std::span<double> gradient, std::vector<double>& element_gradients) const {
+  return level_.energy.evaluate(phi, weights, values, gradient, &element_gradients);
+}
+
+namespace {
+
+template <int Dim>
+TermCheck check_term(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const TermValues& weights,
+                     std::string_view name, bool has_newton_model) {
+  TermCheck check;
+  check.name = name;
+  if (!(weights.sum() > 0)) return check;  // off
+  AssembledTerm term{weights, 0, std::vector<double>(place.level.unknowns.size()), {}};
+  TermValues values;
+  if (!energy.evaluate(place.phi, weights, values, term.gradient, term.element_gradients))
+    throw_input_error("the {} term cannot be evaluated at this deformation; is there a fold?", name);
+  term.value = check.value = values.sum();
+  double square = 0;
+  for (const double g : term.gradient) square += g * g;
+  check.gradient_norm = std::sqrt(square);
+
+  check.state = TermCheck::State::passed;
+  check_elements(place, term, check);
+  if (check.n_elements == 0 && term.value == 0 && square == 0) {
+    check.state = TermCheck::State::inactive;
+    return check;
+  }
+  if (has_newton_model) check_hessian(place, term, check);
+  check_directions(place, energy, term, check);
+  if (!check.faults.empty()) check.state = TermCheck::State::failed;
+  return check;
+}
+
+}  // namespace
+
+template <int Dim>
+GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy, const EnergyOptions& options,
+                              const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+                              const GradientCheckSettings& settings, const std::function<void(const std::string&)>& next) {
+  SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(level.grid.n_nodes()), "phi has a position for each node");
+  GradientReport report;
+  report.dimension = Dim;
+  report.level = level.grid.finest_level();
+  report.n_nodes = level.grid.n_nodes();
+  report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
+  const ElementOracle<Dim> oracle(level.energy, level.unknowns, level.geometry.target, options);
+  const CheckPlace<Dim> place{level, oracle, phi, settings};
+  const bool has_newton_model =
+      settings.newton_model && options.membrane == MembraneModel::thin_shell && options.bending == BendingModel::thin_shell;
+  for (int t = 0; t <= n_terms; ++t) {
+    const std::string name(t < n_terms ? term_names[t] : "sum");
+    if (next) next(name);
+    TermValues some = weights;
+    if (t < n_terms) {
+      some = {};
+      some.v[t] = weights.v[t];
+    }
+    report.terms.push_back(check_term(place, energy, some, name, has_newton_model));
+  }
+  return report;
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                               \
+  template class CheckedEnergy<Dim>;                                                                              \
+  template GradientReport check_gradient<Dim>(LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, const EnergyOptions&, \
+                                              const std::vector<Vec<Dim>>&, const TermValues&,                    \
+                                              const GradientCheckSettings&,                                       \
+                                              const std::function<void(const std::string&)>&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

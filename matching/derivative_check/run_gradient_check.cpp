@@ -1,0 +1,82 @@
+#include "matching/derivative_check/run_gradient_check.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "matching/cascade/cascade.h"
+#include "matching/output/deformation_file.h"
+#include "matching/cascade/shape_fields.h"
+#include "matching/experiment/shape_pair.h"
+
+#include <algorithm>
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+bool same_placement(const Similarity<Dim>& a, const Similarity<Dim>& b) {
+  return std::abs(a.scale - b.scale) <= 1e-9 * b.scale && (a.offset - b.offset).norm() <= 1e-9 * (1 + b.offset.norm());
+}
+
+template <int Dim>
+int level_of(const ExperimentOptions& options, const GradientCheckRequest& request,
+             const std::optional<Deformation<Dim>>& found) {
+  const auto [least, most] = std::pair(options.cascade.min_level, options.cascade.max_level);
+  const auto check = [&](int level, const std::string& origin) {
+    if (level < least || level > most)
+      throw_input_error("{}: the cascade of this experiment has the levels {} to {}", origin, least, most);
+    return level;
+  };
+  if (request.level) return check(*request.level, fmt::format("--level {}", *request.level));
+  if (found) return check(found->grid.finest_level(), fmt::format("{}: a deformation of level {}", request.state.folder,
+                                                                  found->grid.finest_level()));
+  return std::clamp(Dim == 2 ? 7 : 5, least, most);
+}
+
+template <int Dim>
+GradientReport check(const ExperimentOptions& options, const GradientCheckRequest& request, ShapePair<Dim> shapes,
+                     Observer& observer) {
+  const Similarity<Dim> placement = shapes.place(options);
+  std::optional<Deformation<Dim>> found;
+  if (request.state.kind == CheckState::Kind::folder) {
+    found = read_deformation<Dim>(request.state.folder);
+    if (!same_placement(found->placement, placement))
+      throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment",
+                        request.state.folder);
+  }
+  const int level_number = level_of(options, request, found);
+
+  observer.phase("coefficients");
+  const SignedDistance<Dim> d1(shapes.reference.surface), d2(shapes.template_shape.surface);
+  ShapeFields<Dim> fields(d1, d2, options);
+  Octree<Dim> grid(options.cascade.min_level);
+  fields.compute_distances(grid);
+  for (int l = options.cascade.min_level; l < level_number; ++l) {
+    observer.phase(fmt::format("level {}", l + 1));
+    fields.refine(grid);
+    fields.compute_distances(grid);
+  }
+  LevelEnergy<Dim> level(grid, fields.geometry(grid), options);
+  const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
+  const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
+  const TermValues weights = term_weights(options.energy, step.nu, step.volume_weight);
+  GradientReport report = check_gradient<Dim>(level, CheckedEnergy<Dim>(level), options.energy, phi, weights, request.settings,
+                                              [&](const std::string& term) { observer.phase(fmt::format("checking {}", term)); });
+  report.state = request.state.text();
+  report.nu = step.nu;
+  report.volume_weight = step.volume_weight;
+  return report;
+}
+
+}  // namespace
+
+GradientReport run_gradient_check(const ExperimentOptions& options, const GradientCheckRequest& request,
+                                  Observer& observer) {
+  set_n_threads(options.threads);
+  observer.phase("reading");
+  AnyShapePair shapes = open_shape_pair(options.input, observer);
+  return std::visit([&]<int Dim>(ShapePair<Dim>& pair) { return check<Dim>(options, request, std::move(pair), observer); },
+                    shapes);
+}
+
+}  // namespace shellmatch

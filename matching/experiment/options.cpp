@@ -1,0 +1,60 @@
+#include "matching/experiment/options.h"
+
+namespace shellmatch {
+
+ExperimentOptions profile_defaults(Profile profile) {
+  ExperimentOptions options;
+  options.profile = profile;
+  options.solver.name = "newton";
+  // Newton's steps are few and each of them counts: one that gains little is the last.
+  options.solver.stop.relative_decrease = 1e-3;
+  options.solver.stop.decrease_window = 1;
+  options.solver.stop.max_iterations = 300;
+  if (profile == Profile::paper) {
+    // Section 6: nu is divided by ten and c_vol by two once per refinement, with nothing in between.
+    options.cascade.nu = 0.002;
+    options.cascade.nu_factor = 0.1;
+    options.cascade.nu_substeps = 1;
+    options.cascade.volume = 0.025;
+    options.cascade.volume_factor = 0.5;
+    options.cascade.coarse_sigma_cells = options.cascade.sigma_cells;
+    options.cascade.negligible_rise = 0;
+    options.cascade.intermediate_decrease = 0;
+    // Section 5: distances by fast marching, roots after Franca.
+    options.coefficients.distance = DistanceMethod::fast_marching;
+    options.coefficients.root = RootMethod::franca;
+    // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian as it comes, and the
+    // root C(S1)^(-1/2) interpolated as such.
+    options.coefficients.fit_weight = 0;
+    options.coefficients.max_curvature_times_h = 0;
+    options.coefficients.invert_at_point = false;
+    options.coefficients.interpolation = FieldInterpolation::multilinear;
+    options.cascade.refine = RefineWhere::both;
+    options.coefficients.normal_mass = MassKind::consistent;
+    options.coefficients.classification = Classification::absolute;
+    options.coefficients.tau = 1;
+    // Section 6: the simplified volume term and nothing else against folds, natural boundary conditions.
+    options.energy.volume = VolumeDensity::simplified;
+    options.energy.fold_barrier = 0;
+    options.energy.boundary = BoundaryCondition::neumann;
+    // Section 5: Fletcher-Reeves in L2 without restarts of its own; alpha is halved until Armijo's rule holds and
+    // taken over to the next iteration.
+    options.solver.name = "fletcher_reeves";
+    options.solver.metric = Metric::l2;
+    options.solver.stop = {};
+    // The first gradient measures nothing where bending's exponential has made it huge: the decrease decides alone.
+    options.solver.stop.gradient_norm = 0;
+    FletcherReevesOptions& method = options.solver.fletcher_reeves;
+    method.update = ConjugateUpdate::fletcher_reeves;
+    method.interpolation = Interpolation::halving;
+    method.initial_step = InitialStep::memory;
+    method.step_growth = 1;
+    method.least_cosine = 0;
+    method.curvature = 0;
+    method.orthogonality = 0;
+    method.restart_every = 0;
+  }
+  return options;
+}
+
+}  // namespace shellmatch

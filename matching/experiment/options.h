@@ -1,0 +1,136 @@
+#pragma once
+/// \file
+/// The description of an experiment: everything a run depends on.
+
+#include "base/options.h"
+#include "energies/options.h"
+#include "grid/options.h"
+#include "matching/experiment/check_options.h"
+#include "solvers/options.h"
+
+#include <string>
+
+namespace shellmatch {
+
+enum class Profile { standard, paper };
+template <>
+struct EnumNames<Profile> {
+  static constexpr std::pair<Profile, std::string_view> names[] = {{Profile::standard, "default"}, {Profile::paper, "paper"}};
+};
+
+enum class PlacementKind { fit, as_is };
+template <>
+struct EnumNames<PlacementKind> {
+  static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
+};
+
+/// Which pictures a run draws: on small grids they cost more than the matching.
+enum class Pictures { all, result, none };
+template <>
+struct EnumNames<Pictures> {
+  static constexpr std::pair<Pictures, std::string_view> names[] = {
+      {Pictures::all, "all"}, {Pictures::result, "result"}, {Pictures::none, "none"}};
+};
+
+/// Which cells the cascade splits for phi.
+enum class RefineWhere { reference, both };
+template <>
+struct EnumNames<RefineWhere> {
+  static constexpr std::pair<RefineWhere, std::string_view> names[] = {{RefineWhere::reference, "reference"},
+                                                                       {RefineWhere::both, "both"}};
+};
+
+/// Where the shapes are and how they get into the unit domain.
+struct InputOptions {
+  std::string reference, template_file, correspondence;
+  PlacementKind placement = PlacementKind::fit;
+  double margin = 0.15;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
+    visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
+    visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
+    visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
+    visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
+  }
+};
+
+/// The cascade from coarse to fine (paper, algorithm 1 and section 6).
+struct CascadeOptions {
+  int min_level = 3, max_level = 7;
+  double nu = 0.0002, nu_factor = 0.2;
+  int nu_substeps = 3;
+  double negligible_rise = 0.01;
+  double intermediate_decrease = 1e-3;
+  double volume = 0.2, volume_factor = 1;
+  double sigma_cells = 2;
+  double coarse_sigma_cells = 4;
+  RefineWhere refine = RefineWhere::reference;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
+    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells, those that meet either shape"});
+    visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
+    visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
+    visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
+    visit("negligible_rise", self.negligible_rise, {.min = 0, .max = 1, .meaning = "steps of nu between are left out where the last nu raises the energy by less than this share of it; 0 leaves out none"});
+    visit("intermediate_decrease", self.intermediate_decrease, {.min = 0, .max = 0.1, .meaning = "relative decrease at which every minimisation but the very last stops, where that is more than solver.stop.relative_decrease; 0 asks for the same of all"});
+    visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
+    visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
+    visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
+    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip"});
+    visit("refine", self.refine, {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads of it besides the volume term, or where it meets either shape, as the paper; with coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
+  }
+};
+
+/// What a run keeps while it works, for the case that it is stopped.
+struct ResumeOptions {
+  bool enabled = true;
+  double min_seconds = 10;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("enabled", self.enabled, {.meaning = "keep every finished level in NAME.unfinished beside the output folder NAME, so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+    visit("min_seconds", self.min_seconds, {.unit = "seconds", .min = 0, .meaning = "a finished level is kept where so much time has passed since the last one that was: short runs leave no trace"});
+  }
+};
+
+/// Everything, as one YAML document.
+struct ExperimentOptions {
+  Profile profile = Profile::standard;
+  InputOptions input;
+  CascadeOptions cascade;
+  EnergyOptions energy;
+  CoefficientOptions coefficients;
+  SolverOptions solver;
+  CheckGradientOptions check_gradient;
+  Pictures pictures = Pictures::all;
+  ResumeOptions resume;
+  int threads = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("profile", self.profile, {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
+    visit("input", self.input, {.meaning = "the two shapes"});
+    visit("cascade", self.cascade, {.meaning = "coarse to fine"});
+    visit("energy", self.energy, {.meaning = "weights and material"});
+    visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
+    visit("solver", self.solver, {.meaning = "the minimiser"});
+    visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
+    visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
+    visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
+    visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
+  }
+};
+
+/// Quadratic bending compares the shape operators themselves, every other bending term roots of classified ones.
+inline bool reads_shape_operators(const EnergyOptions& energy) { return energy.bending == BendingModel::quadratic; }
+
+/// Whether the grid of phi is refined at the template too.
+inline bool refines_at_template(const ExperimentOptions& options) {
+  return options.cascade.refine == RefineWhere::both ||
+         options.coefficients.interpolation == FieldInterpolation::multilinear;
+}
+
+/// The defaults of a profile.
+ExperimentOptions profile_defaults(Profile profile);
+
+}  // namespace shellmatch

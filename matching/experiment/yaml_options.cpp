@@ -1,0 +1,183 @@
+#include "matching/experiment/yaml_options.h"
+
+#include "base/error.h"
+#include "matching/experiment/generated_source.h"
+#include "matching/experiment/level_solver.h"
+#include "matching/experiment/option_text.h"
+#include "matching/experiment/yaml_document.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+
+namespace shellmatch {
+
+namespace {
+
+// "solver.levels.3-5.name": true where the key leads into overrides by level, which are then set.
+bool apply_to_levels(const OptionNode& root, const Override& change) {
+  for (std::size_t dot = change.key.find('.'); dot != std::string::npos; dot = change.key.find('.', dot + 1)) {
+    const std::string path = change.key.substr(0, dot);
+    const OptionNode* levels = find_option(root, path);
+    if (levels == nullptr || levels->kind != OptionKind::level_overrides) continue;
+    const std::size_t end = change.key.find('.', dot + 1);
+    const std::string where = fmt::format("{}: {}", change.origin, path);
+    LevelOverrides::Entry& entry = levels->level_overrides->at(change.key.substr(dot + 1, end - dot - 1), where);
+    const OptionNode& section = *find_option(root, path.substr(0, path.rfind('.')));
+    const std::string rest = end == std::string::npos ? "" : change.key.substr(end + 1);
+    const OptionNode* option = overridable_option(section, rest, where);
+    if (option->kind == OptionKind::section)
+      throw_input_error("{}: {} is a section; set its options one by one", where, rest);
+    entry.set(rest, parse_value(*option, change.value, fmt::format("{}: {}", change.origin, change.key)));
+    return true;
+  }
+  return false;
+}
+
+void apply(const OptionNode& root, const Override& change) {
+  if (apply_to_levels(root, change)) return;
+  const std::size_t dot = change.key.rfind('.');
+  const OptionNode* option = find_option(root, change.key);
+  if (option == nullptr) {
+    const OptionNode* section = dot == std::string::npos ? nullptr : find_option(root, change.key.substr(0, dot));
+    const bool known = section != nullptr && section->kind == OptionKind::section;
+    throw_input_error("{}: {}", change.origin,
+                      unknown_key_text(root, known ? *section : root, known ? change.key.substr(dot + 1) : change.key));
+  }
+  if (option->kind == OptionKind::section)
+    throw_input_error("{}: {} is a section; set its options one by one, as {}.{}=...", change.origin, option->path,
+                      option->path, option->children.front().name);
+  if (option->kind == OptionKind::level_overrides)
+    throw_input_error("{}: set its options one by one, as {}.3-5.name=lbfgs", change.origin, option->path);
+  option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, option->path)));
+}
+
+// The options that name files.
+std::array<std::string*, 3> paths_of(InputOptions& input) {
+  return {&input.reference, &input.template_file, &input.correspondence};
+}
+
+std::string beside(const std::string& file, const std::string& shape) {
+  if (shape.empty() || is_generated_source(shape)) return shape;
+  return (std::filesystem::path(file).parent_path() / shape).lexically_normal().string();
+}
+
+// A demand between options that is not met: the option to blame and why.
+struct Conflict {
+  std::string path, text;
+};
+
+// What is wrong with the solver that `section` describes.
+std::optional<Conflict> solver_conflict(const SolverOptions& solver, const EnergyOptions& energy,
+                                        const std::string& section) {
+  const bool compares = energy.membrane != MembraneModel::thin_shell || energy.bending != BendingModel::thin_shell;
+  if (compares && solver.name == "newton")
+    return Conflict{section + ".name", fmt::format("newton has no second derivative for energy.membrane = {}, energy.bending "
+                                               "= {}; expected a first-order method, as lbfgs",
+                                               enum_name(energy.membrane), enum_name(energy.bending))};
+  try {
+    make_minimizer(solver);
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    for (const std::string key : {"name", "fallback"})
+      if (const std::string prefix = "solver." + key + ": "; text.starts_with(prefix))
+        return Conflict{section + "." + key, text.substr(prefix.size())};
+    return Conflict{section == "solver" ? "solver.name" : section, text};
+  }
+  return std::nullopt;
+}
+
+std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
+  const CascadeOptions& cascade = options.cascade;
+  const EnergyOptions& energy = options.energy;
+  if (cascade.max_level < cascade.min_level)
+    return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
+                                                     cascade.max_level, cascade.min_level)};
+  if (energy.match_weight == 0)
+    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
+  if (auto conflict = solver_conflict(options.solver, energy, "solver")) return conflict;
+  for (const LevelOverrides::Entry& e : options.solver.levels.entries)
+    if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), energy, "solver.levels." + e.key()))
+      return conflict;
+  return std::nullopt;
+}
+
+// Defaults, then the document, then the overrides.
+ExperimentOptions resolve(YamlDocument* document, const std::string& path, const std::vector<Override>& overrides) {
+  ExperimentOptions options;
+  {
+    const OptionNode root = option_tree(options);
+    if (document != nullptr) document->fill_one(root, "profile");
+    for (const Override& change : overrides)
+      if (change.key == "profile") apply(root, change);
+  }
+  const Profile profile = options.profile;
+  options = profile_defaults(profile);
+  const OptionNode root = option_tree(options);
+  if (document != nullptr) {
+    document->fill(root);
+    options.input.reference = beside(path, options.input.reference);
+    options.input.correspondence = beside(path, options.input.correspondence);
+    options.input.template_file = beside(path, options.input.template_file);
+  }
+  for (const Override& change : overrides) apply(root, change);
+  options.profile = profile;
+
+  if (const std::optional<Conflict> conflict = find_conflict(options)) {
+    std::string place = document != nullptr ? document->place(conflict->path) : conflict->path;
+    for (const Override& change : overrides)
+      if (change.key == conflict->path) place = fmt::format("{}: {}", change.origin, conflict->path);
+    throw_input_error("{}: {}", place, conflict->text);
+  }
+  return options;
+}
+
+}  // namespace
+
+Override parse_override(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw_input_error("--set {}: expected key.sub=value, as in cascade.nu=0.01", assignment);
+  return {assignment.substr(0, equals), assignment.substr(equals + 1), "--set " + assignment};
+}
+
+Override beside_file(Override change, const std::string& file) {
+  ExperimentOptions options;
+  const std::array<std::string*, 3> paths = paths_of(options.input);
+  const OptionNode root = option_tree(options);
+  const OptionNode* option = find_option(root, change.key);
+  if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;
+  // The option is one of those paths if setting it changes one of them.
+  option->set({std::string("?")});
+  for (const std::string* path : paths)
+    if (*path == "?") change.value = beside(file, change.value);
+  return change;
+}
+
+ExperimentOptions read_experiment(const std::string& path, const std::vector<Override>& overrides) {
+  YamlDocument document = YamlDocument::from_file(path);
+  return resolve(&document, path, overrides);
+}
+
+ExperimentOptions make_experiment(const std::vector<Override>& overrides) { return resolve(nullptr, "", overrides); }
+
+void apply_override(ExperimentOptions& options, const std::string& assignment) {
+  const Override change = parse_override(assignment);
+  if (change.key == "profile")
+    throw_input_error("{}: the profile decides on the other defaults; choose it before they are set", change.origin);
+  apply(option_tree(options), change);
+}
+
+void check_experiment(const ExperimentOptions& options) {
+  if (const std::optional<Conflict> conflict = find_conflict(options))
+    throw_input_error("{}: {}", conflict->path, conflict->text);
+}
+
+ExperimentOptions with_absolute_paths(ExperimentOptions options) {
+  for (std::string* source : paths_of(options.input))
+    if (!source->empty() && !is_generated_source(*source))
+      *source = std::filesystem::absolute(*source).lexically_normal().string();
+  return options;
+}
+
+}  // namespace shellmatch

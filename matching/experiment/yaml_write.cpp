@@ -1,0 +1,89 @@
+#include "matching/experiment/option_text.h"
+#include "matching/experiment/yaml_options.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+namespace shellmatch {
+
+namespace {
+
+// "[levels, 1 <= x <= 12]": unit and range of an option, where it has any.
+std::string limits_text(const OptionNode& option) {
+  std::string text(option.info.unit);
+  if (option.kind == OptionKind::integer || option.kind == OptionKind::real)
+    if (const std::string range = range_text(option.info); range != "any") text += (text.empty() ? "" : ", ") + range;
+  return text;
+}
+
+std::string any_value_text(const OptionNode& section, const OptionNode& option) {
+  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides) : value_text(option);
+}
+
+void write_section(std::string& text, const OptionNode& section, int depth, bool with_comments) {
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  for (const OptionNode& option : section.children) {
+    if (option.kind == OptionKind::section) {
+      if (with_comments) text += fmt::format("\n{}# {}\n", indent, option.info.meaning);
+      text += fmt::format("{}{}:\n", indent, option.name);
+      write_section(text, option, depth + 1, with_comments);
+      continue;
+    }
+    if (with_comments) {
+      const std::string limits = limits_text(option);
+      text += fmt::format("{}# {} ({}{}{})\n", indent, option.info.meaning, type_text(option),
+                          limits.empty() ? "" : ", ", limits);
+    }
+    text += fmt::format("{}{}: {}\n", indent, option.name, any_value_text(section, option));
+  }
+}
+
+// A bar inside a cell would end it.
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+void write_table(std::string& text, const OptionNode& section) {
+  for (const OptionNode& option : section.children) {
+    if (option.kind == OptionKind::section) {
+      write_table(text, option);
+      continue;
+    }
+    const bool number = option.kind == OptionKind::integer || option.kind == OptionKind::real;
+    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)), any_value_text(section, option),
+                        number ? cell(range_text(option.info)) : "", cell(option.info.unit),
+                        cell(option.info.meaning));
+  }
+}
+
+}  // namespace
+
+std::string to_yaml(const ExperimentOptions& options) {
+  ExperimentOptions copy = options;
+  std::string text;
+  write_section(text, option_tree(copy), 0, false);
+  return text;
+}
+
+void print_reference(std::ostream& out, Profile profile, ReferenceFormat format) {
+  ExperimentOptions options = profile_defaults(profile);
+  const OptionNode root = option_tree(options);
+  std::string text;
+  if (format == ReferenceFormat::yaml) {
+    text = fmt::format("# Every option of shellmatch with the defaults of the profile '{}'.\n", enum_name(profile));
+    write_section(text, root, 0, true);
+  } else {
+    text = fmt::format("| Option | Type | Default ({}) | Range | Unit | Meaning |\n|---|---|---|---|---|---|\n",
+                       enum_name(profile));
+    write_table(text, root);
+  }
+  out << text;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,48 @@
+#include "matching/output/file_lock.h"
+
+#include "base/error.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace shellmatch {
+
+namespace {
+
+// Whoever held the lock before may have removed the file since it was opened here.
+bool is_file_at(int file, const std::string& path) {
+  struct stat here {
+  }, there{};
+  return fstat(file, &here) == 0 && stat(path.c_str(), &there) == 0 && here.st_ino == there.st_ino &&
+         here.st_dev == there.st_dev;
+}
+
+}  // namespace
+
+FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind) {
+  for (;;) {
+    file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0)
+      throw_environment_error("{}: cannot be written ({}); choose a folder you may write to with -o", path,
+                              std::strerror(errno));
+    if (flock(file_, (kind == Kind::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
+      state_ = errno == EWOULDBLOCK ? State::taken : State::unsupported;
+      return;
+    }
+    if (is_file_at(file_, path)) break;
+    close(file_);
+  }
+  state_ = State::held;
+}
+
+FileLock::~FileLock() {
+  if (state_ == State::held && kind_ == Kind::exclusive) unlink(path_.c_str());
+  close(file_);
+}
+
+}  // namespace shellmatch

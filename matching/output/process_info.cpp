@@ -1,0 +1,67 @@
+#include "matching/output/process_info.h"
+
+#include "base/error.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+// The first number of a file, or none: "max" in a cgroup's limit is none.
+std::uint64_t number_in(const char* path, std::uint64_t none) {
+  std::ifstream in(path);
+  std::uint64_t number;
+  return in >> number ? number : none;
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
+}
+
+std::uint64_t available_memory_bytes() {
+  std::ifstream in("/proc/meminfo");
+  std::uint64_t available = 0;
+  for (std::string key; in >> key;) {
+    std::uint64_t kilobytes = 0;
+    in >> kilobytes;
+    if (key == "MemAvailable:") available = kilobytes * 1024;
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t limit = number_in("/sys/fs/cgroup/memory.max", none);
+  const std::uint64_t used = number_in("/sys/fs/cgroup/memory.current", 0);
+  return limit == none ? available : std::min(available, limit - std::min(limit, used));
+}
+
+std::uint64_t free_disk_bytes(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path place = fs::absolute(path, error);
+  while (!fs::exists(place, error) && place != place.parent_path()) place = place.parent_path();
+  const fs::space_info space = fs::space(place, error);
+  return error ? 0 : space.available;
+}
+
+std::string compiler_name() {
+#if defined(__clang__)
+  return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("gcc {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
+
+std::string program_version() { return SHELLMATCH_VERSION; }
+
+}  // namespace shellmatch

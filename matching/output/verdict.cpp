@@ -1,0 +1,33 @@
+#include "matching/output/verdict.h"
+
+#include <fmt/format.h>
+
+namespace shellmatch {
+
+namespace {
+
+// Shares of the template's diagonal, and of the reference's facets. Matched shapes are a hundredth of the first away and
+// less, even on coarse grids, and none of their facets or a few in a thousand face the other way.
+constexpr double far_away = 0.03, many_turned = 0.02;
+
+}  // namespace
+
+std::vector<std::string> verdict(const MatchSummary& summary) {
+  std::vector<std::string> lines;
+  if (summary.distance) {
+    const auto& [there, back] = *summary.distance;
+    lines.push_back(fmt::format("distance: mean {:.2g}, largest {:.2g} from the deformed reference to the template, mean {:.2g}, "
+                                "largest {:.2g} back, in diagonals of the template; {} folded cells",
+                                there.mean, there.max, back.mean, back.max,
+                                summary.levels.empty() ? 0 : summary.levels.back().folds.n_folded_cells));
+    if (!(there.mean < far_away && back.mean < far_away))
+      lines.push_back("the shapes do not match: are their units and places the same (shellmatch inspect), are both whole and of one kind?");
+  }
+  const auto n = static_cast<double>(summary.reference.n_facets);
+  if (summary.n_flipped_facets && static_cast<double>(*summary.n_flipped_facets) > many_turned * n)
+    lines.push_back(fmt::format("{} of {} facets face away from the template next to them: look at the pictures",
+                                *summary.n_flipped_facets, summary.reference.n_facets));
+  return lines;
+}
+
+}  // namespace shellmatch

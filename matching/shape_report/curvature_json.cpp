@@ -1,0 +1,56 @@
+#include "matching/shape_report/curvature_report.h"
+#include "matching/output/process_info.h"
+
+#include <nlohmann/json.hpp>
+
+namespace shellmatch {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const ErrorQuantiles& q) { return {{"median", q.median}, {"p95", q.p95}}; }
+
+// Numbers that are not finite become null.
+Json to_json(const CurvatureErrors& e, int dimension) {
+  Json json = {{"vertices", e.n_vertices}, {"k1", to_json(e.k1)}};
+  if (dimension == 2) return json;
+  json["k2"] = to_json(e.k2);
+  json["direction_degrees"] = to_json(e.direction);
+  json["directions"] = e.n_directions;
+  return json;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string curvature_json(const CurvatureComparison<Dim>& c, const CurvatureSubject& subject) {
+  Json json = {{"version", program_version()},
+               {"dimension", Dim},
+               {"shape", subject.source},
+               {"vertices", c.surface.vertices.size()},
+               {"diagonal", c.diagonal},
+               {"unit_of_errors", "1/diagonal"},
+               {"mesh_fit", {{"degree", Dim == 2 ? 2 : subject.fit.degree}, {"rings", subject.fit.n_rings}}},
+               {"distance", std::string(enum_name(subject.coefficients.distance))}};
+  if (c.mesh_fit_to_formula) json["mesh_fit_to_formula"] = to_json(*c.mesh_fit_to_formula, Dim);
+  json["levels"] = Json::array();
+  for (const CurvatureLevel& l : c.levels) {
+    Json level = {{"level", l.level},
+                  {"side_over_diagonal", l.side},
+                  {"nodes", l.n_nodes},
+                  {"free_nodes", l.n_free_nodes},
+                  {"distance_seconds", l.distance_seconds},
+                  {"coefficient_seconds", l.coefficient_seconds},
+                  {"to_mesh_fit", to_json(l.to_mesh_fit, Dim)}};
+    if (l.to_formula) level["to_formula"] = to_json(*l.to_formula, Dim);
+    if (l.formula_to_formula) level["formula_distance_to_formula"] = to_json(*l.formula_to_formula, Dim);
+    json["levels"].push_back(level);
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+template std::string curvature_json<2>(const CurvatureComparison<2>&, const CurvatureSubject&);
+template std::string curvature_json<3>(const CurvatureComparison<3>&, const CurvatureSubject&);
+
+}  // namespace shellmatch

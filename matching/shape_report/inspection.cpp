@@ -1,0 +1,163 @@
+#include "matching/shape_report/inspection.h"
+
+#include "geometry/surface/placement.h"
+#include "matching/experiment/options.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+// Curvature of a piece of the shape, and how much of the shape the piece is.
+struct Bend {
+  double curvature, weight;
+};
+
+template <int Dim>
+constexpr int n_edges = Dim == 2 ? 1 : 3;  // of a facet
+
+// Largest change of the normal along a facet's edges, over their length. Normals of vertices are means of those
+// of the facets around, weighted by measure.
+template <int Dim>
+std::vector<Bend> bends(const Surface<Dim>& s) {
+  std::vector<Vec<Dim>> normals(s.vertices.size(), Vec<Dim>::Zero());
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
+    for (const Index v : s.facets[f]) normals[v] += facet_normal(s, f);
+  for (Vec<Dim>& n : normals) n.stableNormalize();
+  std::vector<Bend> result;
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
+    double curvature = 0;
+    for (int k = 0; k < n_edges<Dim>; ++k) {
+      const Index a = s.facets[f][k], b = s.facets[f][(k + 1) % Dim];
+      const double length = (s.vertices[a] - s.vertices[b]).norm();
+      if (length > 0) curvature = std::max(curvature, (normals[a] - normals[b]).norm() / length);
+    }
+    result.push_back({curvature, facet_measure(s, f)});
+  }
+  return result;
+}
+
+std::size_t count_edges(const Surface<3>& s) {
+  std::set<std::pair<Index, Index>> edges;
+  for (const auto& facet : s.facets)
+    for (int k = 0; k < 3; ++k) edges.insert(std::minmax({facet[k], facet[(k + 1) % 3]}));
+  return edges.size();
+}
+
+// The curvature that a share of the shape does not exceed.
+double quantile(std::vector<Bend> all, double share) {
+  if (all.empty()) return 0;
+  std::sort(all.begin(), all.end(), [](const Bend& a, const Bend& b) { return a.curvature < b.curvature; });
+  double total = 0, sum = 0;
+  for (const Bend& b : all) total += b.weight;
+  for (const Bend& b : all)
+    if ((sum += b.weight) >= share * total) return b.curvature;
+  return all.back().curvature;
+}
+
+template <int Dim>
+std::size_t count_components(const Surface<Dim>& s, std::size_t& n_used) {
+  std::vector<Index> parent(s.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<bool> used(s.vertices.size());
+  for (const auto& facet : s.facets)
+    for (const Index v : facet) {
+      used[v] = true;
+      parent[root(v)] = root(facet[0]);
+    }
+  std::size_t n = 0;
+  n_used = 0;
+  for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
+    if (used[v]) {
+      ++n_used;
+      n += root(v) == v;
+    }
+  return n;
+}
+
+template <int Dim>
+double mean_edge_length(const Surface<Dim>& s) {
+  double sum = 0;
+  std::size_t n = 0;
+  for (const auto& facet : s.facets)
+    for (int k = 0; k < n_edges<Dim>; ++k, ++n)
+      sum += (s.vertices[facet[k]] - s.vertices[facet[(k + 1) % Dim]]).norm();
+  return n == 0 ? 0 : sum / static_cast<double>(n);
+}
+
+// Coarsest level with 2^-level <= length; 15 is the finest that there is.
+int level_of_length(double length) {
+  return std::isfinite(length) ? std::clamp(static_cast<int>(std::ceil(-std::log2(length))), 1, 15) : 1;
+}
+
+}  // namespace
+
+template <int Dim>
+Inspection inspect_shape(const Shape<Dim>& shape) {
+  const Surface<Dim>& s = shape.surface;
+  Inspection result;
+  result.source = shape.source;
+  result.dimension = Dim;
+  result.n_original_vertices = shape.original.vertices.size();
+  result.n_original_polygons = shape.original.polygons.size();
+  for (const VertexAttribute& attribute : shape.original.attributes) result.attributes.push_back(attribute.name);
+  result.notes = shape.notes;
+
+  result.n_facets = s.facets.size();
+  result.n_components = count_components(s, result.n_vertices);
+  if constexpr (Dim == 3) {
+    const long euler = static_cast<long>(result.n_vertices + result.n_facets) - static_cast<long>(count_edges(s));
+    result.genus = static_cast<int>(static_cast<long>(result.n_components) - euler / 2);
+  }
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) result.measure += facet_measure(s, f);
+  result.enclosed = enclosed_measure(s);
+  const Box<Dim> box = bounding_box(s.vertices);
+  result.box_min.assign(box.min.data(), box.min.data() + Dim);
+  result.box_max.assign(box.max.data(), box.max.data() + Dim);
+  result.mean_edge = mean_edge_length(s);
+  result.curvature_radius = 1 / quantile(bends(s), 0.95);
+
+  result.scale = fit_placement(shape, shape, InputOptions{}.margin).scale;
+  result.level_of_curvature = level_of_length(result.curvature_radius * result.scale / 2);
+  result.level_of_edges = level_of_length(result.mean_edge * result.scale);
+  return result;
+}
+
+std::string inspection_text(const Inspection& r) {
+  const bool plane = r.dimension == 2;
+  std::string text = fmt::format("{}: {}\n", r.source, plane ? "a contour in the plane" : "a surface in space");
+  const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<22}{}\n", name, value); };
+  row("in the file", fmt::format("{} vertices, {} {}", r.n_original_vertices, r.n_original_polygons,
+                                 plane ? "ring(s)" : "polygons"));
+  if (!r.attributes.empty()) row("vertex attributes", fmt::format("{}", fmt::join(r.attributes, ", ")));
+  row("used for matching", fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
+  row("components", fmt::format("{}", r.n_components));
+  if (!plane) row("genus", fmt::format("{}", r.genus));
+  row(plane ? "length" : "area", fmt::format("{:.6g}", r.measure));
+  row(plane ? "enclosed area" : "enclosed volume", fmt::format("{:.6g}", r.enclosed));
+  row("box", fmt::format("[{:.6g}] to [{:.6g}]", fmt::join(r.box_min, ", "), fmt::join(r.box_max, ", ")));
+  row("mean edge", fmt::format("{:.4g}", r.mean_edge));
+  if (std::isfinite(r.curvature_radius))
+    row("radius of curvature", fmt::format("{:.4g}; 95 % are bent less", r.curvature_radius));
+  row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
+                            r.level_of_curvature, r.level_of_edges));
+  for (const std::string& note : r.notes) row("mended", note);
+  return text;
+}
+
+template Inspection inspect_shape<2>(const Shape<2>&);
+template Inspection inspect_shape<3>(const Shape<3>&);
+
+}  // namespace shellmatch

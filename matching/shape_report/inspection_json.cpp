@@ -1,0 +1,32 @@
+#include "matching/shape_report/inspection.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace shellmatch {
+
+std::string inspection_json(const Inspection& r) {
+  nlohmann::ordered_json json;
+  json["source"] = r.source;
+  json["dimension"] = r.dimension;
+  json["original"] = {{"vertices", r.n_original_vertices}, {"polygons", r.n_original_polygons}, {"attributes", r.attributes}};
+  json["vertices"] = r.n_vertices;
+  json["facets"] = r.n_facets;
+  json["components"] = r.n_components;
+  json["genus"] = r.genus;
+  json["measure"] = r.measure;
+  json["enclosed"] = r.enclosed;
+  json["box"] = {{"min", r.box_min}, {"max", r.box_max}};
+  json["mean_edge"] = r.mean_edge;
+  json["curvature_radius"] = nullptr;
+  if (std::isfinite(r.curvature_radius)) json["curvature_radius"] = r.curvature_radius;
+  json["scale_to_domain"] = r.scale;
+  json["level_of_curvature"] = r.level_of_curvature;
+  json["level_of_edges"] = r.level_of_edges;
+  json["notes"] = r.notes;
+  // File names may hold any bytes; JSON may not.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,113 @@
+#include "solvers/line_search/line_search.h"
+
+#include "solvers/vector_ops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr double least_share = 0.1;      // of the bracket that a step keeps: backtracking must not collapse
+constexpr double greatest_share = 0.8;   // and must not creep along where the model fits badly
+constexpr double least_expansion = 1.5;  // of a step that was too short
+constexpr double greatest_expansion = 10;
+
+// A step between `low`, the lowest point with the Armijo condition, and `high`, which is too far.
+double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchOptions& options) {
+  const double width = high.alpha - low.alpha;
+  if (options.interpolation == Interpolation::halving || !high.feasible)
+    return low.alpha + options.contraction * width;
+  LinePoint end = high;
+  if (options.interpolation == Interpolation::quadratic) end.has_gradient = false;
+  double alpha = interpolated_minimum(low, end);
+  if (!std::isfinite(alpha)) alpha = low.alpha + options.contraction * width;
+  return std::clamp(alpha, low.alpha + least_share * width, low.alpha + greatest_share * width);
+}
+
+// A step beyond `low`, whose slope is still too steep: where the secant of the slopes is zero.
+double longer_step(const LinePoint& before, const LinePoint& low) {
+  const double bend = low.slope - before.slope;
+  double alpha = bend > 0 ? low.alpha - low.slope * (low.alpha - before.alpha) / bend
+                          : std::numeric_limits<double>::infinity();
+  return std::clamp(alpha, least_expansion * low.alpha, greatest_expansion * low.alpha);
+}
+
+}  // namespace
+
+void Line::lay(std::span<const double> base, std::span<const double> direction, double value, double slope) {
+  base_ = base;
+  direction_ = direction;
+  start_ = LinePoint{};
+  start_.value = value;
+  start_.slope = slope;
+  start_.feasible = start_.has_gradient = true;
+}
+
+LinePoint Line::at(double alpha, bool with_gradient) {
+  add_scaled(base_, alpha, direction_, x);
+  const Evaluation e = run_.evaluate(x, with_gradient ? std::span<double>(gradient) : std::span<double>());
+  LinePoint p{.alpha = alpha,
+              .value = e.value,
+              .slope = 0,
+              .gradient_norm = e.gradient_norm,
+              .l2_gradient_norm = e.l2_gradient_norm,
+              .feasible = e.feasible,
+              .has_gradient = e.feasible && with_gradient};
+  if (p.has_gradient) p.slope = dot(gradient, direction_);
+  return p;
+}
+
+double interpolated_minimum(const LinePoint& a, const LinePoint& b) {
+  const double width = b.alpha - a.alpha;
+  if (!b.has_gradient) {
+    const double bend = b.value - a.value - a.slope * width;
+    return bend > 0 ? a.alpha - a.slope * width * width / (2 * bend)
+                    : std::numeric_limits<double>::quiet_NaN();
+  }
+  const double d1 = a.slope + b.slope - 3 * (a.value - b.value) / (a.alpha - b.alpha);
+  const double d2 = std::copysign(std::sqrt(d1 * d1 - a.slope * b.slope), width);
+  return b.alpha - width * (b.slope + d2 - d1) / (b.slope - a.slope + 2 * d2);
+}
+
+LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOptions& options) {
+  const LinePoint start = line.start();
+  LinePoint low = start, high, last;
+  bool bracketed = false;
+  LineSearchResult result;
+  double alpha = first_alpha;
+  while (result.n_trials < options.max_trials && !line.out_of_time()) {
+    // Where the step no longer changes the point, the bracket is empty.
+    if (!(alpha > low.alpha) || (bracketed && !(alpha < high.alpha))) break;
+    ++result.n_trials;
+    const bool with_gradient = options.curvature > 0 || result.n_trials <= options.gradient_trials;
+    last = line.at(alpha, with_gradient);
+    // A step so short that the value stays what it was to the last bit is no descent, whatever (3.4) says.
+    if (!last.feasible || last.value > start.value + options.armijo * alpha * start.slope ||
+        !(last.value < start.value)) {
+      high = last;
+      bracketed = true;
+      alpha = inner_step(low, high, options);
+    } else if (options.curvature > 0 && last.slope < options.curvature * start.slope) {
+      const LinePoint before = low;
+      low = last;
+      // Beyond may be where nothing can be evaluated; then a step that goes down is worth more than its
+      // length.
+      if (bracketed && !high.feasible) break;
+      alpha = bracketed ? inner_step(low, high, options) : longer_step(before, low);
+    } else {
+      low = last;
+      break;
+    }
+  }
+  result.success = low.alpha > 0;
+  if (!result.success) return result;
+  if (last.alpha != low.alpha || !low.has_gradient) low = line.at(low.alpha, true);
+  result.point = low;
+  result.success = low.feasible;  // a gradient that is not finite shows only now
+  return result;
+}
+
+}  // namespace shellmatch

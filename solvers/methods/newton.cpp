@@ -1,0 +1,136 @@
+#include "solvers/methods/newton.h"
+
+#include "base/large_vector.h"
+#include "solvers/line_search/line_search.h"
+#include "solvers/minimization_run.h"
+#include "solvers/vector_ops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+/// Preconditioned conjugate gradients for H d = -g, and vectors that are kept over the steps.
+class LinearSolver {
+ public:
+  LinearSolver(const SecondOrderObjective& objective, int max_iterations, std::size_t n)
+      : objective_(objective), max_iterations_(max_iterations), r_(n), z_(n), p_(n), hp_(n) {}
+
+  /// From d = 0, until the residual is this share of what it was, in the preconditioner's norm.
+  void solve(std::span<const double> g, std::span<double> d, double tolerance) {
+    std::fill(d.begin(), d.end(), 0.0);
+    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) r_[i] = -g[i];
+    });
+    objective_.precondition(r_, z_);
+    const double rz = dot(r_, z_);
+    target_ = tolerance * tolerance * rz;
+    if (iterate(d, rz) == 0) std::copy(z_.begin(), z_.end(), d.begin());
+  }
+
+  /// The same for an H that has become stiffer here and there since d was found: from d, to the same residual.
+  void solve_again(std::span<const double> g, std::span<double> d) {
+    objective_.apply_second_derivative(d, hp_);
+    const double slope = dot(g, d), curvature = dot(d, hp_);
+    // The model g.d + d.Hd / 2 only falls from where this begins: where it is negative there is descent in the end.
+    const double share = slope + 0.5 * curvature < 0 ? 1.0 : -slope / curvature;
+    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        d[i] *= share;
+        r_[i] = -g[i] - share * hp_[i];
+      }
+    });
+    objective_.precondition(r_, z_);
+    iterate(d, dot(r_, z_));
+  }
+
+ private:
+  // From the residual r_ of d, preconditioned z_; rz is their product. Returns the number of iterations.
+  int iterate(std::span<double> d, double rz) {
+    std::copy(z_.begin(), z_.end(), p_.begin());
+    int k = 0;
+    for (; k < max_iterations_ && rz > target_; ++k) {
+      objective_.apply_second_derivative(p_, hp_);
+      const double curvature = dot(p_, hp_);
+      if (!(curvature > 0)) break;  // a direction without stiffness: what has been found so far will do
+      const double alpha = rz / curvature;
+      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          d[i] += alpha * p_[i];
+          r_[i] -= alpha * hp_[i];
+        }
+      });
+      objective_.precondition(r_, z_);
+      const double next = dot(r_, z_);
+      const double beta = next / rz;
+      rz = next;
+      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) p_[i] = z_[i] + beta * p_[i];
+      });
+    }
+    return k;
+  }
+
+  const SecondOrderObjective& objective_;
+  int max_iterations_;
+  double target_ = 0;
+  LargeVector<double> r_, z_, p_, hp_;
+};
+
+}  // namespace
+
+MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                                  const IterationCallback& callback) const {
+  MinimizationRun run(objective, stop, callback);
+  auto* model = dynamic_cast<SecondOrderObjective*>(&objective);
+  std::vector<double> g(run.size());
+  if (!run.start(x, g)) return run.summary();
+  if (model == nullptr) {
+    run.finish(StopReason::library, "the objective has no second derivative to offer");
+    return run.summary();
+  }
+  std::vector<double> d(run.size());
+  LinearSolver linear(*model, options_.max_linear_iterations, run.size());
+  Line line(run);
+  const LineSearchOptions search{.armijo = options_.armijo, .curvature = 0, .interpolation = Interpolation::cubic,
+                                 .contraction = 0.5, .max_trials = options_.max_trials, .gradient_trials = 2};
+  double value = run.start_value(), gradient_norm = run.start_gradient_norm();
+  const double least = std::min(options_.min_forcing, options_.max_forcing);
+  double ratio = 0;  // of gradient norms, after the last step and before it
+  while (!run.over()) {
+    model->prepare_second_derivative(x);
+    const double relative = gradient_norm / run.start_gradient_norm();
+    const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
+    linear.solve(g, d, forcing);
+    for (int n = 0; n < options_.max_restraints && model->restrain(x, d); ++n) linear.solve_again(g, d);
+    DirectionSize size = direction_size(g, d);
+    if (!(size.slope < 0)) {
+      run.finish(StopReason::no_descent);
+      break;
+    }
+    line.lay(x, d, value, size.slope);
+    LineSearchResult found = search_line(line, 1.0, search);
+    if (!found.success) {
+      model->precondition(g, d);
+      scale(-1.0, d);
+      size = direction_size(g, d);
+      line.lay(x, d, value, size.slope);
+      found = search_line(line, 1.0, search);
+      if (!found.success) {
+        run.finish(StopReason::no_descent);
+        break;
+      }
+    }
+    std::swap(x, line.x);
+    std::swap(g, line.gradient);
+    value = found.point.value;
+    ratio = found.point.gradient_norm / gradient_norm;
+    gradient_norm = found.point.gradient_norm;
+    run.accept(found.point.evaluation(), found.point.alpha * size.length);
+  }
+  return run.summary();
+}
+
+}  // namespace shellmatch

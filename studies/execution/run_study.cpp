@@ -1,0 +1,211 @@
+#include "studies/execution/run_study.h"
+
+#include "base/error.h"
+#include "matching/output/output_folder.h"
+#include "matching/output/process_info.h"
+#include "matching/output/summary.h"
+#include "studies/execution/child_process.h"
+#include "studies/execution/machine.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace shellmatch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The last line of a log without the program's name: "error: not enough memory; ...".
+std::string last_words(const std::string& log) {
+  std::ifstream in(log, std::ios::binary | std::ios::ate);
+  const std::streamoff end = in.tellg(), from = std::max<std::streamoff>(0, end - 2000);
+  in.seekg(from);
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) last = line;
+  const std::string prefix = "shellmatch: ";
+  return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
+}
+
+// What a process that exited without an error has left.
+void judge_output(const std::string& output, RunResult& result) {
+  result.status = RunStatus::failed;
+  try {
+    const MatchSummary summary = read_summary(output + "/summary.json");
+    result.program = summary.version;
+    if (summary.levels.empty()) throw InputError("the summary holds no level");
+    const LevelSummary& last = summary.levels.back();
+    if (last.stop_reason == "cannot_evaluate_start" || last.energy_minimised.empty() ||
+        !std::isfinite(last.energy_minimised.back().second)) {
+      result.status = RunStatus::diverged;
+      result.message = fmt::format("level {}: {} ({})", last.level, last.stop_reason, last.stop_message);
+    } else {
+      result.status = summary.interrupted ? RunStatus::failed : RunStatus::finished;
+      if (summary.interrupted) result.message = "stopped before the last level was finished";
+    }
+  } catch (const InputError& error) {
+    result.message = fmt::format("exit code 0, but without a result: {}", error.what());
+  }
+}
+
+// A run that is under way. Should it go before its end, the process and its folder go with it.
+class ActiveRun {
+ public:
+  ActiveRun(const StudyRun& run, const std::string& place, const std::string& program,
+            const ProcessLimits& limits, RunResult result)
+      : run_(&run), folder_(place, false), result_(std::move(result)) {
+    const std::string config = folder_.path_of("config.yaml");
+    write_file(config, run.config);
+    child_ = std::make_unique<ChildProcess>(
+        std::vector<std::string>{program, "run", config, "-o", folder_.path_of("output")},
+        folder_.path_of("log.txt"), limits);
+  }
+
+  // True once it has ended and its folder is in its place.
+  bool advance() {
+    const std::optional<ProcessResult> end = child_->poll();
+    if (!end) return false;
+    result_.exit_code = end->exit_code;
+    result_.signal = end->signal;
+    result_.seconds = end->seconds;
+    result_.peak_memory_bytes = end->peak_memory_bytes;
+    judge(end->end);
+    remove_leftovers(folder_.path_of("output"));
+    write_run_result(result_, folder_.path_of("result.json"));
+    folder_.commit();
+    return true;
+  }
+
+  const StudyRun& run() const { return *run_; }
+  const RunResult& result() const { return result_; }
+
+ private:
+  void judge(ProcessEnd end) {
+    if (end == ProcessEnd::timed_out) {
+      result_.status = RunStatus::timed_out;
+      result_.message = fmt::format("ended after {:g} s", result_.limit_seconds);
+    } else if (end == ProcessEnd::out_of_memory) {
+      result_.status = RunStatus::out_of_memory;
+      result_.message = fmt::format("ended at {:g} MB", result_.limit_memory_mb);
+    } else if (end == ProcessEnd::signalled) {
+      result_.status = RunStatus::crashed;
+      result_.message = fmt::format("signal {} ({})", result_.signal, strsignal(result_.signal));
+    } else if (result_.exit_code == 0) {
+      judge_output(folder_.path_of("output"), result_);
+    } else {
+      result_.message = last_words(folder_.path_of("log.txt"));
+      const bool memory = result_.message.find("not enough memory") != std::string::npos;
+      result_.status = memory ? RunStatus::out_of_memory : RunStatus::failed;
+    }
+  }
+
+  const StudyRun* run_;
+  OutputFolder folder_;
+  RunResult result_;
+  std::unique_ptr<ChildProcess> child_;
+};
+
+// Does the run have to run, with this result from before?
+bool is_due(const RunResult& result, const RunLimits& limits, bool retry) {
+  const auto raised = [](double now, double then) { return then > 0 && (now == 0 || now > then); };
+  switch (result.status) {
+    case RunStatus::not_run:
+      return true;
+    case RunStatus::finished:
+      return false;
+    case RunStatus::timed_out:
+      return retry || raised(limits.seconds, result.limit_seconds);
+    case RunStatus::out_of_memory:
+      return retry || raised(limits.memory_mb, result.limit_memory_mb);
+    default:
+      return retry;
+  }
+}
+
+// The names that a study's folder may hold; anything else there belongs to somebody else.
+bool is_known_entry(const std::string& name) {
+  for (const char* known : {"study.yaml", "runs", "table.csv", "convergence.csv", "summary.md", "plots"})
+    if (name == known) return true;
+  return name.starts_with(".");
+}
+
+// The folder, absolute and with all that a study needs in it, unless it is somebody else's.
+std::string prepared(const std::string& path) {
+  const std::string absolute = fs::absolute(path).lexically_normal().string();
+  std::error_code error;
+  if (fs::exists(absolute, error) && !fs::is_directory(absolute, error))
+    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
+                      path);
+  for (const fs::directory_entry& entry : fs::directory_iterator(absolute, error))
+    if (const std::string name = entry.path().filename().string(); !is_known_entry(name))
+      throw_input_error("{}: holds {}, which no study has written; choose another folder with -o", path,
+                        name);
+  fs::create_directories(fs::path(absolute) / "runs", error);
+  if (error) throw_environment_error("{}: cannot be written: {}", path, error.message());
+  return absolute;
+}
+
+}  // namespace
+
+StudyFolder::StudyFolder(const std::string& path, bool whole_study)
+    : path_(prepared(path)),
+      lock_(path_ + "/.lock", whole_study ? FileLock::Kind::exclusive : FileLock::Kind::shared) {
+  if (lock_.state() == FileLock::State::taken)
+    throw_input_error(
+        "{}: another process works on a study there; wait for its end or choose another folder with -o",
+        path);
+}
+
+RunResult StudyFolder::result_of(const StudyRun& run) const {
+  const auto result = read_run_result(run_folder(run) + "/result.json");
+  return result && result->fingerprint == run.fingerprint ? *result : RunResult{};
+}
+
+bool run_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder,
+               const StudySettings& settings, StudyObserver& observer) {
+  const RunLimits& limits = study.options.limits;
+  // The very file that is being executed, even where it has been replaced meanwhile: one build makes one
+  // study.
+  const std::string program = settings.program.empty() ? "/proc/self/exe" : settings.program;
+  const std::string machine = machine_text();
+  std::vector<std::unique_ptr<ActiveRun>> active;
+  for (std::size_t next = 0; next < runs.size() || !active.empty();) {
+    if (observer.stop_requested()) return false;
+    while (next < runs.size() && active.size() < static_cast<std::size_t>(settings.jobs)) {
+      const StudyRun& run = runs[next++];
+      if (!is_due(folder.result_of(run), limits, settings.retry)) continue;
+      const fs::path place = folder.run_folder(run);
+      std::error_code error;
+      fs::remove_all(place, error);  // the result of another configuration, or a folder without one
+      RunResult result;
+      result.fingerprint = run.fingerprint;
+      result.limit_seconds = limits.seconds;
+      result.limit_memory_mb = limits.memory_mb;
+      result.jobs = settings.jobs;
+      result.load = machine_load();
+      result.machine = machine;
+      result.program = program_version();
+      observer.run_started(run);
+      const ProcessLimits process_limits{limits.seconds, limits.grace_seconds,
+                                         static_cast<std::uint64_t>(limits.memory_mb * 1e6)};
+      active.push_back(
+          std::make_unique<ActiveRun>(run, place.string(), program, process_limits, std::move(result)));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::erase_if(active, [&](const std::unique_ptr<ActiveRun>& a) {
+      if (!a->advance()) return false;
+      observer.run_ended(a->run(), a->result());
+      return true;
+    });
+  }
+  return true;
+}
+
+}  // namespace shellmatch

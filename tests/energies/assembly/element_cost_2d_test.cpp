@@ -1,0 +1,7 @@
+#include "tests/energies/assembly/element_costs.h"
+
+namespace shellmatch {
+namespace {
+SHELLMATCH_ELEMENT_COST_TESTS(2)
+}  // namespace
+}  // namespace shellmatch

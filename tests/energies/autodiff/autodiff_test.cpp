@@ -1,0 +1,159 @@
+// The recording scalar and the code made from it, on small functors that each stress one thing.
+
+#include "tests/energies/autodiff/compiled_against_jets.h"
+
+#include <random>
+#include <set>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+using autodiff::Op;
+
+// Random inputs in [-1, 1].
+template <class Functor>
+std::array<Inputs<Functor>, autodiff::pack_size> random_inputs(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::array<Inputs<Functor>, autodiff::pack_size> points;
+  for (auto& p : points) {
+    for (double& x : p.active) x = uniform(random);
+    for (double& x : p.passive) x = uniform(random);
+  }
+  return points;
+}
+
+template <class Functor>
+void check(double tolerance = 1e-14) {
+  for (unsigned seed = 0; seed < 10; ++seed) expect_as_jets<Functor>(random_inputs<Functor>(seed), tolerance);
+  expect_good_tape<Functor>();
+}
+
+// Every operation there is, operands shared, and two inputs that nobody reads.
+struct Everything {
+  static constexpr int n_active = 4, n_passive = 3;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P* p) {
+    using autodiff::max_of;
+    using std::exp;
+    using std::sqrt;
+    const T shared = x[0] * x[2] + p[0];
+    const T root = sqrt(shared * shared + 2.0);
+    const T quotient = exp(-x[0]) / root;
+    return max_of(quotient - x[2], shared / 3.0) + (p[0] - p[1]) * quotient / (2.0 - x[0]);
+  }
+};
+
+TEST(Autodiff, EveryOperation) {
+  check<Everything>();
+  std::set<Op> seen;
+  for (std::size_t i = 0; i < tape_of<Everything>.size; ++i) seen.insert(tape_of<Everything>.nodes[i].op);
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(Op::max) + 1);
+  using Code = autodiff::Compiled<Everything>;
+  EXPECT_TRUE(Code::reads_active(0) && Code::reads_active(2));
+  EXPECT_FALSE(Code::reads_active(1) || Code::reads_active(3));
+}
+
+// One node as both operands, for every operation of two.
+struct Twice {
+  static constexpr int n_active = 2, n_passive = 1;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P* p) {
+    using autodiff::max_of;
+    const T u = x[0] + 2.0 * x[1];
+    return u * u + (u + u) * x[0] + (u - u) + u / u + max_of(u, u) * p[0];
+  }
+};
+
+TEST(Autodiff, SameOperandTwice) { check<Twice>(); }
+
+struct Square {
+  static constexpr int n_active = 1, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    return x[0] * x[0];
+  }
+};
+
+TEST(Autodiff, SquareOfTheOnlyInput) { check<Square>(); }
+
+// The result is an input; the products of zero and one leave nothing to compute.
+struct AnInput {
+  static constexpr int n_active = 3, n_passive = 1;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P* p) {
+    const T nothing = (2.0 * T(3.0) - 6.0) * x[0];
+    return 1.0 * x[1] + nothing * p[0] + (nothing - 0.0) / 2.0;
+  }
+};
+
+TEST(Autodiff, ConstantsAreFoldedUntilOnlyAnInputIsLeft) {
+  check<AnInput>();
+  EXPECT_EQ(tape_of<AnInput>.size, 1u);
+  EXPECT_EQ(tape_of<AnInput>.nodes[0].op, Op::active);
+  EXPECT_EQ(tape_of<AnInput>.nodes[0].a, 1);
+}
+
+// No active input is read at all.
+struct PassiveOnly {
+  static constexpr int n_active = 2, n_passive = 2;
+  template <class T, class P>
+  static constexpr T evaluate(const T*, const P* p) {
+    return T(p[0] * p[0] - p[1]);
+  }
+};
+
+// A large passive part, which needs no adjoint.
+struct PassivePart {
+  static constexpr int n_active = 2, n_passive = 2;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P* p) {
+    using std::exp;
+    const P factor = exp(p[0] * p[1]) / (2.0 + p[0]);
+    return factor * x[0] - x[1] * (factor * factor);
+  }
+};
+
+TEST(Autodiff, PassivePartsNeedNoAdjoint) {
+  check<PassiveOnly>();
+  check<PassivePart>();
+  const auto& tape = tape_of<PassivePart>;
+  const auto n_active = std::count_if(tape.nodes.begin(), tape.nodes.begin() + tape.size,
+                                      [](const autodiff::Node& n) { return n.is_active; });
+  EXPECT_EQ(n_active, 5);  // two inputs, two products, one difference
+}
+
+struct Common {
+  static constexpr int n_active = 2, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    const T unused = x[0] / x[1];
+    static_cast<void>(unused);
+    return (x[0] * x[1] + 0.5) * (0.5 + x[1] * x[0]);
+  }
+};
+
+TEST(Autodiff, CommonSubexpressionsAreShared) {
+  check<Common>();
+  EXPECT_EQ(tape_of<Common>.size, 6u);  // two inputs, 0.5, product, sum, square
+}
+
+// Many users of one node, before and after each other in the tape.
+struct ManyUsers {
+  static constexpr int n_active = 3, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    T sum = x[0], power = x[1];
+    for (int i = 1; i <= 12; ++i) {
+      power = power * x[1] + x[2] * x[0];
+      sum = sum + power * (1.0 / i) - x[0] * x[0];
+    }
+    return sum * x[2];
+  }
+};
+
+TEST(Autodiff, ManyUsersOfOneNode) { check<ManyUsers>(1e-13); }
+
+}  // namespace
+}  // namespace shellmatch

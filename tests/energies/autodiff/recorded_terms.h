@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// Inputs to the recorded energy terms, generic and degenerate, and the checks on each of them.
+
+#include "energies/terms/fold_barrier.h"
+#include "energies/terms/integrands.h"
+#include "tests/energies/autodiff/compiled_against_jets.h"
+
+#include <random>
+
+namespace shellmatch::test {
+
+/// Eight points each: the first generic, the second without normal, the third without Dphi and root, the fourth
+/// without mismatch, the others generic.
+template <class Term, int Dim>
+void check_band_term() {
+  using Functor = BandFunctor<Term, Dim>;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    std::array<Inputs<Functor>, autodiff::pack_size> points;
+    for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+      auto& p = points[lane];
+      for (double& x : p.active) x = uniform(random);
+      for (double& x : p.passive) x = uniform(random);
+      for (int i = 1; i <= 2; ++i) p.passive[Functor::n_passive - i] = 1.5 + uniform(random);
+      if (lane == 1) std::fill_n(p.active.begin() + 1, Dim, 0.0);
+      if (lane == 2) std::fill(p.active.begin() + 1 + Dim, p.active.end(), 0.0);
+      if (lane == 3) p.active[0] = p.passive[0];
+    }
+    expect_as_jets<Functor>(points);
+  }
+  expect_good_tape<Functor>();
+}
+
+/// Generic Dphi, the identity, one that folds and one of rank 0.
+template <class Term, int Dim>
+void check_volume_term() {
+  using Functor = VolumeFunctor<Term, Dim>;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    std::array<Inputs<Functor>, autodiff::pack_size> points;
+    for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+      auto& p = points[lane];
+      for (int i = 0; i < Dim * Dim; ++i) p.active[i] = (i % (Dim + 1) == 0) + (lane == 1 ? 0.0 : uniform(random));
+      p.passive = {1 + uniform(random), 1 + uniform(random)};
+      if (lane == 2)
+        for (int i = 0; i < Dim; ++i) p.active[i] = -p.active[i];
+      if (lane == 3) p.active.fill(0);
+    }
+    expect_as_jets<Functor>(points);
+  }
+  expect_good_tape<Functor>();
+}
+
+/// Cells near and far from folding, the undeformed one, one that is flat and one that is turned inside out.
+template <int Dim>
+void check_barrier() {
+  using Functor = FoldBarrierFunctor<Dim>;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-0.15, 0.15);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    std::array<Inputs<Functor>, autodiff::pack_size> points;
+    for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+      auto& p = points[lane];
+      for (int i = 0; i < Functor::n_active; ++i)
+        p.active[i] = ((i / Dim) >> (i % Dim) & 1) + (lane == 1 ? 0.0 : uniform(random));
+      p.passive = {1 / 0.8};
+      for (int i = 0; i < Functor::n_active; i += Dim) {
+        if (lane == 2) p.active[i] = -p.active[i];
+        if (lane == 3) p.active[i] = 0;
+      }
+    }
+    // The terms of the sum are inverse to small determinants: their derivatives lose digits.
+    expect_as_jets<Functor>(points, 1e-11);
+  }
+  expect_good_tape<Functor>();
+}
+
+}  // namespace shellmatch::test

@@ -1,7 +1,0 @@
-#include "tests/energies/element_costs.h"
-
-namespace shellmatch {
-namespace {
-SHELLMATCH_ELEMENT_COST_TESTS(3)
-}  // namespace
-}  // namespace shellmatch

@@ -1,0 +1,95 @@
+#include "geometry/curvature/mesh_curvature.h"
+
+#include "tests/geometry/surface/test_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+
+void expect_orthonormal(const VertexCurvature& c) {
+  Mat<3> frame;
+  frame << c.d1, c.d2, c.normal;
+  EXPECT_LT((frame.transpose() * frame - Mat<3>::Identity()).norm(), 1e-12);
+  EXPECT_NEAR(c.d1.cross(c.d2).dot(c.normal), 1, 1e-12);
+  EXPECT_GE(c.k1, c.k2);
+}
+
+TEST(Curvature, OfASphereIsOneOverItsRadius) {
+  const double radius = 0.3;
+  const Surface<3> s = mapped<3>(unit_sphere(4), [&](const Vec<3>& x) { return Vec<3>(radius * x); });
+  const auto curvatures = vertex_curvatures(s);
+  for (std::size_t v = 0; v < s.vertices.size(); ++v) {
+    expect_orthonormal(curvatures[v]);
+    EXPECT_NEAR(curvatures[v].k1, 1 / radius, 0.03 / radius);
+    EXPECT_NEAR(curvatures[v].k2, 1 / radius, 0.03 / radius);
+    EXPECT_GT(curvatures[v].normal.dot(s.vertices[v]), 0.999 * radius);
+  }
+  // With the orientation the sign changes.
+  EXPECT_LT(vertex_curvatures(reversed(s))[17].k1, -0.97 / radius);
+}
+
+/// Largest error of both curvatures, and of the first direction where they differ enough, on the torus.
+std::pair<double, double> torus_error(int n, const CurvatureOptions& options) {
+  const double core = 1, tube = 0.4;
+  const Surface<3> s = torus(core, tube, 5 * n, 2 * n);
+  const auto curvatures = vertex_curvatures(s, options);
+  double error = 0, direction_error = 0;
+  for (std::size_t v = 0; v < s.vertices.size(); ++v) {
+    const Vec<3>& x = s.vertices[v];
+    const double rho = std::hypot(x.x(), x.y());
+    const Vec<3> around = Vec<3>(-x.y(), x.x(), 0) / rho;
+    error = std::max(error, std::abs(curvatures[v].k1 - 1 / tube));
+    error = std::max(error, std::abs(curvatures[v].k2 - (rho - core) / (tube * rho)));
+    direction_error = std::max(direction_error, std::abs(curvatures[v].d1.dot(around)));
+  }
+  return {error, direction_error};
+}
+
+TEST(Curvature, OfATorusConvergesWithTheOrderOfTheDegree) {
+  for (const int degree : {2, 4}) {
+    const auto [coarse, coarse_direction] = torus_error(12, {degree, 3});
+    const auto [fine, fine_direction] = torus_error(24, {degree, 3});
+    EXPECT_GT(std::log2(coarse / fine), degree - 1 - 0.1) << "degree " << degree;
+    EXPECT_LT(fine, degree == 2 ? 0.3 : 0.05);
+    EXPECT_LT(fine_direction, 0.05);
+  }
+}
+
+TEST(Curvature, OfAnEllipsoidHasItsGaussianAndMeanCurvature) {
+  const Vec<3> axes(1, 0.8, 0.6);
+  const Surface<3> s =
+      mapped<3>(unit_sphere(5), [&](const Vec<3>& x) { return Vec<3>(axes.cwiseProduct(x)); });
+  const auto curvatures = vertex_curvatures(s, {4, 3});
+  for (std::size_t v = 0; v < s.vertices.size(); ++v) {
+    // For F = sum x_i^2 / a_i^2: K = (a b c)^-2 |grad F / 2|^-4, H from the divergence of the unit normal.
+    const Vec<3> x = s.vertices[v], weights = axes.cwiseProduct(axes).cwiseInverse();
+    const Vec<3> g = weights.cwiseProduct(x);
+    const double gauss = std::pow(axes.prod(), -2) * std::pow(g.norm(), -4);
+    const double twice_mean =
+        weights.sum() / g.norm() - g.dot(weights.cwiseProduct(g)) / std::pow(g.norm(), 3);
+    EXPECT_NEAR(curvatures[v].k1 * curvatures[v].k2, gauss, 5e-3 * gauss);
+    EXPECT_NEAR(curvatures[v].k1 + curvatures[v].k2, twice_mean, 5e-3 * twice_mean);
+  }
+}
+
+TEST(Curvature, IsNotANumberWhereThereAreTooFewVertices) {
+  Surface<3> s = unit_sphere(0);
+  s.vertices.emplace_back(5, 5, 5);
+  // Six vertices determine a polynomial of degree 2 and no more; the last one belongs to no facet.
+  const auto curvatures = vertex_curvatures(s, {3, 1});
+  for (const VertexCurvature& c : curvatures) EXPECT_TRUE(std::isnan(c.k1));
+}
+
+TEST(Curvature, FramesOnAHandAreOrthonormal) {
+  const auto hand = data_surface("hands_makehuman/hand_woman_young.off");
+  if (!hand) GTEST_SKIP() << "set SHELLMATCH_DATA to the data folder";
+  for (const VertexCurvature& c : vertex_curvatures(*hand)) expect_orthonormal(c);
+}
+
+}  // namespace
+}  // namespace shellmatch

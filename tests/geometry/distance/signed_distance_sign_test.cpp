@@ -1,0 +1,71 @@
+// The sign, against the winding number: two algorithms that share nothing.
+#include "geometry/distance/signed_distance.h"
+#include "geometry/distance/winding_number.h"
+#include "tests/geometry/surface/test_surfaces.h"
+
+#include <gtest/gtest.h>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+
+/// Tells how many points lie inside, so that a test cannot pass for want of them.
+template <int Dim>
+int expect_sign_of_winding_number(const Surface<Dim>& surface, const std::vector<Vec<Dim>>& points) {
+  const SignedDistance<Dim> distance(surface);
+  int n_inside = 0, n_compared = 0;
+  for (const Vec<Dim>& x : points) {
+    const double d = distance(x);
+    if (std::abs(d) < 1e-10) continue;
+    ++n_compared;
+    const bool inside = winding_number(surface, x) > 0.5;
+    EXPECT_EQ(d < 0, inside) << x.transpose() << " at distance " << d;
+    n_inside += inside;
+  }
+  EXPECT_GT(n_compared, static_cast<int>(points.size()) * 9 / 10);
+  return n_inside;
+}
+
+TEST(SignedDistanceSign, AgreesOnSmoothAndSpikySurfaces) {
+  const Surface<3> round = torus(0.6, 0.25, 30, 15);
+  EXPECT_GT(expect_sign_of_winding_number(round, query_points(round, 300)), 50);
+  // Every vertex of the finest level moved at random: sharp edges, concave and convex.
+  const auto noise = random_points<3>(400, Vec<3>::Constant(-0.12), Vec<3>::Constant(0.12), 9);
+  std::size_t i = 0;
+  const Surface<3> spiky =
+      mapped<3>(unit_sphere(3), [&](const Vec<3>& x) { return Vec<3>(x * (1 + 2 * noise[i++ % 400].x())); });
+  EXPECT_GT(expect_sign_of_winding_number(spiky, query_points(spiky, 1000)), 100);
+}
+
+TEST(SignedDistanceSign, AgreesInThePlane) {
+  const Surface<2> star = polygon(14, [](double t) { return std::cos(7 * t) > 0 ? 1.0 : 0.15; });
+  EXPECT_GT(expect_sign_of_winding_number(star, query_points(star, 1000)), 100);
+}
+
+TEST(SignedDistanceSign, AgreesInAHollowBody) {
+  const Surface<3> hollow =
+      joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.2, 0.4}, {0.6, 0.7, 0.8})));
+  EXPECT_GT(expect_sign_of_winding_number(hollow, query_points(hollow, 500)), 100);
+}
+
+TEST(SignedDistanceSign, AgreesOnASharpWedge) {
+  const Surface<3> wedge = wedge_with_flat_triangle(0.02);
+  // All around the sharp edge, in whose plane a single facet's normal would decide wrongly.
+  auto points = random_points<3>(2000, {-0.1, -0.05, -0.03}, {1.1, 0.1, 0.03}, 3);
+  EXPECT_GT(expect_sign_of_winding_number(wedge, points), 15);
+}
+
+void expect_sign_on_data(const std::string& file) {
+  const auto surface = data_surface(file);
+  if (!surface) GTEST_SKIP() << "no file " << file << "; set SHELLMATCH_DATA to the data folder";
+  EXPECT_GT(expect_sign_of_winding_number(*surface, query_points(*surface, 200)), 50);
+}
+
+TEST(SignedDistanceSign, AgreesOnAVertebra) {
+  expect_sign_on_data("vertebra_L1_verse/verse018_aligned_to_016.ply");
+}
+TEST(SignedDistanceSign, AgreesOnAHand) { expect_sign_on_data("hands_makehuman/hand_woman_young.off"); }
+
+}  // namespace
+}  // namespace shellmatch

@@ -1,0 +1,223 @@
+// Mending of triangle surfaces: closed, oriented outward, nothing lost, nothing hidden.
+#include "geometry/io/read_shape.h"
+#include "geometry/repair/repair.h"
+#include "tests/geometry/io/files.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace shellmatch::testing {
+
+bool is_closed_and_oriented(const Surface<3>& s) {
+  std::vector<std::pair<Index, Index>> edges, opposite;
+  for (const auto& facet : s.facets)
+    for (std::size_t k = 0; k < 3; ++k) {
+      edges.emplace_back(facet[k], facet[(k + 1) % 3]);
+      opposite.emplace_back(facet[(k + 1) % 3], facet[k]);
+    }
+  std::sort(edges.begin(), edges.end());
+  std::sort(opposite.begin(), opposite.end());
+  return !edges.empty() && edges == opposite && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+}
+
+namespace {
+
+Shape<3> mended(const OriginalShape<3>& original) {
+  Shape<3> shape{"thing", original, {}, {}};
+  shape.surface = mend_surface(shape.original, shape.source, shape.notes);
+  EXPECT_TRUE(is_closed_and_oriented(shape.surface));
+  return shape;
+}
+
+std::string message(const OriginalShape<3>& original) {
+  std::vector<std::string> notes;
+  return input_error_of([&] { mend_surface(original, "thing", notes); });
+}
+
+TEST(Repair, OrientationIsFoundNotAssumed) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 20; ++trial) {
+    OriginalShape<3> shape = cube();
+    for (auto& polygon : shape.polygons)
+      if (random() % 2) std::reverse(polygon.begin(), polygon.end());
+    EXPECT_NEAR(volume(mended(shape).surface), 1, 1e-14);
+  }
+}
+
+TEST(Repair, PartsFaceOutwardAndCavitiesInward) {
+  for (const bool first : {false, true})
+    for (const bool second : {false, true}) {
+      OriginalShape<3> apart;
+      append(apart, cube(), first);
+      append(apart, cube({3, 0, 0}, 2), second);
+      EXPECT_NEAR(volume(mended(apart).surface), 1 + 8, 1e-13);
+      OriginalShape<3> nested;
+      append(nested, cube({0.25, 0.25, 0.25}, 0.5), first);
+      append(nested, cube(), second);
+      append(nested, cube({0.4, 0.4, 0.4}, 0.1), first);
+      const Shape<3> shape = mended(nested);
+      EXPECT_NEAR(volume(shape.surface), 1 - 0.125 + 0.001, 1e-14);
+      EXPECT_TRUE(has_note(shape, "1 part lies inside another"));
+    }
+}
+
+TEST(Repair, CrossingPartsAreNotNested) {
+  OriginalShape<3> shape;
+  append(shape, cube());
+  append(shape, cube({0.5, 0.25, 0.25}, 0.5), true);  // touches the side of the first from within
+  append(shape, cube({0.5, 0.5, 0.5}, 1), true);
+  const Shape<3> result = mended(shape);
+  EXPECT_NEAR(volume(result.surface), 1 + 0.125 + 1, 1e-14);
+  EXPECT_TRUE(has_note(result, "cross or touch"));
+}
+
+TEST(Repair, SeamsAreWeldedAndTouchingPartsAreNot) {
+  OriginalShape<3> loose;
+  const OriginalShape<3> box = cube();
+  for (const auto& polygon : box.polygons) {
+    std::vector<Index> own;
+    for (const Index v : polygon) {
+      own.push_back(static_cast<Index>(loose.vertices.size()));
+      loose.vertices.push_back(box.vertices[v]);
+    }
+    loose.polygons.push_back(own);
+  }
+  loose.vertices.emplace_back(9, 9, 9);
+  const Shape<3> shape = mended(loose);
+  EXPECT_EQ(shape.surface.vertices.size(), 8u);
+  EXPECT_EQ(shape.original.vertices.size(), 25u);
+  EXPECT_TRUE(has_note(shape, "16 duplicate vertices welded"));
+  EXPECT_TRUE(has_note(shape, "1 unused vertex left out"));
+  OriginalShape<3> touching = box;
+  append(touching, cube({1, 0, 0}));  // shares a whole side
+  EXPECT_NEAR(volume(mended(touching).surface), 2, 1e-14);
+}
+
+TEST(Repair, TrianglesThatCollapseAsTheirSeamCloses) {
+  // A third corner at the place of another, which welding makes the same; in every order of the three.
+  for (int turn = 0; turn < 3; ++turn) {
+    OriginalShape<3> shape = cube();
+    std::vector<Index> sliver = {8, 9, 10};
+    for (const Vec<3>& x : {Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 0, 0)}) shape.vertices.push_back(x);
+    std::rotate(sliver.begin(), sliver.begin() + turn, sliver.end());
+    shape.polygons.push_back(sliver);
+    const Shape<3> result = mended(shape);
+    EXPECT_NEAR(volume(result.surface), 1, 1e-14);
+    EXPECT_TRUE(has_note(result, "1 triangle with a repeated corner removed")) << turn;
+  }
+}
+
+TEST(Repair, VerticesWherePartsTouchAreSplit) {
+  OriginalShape<3> shape = cube();
+  OriginalShape<3> second = cube({1, 1, 1});
+  append(shape, second);
+  for (auto& polygon : shape.polygons)
+    for (Index& v : polygon) v = v == 8 ? 7 : v;  // one common vertex
+  const Shape<3> result = mended(shape);
+  EXPECT_EQ(result.surface.vertices.size(), 16u);
+  EXPECT_TRUE(has_note(result, "1 vertex added where the surface touches itself"));
+}
+
+TEST(Repair, PolygonsThatAreNotConvexKeepTheirArea) {
+  // A comb with n teeth, extruded: the caps are far from convex, and start at any corner.
+  for (int start = 0; start < 9; ++start) {
+    std::vector<Vec<2>> comb = {{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 3}, {2, 1}, {1, 3}, {0, 3}};
+    std::rotate(comb.begin(), comb.begin() + start, comb.end());
+    const auto n = static_cast<Index>(comb.size());
+    OriginalShape<3> shape;
+    for (const double z : {0.0, 2.0})
+      for (const Vec<2>& x : comb) shape.vertices.emplace_back(x.x(), x.y(), z);
+    shape.polygons.resize(2);
+    double base = 0;
+    for (Index i = 0; i < n; ++i) {
+      const Index j = (i + 1) % n;
+      shape.polygons[0].insert(shape.polygons[0].begin(), i);
+      shape.polygons[1].push_back(n + i);
+      shape.polygons.push_back({i, j, n + j, n + i});
+      base += 0.5 * (comb[i].x() * comb[j].y() - comb[i].y() * comb[j].x());
+    }
+    const Shape<3> result = mended(shape);
+    EXPECT_NEAR(volume(result.surface), 2 * base, 1e-13);
+    double total = 0, walls = 0;
+    for (std::size_t f = 0; f < result.surface.facets.size(); ++f) {
+      const auto& [a, b, c] = result.surface.facets[f];
+      const auto& x = result.surface.vertices;
+      const Vec<3> u = x[b] - x[a], v = x[c] - x[a];
+      total += 0.5 * std::sqrt(u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v));
+    }
+    for (Index i = 0; i < n; ++i) walls += 2 * (comb[(i + 1) % n] - comb[i]).norm();
+    EXPECT_NEAR(total, 2 * base + walls, 1e-12) << "no triangle may reach out of its polygon";
+  }
+}
+
+TEST(Repair, FlatTrianglesGoAndTheSurfaceStaysClosed) {
+  OriginalShape<3> shape = cube();
+  // A vertex in the middle of an edge, joined to one side only by a triangle without area.
+  shape.vertices.emplace_back(0.5, 0, 0);
+  shape.polygons.push_back({0, 8, 1});
+  shape.polygons[0] = {0, 2, 3, 1, 8};
+  const Shape<3> result = mended(shape);
+  EXPECT_NEAR(volume(result.surface), 1, 1e-14);
+  EXPECT_TRUE(has_note(result, "without area removed"));
+  for (std::size_t f = 0; f < result.surface.facets.size(); ++f) {
+    const auto& [a, b, c] = result.surface.facets[f];
+    const auto& x = result.surface.vertices;
+    const Vec<3> u = x[b] - x[a], v = x[c] - x[a];
+    EXPECT_GT(u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v), 1e-6);
+  }
+}
+
+TEST(Repair, RepeatedTrianglesGo) {
+  OriginalShape<3> shape = cube();
+  shape.polygons.push_back({0, 2, 3});
+  shape.polygons.push_back({5, 5, 7});
+  const Shape<3> result = mended(shape);
+  EXPECT_NEAR(volume(result.surface), 1, 1e-14);
+  EXPECT_TRUE(has_note(result, "1 repeated triangle removed"));
+}
+
+TEST(Repair, OpenSurfacesAreRefusedWithTheirHoles) {
+  OriginalShape<3> shape = cube();
+  shape.polygons.erase(shape.polygons.begin() + 1);
+  EXPECT_TRUE(
+      contains(message(shape), "thing: the surface is open: 4 boundary edges in 1 loop, one from (0, 0, 1)"));
+  shape.polygons.erase(shape.polygons.begin());
+  EXPECT_TRUE(contains(message(shape), "8 boundary edges in 2 loops"));
+}
+
+TEST(Repair, OtherSurfacesThatBoundNothing) {
+  OriginalShape<3> shape = cube();
+  shape.polygons.push_back({0, 1, 7});
+  EXPECT_TRUE(contains(message(shape), "not manifold"));
+  // Two sheets on top of each other.
+  OriginalShape<3> flat;
+  flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0}};
+  flat.polygons = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  EXPECT_TRUE(contains(message(flat), "encloses no volume"));
+  flat.polygons.clear();
+  EXPECT_TRUE(contains(message(flat), "no faces"));
+  flat.polygons = {{0, 1, 0}};
+  EXPECT_TRUE(contains(message(flat), "no area"));
+  // Klein bottle: a torus whose ends are joined the wrong way round.
+  OriginalShape<3> bottle;
+  constexpr Index n = 12;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const double u = 2 * std::numbers::pi * i / n, v = 2 * std::numbers::pi * j / n;
+      const double r = 2 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      bottle.vertices.emplace_back(r * std::cos(u), r * std::sin(u),
+                                   std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v));
+      const auto at = [](Index a, Index b) { return a < n ? a * n + b % n : (n - b % n) % n; };
+      bottle.polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  EXPECT_TRUE(contains(message(bottle), "one-sided"));
+}
+
+TEST(Repair, SmallAndFarAwayShapesKeepTheirVolume) {
+  EXPECT_NEAR(volume(mended(cube({0, 0, 0}, 1e-9)).surface) / 1e-27, 1, 1e-12);
+  EXPECT_EQ(mended(cube({1e7, -1e7, 1e7}, 1)).surface.facets.size(), 12u);
+}
+
+}  // namespace
+}  // namespace shellmatch::testing

@@ -1,0 +1,53 @@
+// The shipped experiments have right derivatives, and the deformations to check at are what they say.
+
+#include "base/error.h"
+#include "energies/assembly/folds.h"
+#include "matching/derivative_check/run_gradient_check.h"
+#include "matching/experiment/yaml_options.h"
+#include "tests/support/folders.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace shellmatch {
+namespace {
+
+TEST(ShippedExperiments, HaveRightDerivatives) {
+  Observer silent;
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "configs")) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path());
+    const ExperimentOptions options = read_experiment(entry.path().string());
+    GradientCheckRequest request;
+    request.level = std::max(options.cascade.min_level, 4);
+    request.settings = {.n_directions = 1, .seed = 1, .most_differenced = 40, .n_ceres_elements = 2};
+    const GradientReport report = run_gradient_check(options, request, silent);
+    EXPECT_TRUE(report.passed()) << gradient_report_text(report);
+    for (const TermCheck& t : report.terms) EXPECT_EQ(t.state, TermCheck::State::passed) << gradient_report_text(report);
+    EXPECT_EQ(report.level, *request.level);
+  }
+}
+
+TEST(CheckStates, AreReadAndNamed) {
+  EXPECT_EQ(CheckState::parse("identity").text(), "identity");
+  EXPECT_EQ(CheckState::parse("random:0.25:7").text(), "random:0.25:7");
+  EXPECT_EQ(CheckState::parse("random:0.25").seed, 1u);
+  EXPECT_EQ(CheckState::parse(test::source_folder().string()).kind, CheckState::Kind::folder);
+  for (const char* wrong : {"", "idenity", "random", "random:", "random:x", "random:nan", "random:-1", "random:2", "random:0.1:",
+                            "random:0.1:-3", "random:0.1:1.5", "random:0.1:1 ", "no/such/folder"})
+    EXPECT_THROW(CheckState::parse(wrong), InputError) << wrong;
+}
+
+TEST(CheckStates, LevelsOutsideTheCascadeAreRefused) {
+  const ExperimentOptions options = read_experiment((test::source_folder() / "configs/leaf.yaml").string());
+  Observer silent;
+  for (const int level : {1, 3, 11}) {
+    GradientCheckRequest request;
+    request.level = level;
+    EXPECT_THROW(run_gradient_check(options, request, silent), InputError) << level;
+  }
+}
+
+}  // namespace
+}  // namespace shellmatch

@@ -1,0 +1,156 @@
+// What a run reports, for deformations whose answer is known in closed form.
+#include "matching/output/run_report.h"
+
+#include "geometry/generate/generate_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <numbers>
+
+namespace shellmatch {
+namespace {
+
+/// x -> A x + b on a grid, with a placement that is neither a shift nor a scaling alone.
+template <int Dim>
+Deformation<Dim> linear_map(const Mat<Dim>& a, const Vec<Dim>& b) {
+  Deformation<Dim> d{Octree<Dim>(2), {}, {}};
+  for (Index node = 0; node < d.grid.n_nodes(); ++node) d.phi.push_back(a * d.grid.node_position(node) + b);
+  d.placement.scale = 0.01;
+  d.placement.offset = Vec<Dim>::LinSpaced(0.3, 0.2);
+  return d;
+}
+
+/// The unit domain's sphere of radius 0.2.
+Surface<3> sphere() {
+  const auto shape = std::get<OriginalShape<3>>(generate_shape("sphere", "", 0.03, {{"radius", 0.2}}));
+  Surface<3> s{shape.vertices, {}};
+  for (const auto& p : shape.polygons) s.facets.push_back({p[0], p[1], p[2]});
+  return s;
+}
+
+/// A curve's ring in the user's coordinates of linear_map: a square with 20 pieces on every second side.
+OriginalShape<2> uneven_square(const Similarity<2>& placement) {
+  OriginalShape<2> shape;
+  const Vec<2> corners[] = {{0.3, 0.3}, {0.6, 0.3}, {0.6, 0.6}, {0.3, 0.6}};
+  shape.polygons.resize(1);
+  for (int side = 0; side < 4; ++side)
+    for (int k = 0, n = side % 2 ? 1 : 20; k < n; ++k) {
+      shape.polygons[0].push_back(static_cast<Index>(shape.vertices.size()));
+      const Vec<2>&a = corners[side], &b = corners[(side + 1) % 4];
+      shape.vertices.push_back(placement.inverse(a + (b - a) * (double(k) / n)));
+    }
+  return shape;
+}
+
+template <int Dim>
+Surface<Dim> moved(Surface<Dim> s, const Mat<Dim>& a) {
+  const Vec<Dim> centre = Vec<Dim>::Constant(0.5);
+  for (Vec<Dim>& x : s.vertices) x = centre + a * (x - centre);
+  return s;
+}
+
+TEST(RunReport, ThePlacementIsUndone) {
+  const Mat<2> a = (Mat<2>() << 1.1, 0.2, -0.1, 0.9).finished();
+  const Vec<2> b(0.01, 0.02);
+  const auto map = linear_map<2>(a, b);
+  const auto& p = map.placement;
+  const OriginalShape<2> square = uneven_square(p);
+  Surface<2> far{{{0.1, 0.8}, {0.9, 0.8}, {0.9, 0.9}, {0.1, 0.9}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+  const auto result = deformed_original(square, map, SignedDistance<2>(far));
+  EXPECT_EQ(result.polygons, square.polygons);
+  ASSERT_EQ(result.attributes.size(), 2u);
+  EXPECT_EQ(result.attributes[0].name, "distance_to_template");
+  EXPECT_EQ(result.attributes[1].name, "length_ratio");
+  double before = 0, after = 0;
+  for (std::size_t v = 0; v < square.vertices.size(); ++v) {
+    // In the user's coordinates the map is x -> A x + c, so that its lengths do not see the placement.
+    const Vec<2> c = (a * p.offset + b - p.offset) / p.scale, y = a * square.vertices[v] + c;
+    EXPECT_LT((result.vertices[v] - y).norm(), 1e-11);
+    // The lower side of the far rectangle is nearest, its length in the user's unit.
+    EXPECT_NEAR(result.attributes[0].values[v], (0.8 - p(y).y()) / p.scale, 1e-10);
+    const std::size_t next = (v + 1) % square.vertices.size(), last = (v ? v : square.vertices.size()) - 1;
+    const Vec<2> forth = square.vertices[next] - square.vertices[v], back = square.vertices[last] - square.vertices[v];
+    before = forth.norm() + back.norm();
+    after = (a * forth).norm() + (a * back).norm();
+    EXPECT_NEAR(result.attributes[1].values[v], after / before, 1e-12);
+  }
+}
+
+TEST(RunReport, AreaRatiosInSpaceAreThoseOfAPolygonsPlane) {
+  const auto map = linear_map<3>(Vec<3>(2, 1, 0.5).asDiagonal(), Vec<3>::Zero());
+  OriginalShape<3> quads;
+  for (const Vec<3>& x : {Vec<3>(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 5}, {0, 1, 5}, {0, 1, 6}, {0, 0, 6}})
+    quads.vertices.push_back(x);
+  quads.polygons = {{0, 1, 2, 3}, {4, 5, 6, 7}};  // across z, and across x
+  const auto result = deformed_original(quads, map, SignedDistance<3>(sphere()));
+  EXPECT_EQ(result.attributes[1].name, "area_ratio");
+  for (int v = 0; v < 8; ++v) EXPECT_NEAR(result.attributes[1].values[v], v < 4 ? 2 : 0.5, 1e-12);
+}
+
+TEST(RunReport, DistortionOfASimilarityAndOfAStretch) {
+  const Surface<3> reference = sphere();
+  const auto distortion_of = [&](const Mat<3>& a) {
+    const Surface<3> deformed = moved<3>(reference, a);
+    MatchSummary s;
+    add_distortion(s, reference, deformed, SignedDistance<3>(reference));
+    return s;
+  };
+  const MatchSummary larger = distortion_of(1.5 * Mat<3>::Identity());
+  EXPECT_NEAR(larger.area_distortion->mean, 2.25, 1e-12);
+  EXPECT_NEAR(larger.angle_distortion->max, 0, 1e-5);
+  EXPECT_EQ(larger.n_flipped_facets, 0u);
+  const MatchSummary stretched = distortion_of(Vec<3>(1.5, 1, 1).asDiagonal());
+  EXPECT_NEAR(stretched.area_distortion->min, 1, 0.01);
+  EXPECT_NEAR(stretched.area_distortion->max, 1.5, 0.01);
+  // Where the stretch lies in the tangent plane, a square's diagonals enclose 2 atan(sqrt(s1/s2)).
+  const double degrees = (2 * std::atan(std::sqrt(1.5)) - std::numbers::pi / 2) * 180 / std::numbers::pi;
+  EXPECT_NEAR(stretched.angle_distortion->max, degrees, 0.1);
+  EXPECT_LT(stretched.angle_distortion->min, 0.3);
+  EXPECT_EQ(distortion_of(Vec<3>(-1, 1, 1).asDiagonal()).n_flipped_facets, reference.facets.size());
+}
+
+// Weighted by the reference's lengths the mean is the length after over the length before, however it is cut.
+TEST(RunReport, MeanDistortionIsTheRatioOfTheWhole) {
+  const OriginalShape<2> square = uneven_square({});
+  Surface<2> reference{square.vertices, {}};
+  for (Index i = 0, n = static_cast<Index>(square.vertices.size()); i < n; ++i) reference.facets.push_back({i, (i + 1) % n});
+  MatchSummary s;
+  add_distortion(s, reference, moved<2>(reference, Vec<2>(2, 1).asDiagonal()), SignedDistance<2>(reference));
+  EXPECT_NEAR(s.area_distortion->mean, 1.5, 1e-12);
+  EXPECT_FALSE(s.angle_distortion.has_value());
+}
+
+TEST(RunReport, CorrespondenceErrorIsTheMeanDistance) {
+  const Correspondence<2> truth = {{2, {0, 0}}, {0, {1, 1}}};
+  EXPECT_DOUBLE_EQ(correspondence_error<2>(truth, {{1, 1}, {9, 9}, {0, 3}}), 1.5);
+}
+
+TEST(RunReport, CellsKnowTheBandAndTheirDeterminant) {
+  const Mat<2> a = (Mat<2>() << 1.1, 0.2, -0.1, 0.9).finished();
+  const auto map = linear_map<2>(a, Vec<2>::Zero());
+  std::vector<double> d1;
+  for (Index node = 0; node < map.grid.n_nodes(); ++node) d1.push_back(map.grid.node_position(node)[0] - 0.5);
+  const auto fields = cell_fields<2>(map.grid, map.phi, d1, 0.1);
+  ASSERT_EQ(fields.size(), 2u);
+  for (std::size_t i = 0; i < map.grid.leaves().size(); ++i) {
+    // Columns of cells from 0, 1/4, 1/2, 3/4: the two in the middle meet the band between 0.4 and 0.6.
+    const double left = map.grid.cell_corner(map.grid.leaves()[i])[0];
+    EXPECT_EQ(fields[0].values[i], left == 0.25 || left == 0.5);
+    EXPECT_NEAR(fields[1].values[i], a.determinant(), 1e-12);
+  }
+}
+
+TEST(RunReport, SubdividedCurvesKeepTheirLength) {
+  const Surface<2> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+  const Surface<2> fine = subdivided(square, 0.3);
+  EXPECT_EQ(fine.facets.size(), 16u);
+  double length = 0;
+  for (std::size_t f = 0; f < fine.facets.size(); ++f) length += facet_measure(fine, static_cast<Index>(f));
+  EXPECT_NEAR(length, 4, 1e-14);
+}
+
+}  // namespace
+}  // namespace shellmatch

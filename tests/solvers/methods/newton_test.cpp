@@ -1,0 +1,137 @@
+#include "solvers/methods/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace shellmatch {
+namespace {
+
+/// sum i x_i^2 / 2, whose model says `factor` times as much. Counts products with the model.
+class Bowl final : public SecondOrderObjective {
+ public:
+  explicit Bowl(double factor) : factor_(factor) {}
+  std::size_t size() const override { return 200; }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+    value = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double stiffness = static_cast<double>(i + 1);
+      value += 0.5 * stiffness * x[i] * x[i];
+      if (!gradient.empty()) gradient[i] = stiffness * x[i];
+    }
+    return true;
+  }
+  void prepare_second_derivative(std::span<const double>) override { products.push_back(0); }
+  void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
+    ++products.back();
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = factor_ * static_cast<double>(i + 1) * x[i];
+  }
+  void precondition(std::span<const double> r, std::span<double> z) const override { std::ranges::copy(r, z.begin()); }
+
+  mutable std::vector<int> products;  ///< in each step
+
+ private:
+  double factor_;
+};
+
+/// Products in each of some steps.
+std::vector<int> products(double factor, double min_forcing, double max_forcing) {
+  Bowl bowl(factor);
+  std::vector<double> x(bowl.size(), 1.0);
+  StopOptions stop;
+  stop.max_iterations = 4;
+  stop.relative_decrease = 0;
+  Newton({.max_forcing = max_forcing, .min_forcing = min_forcing}).minimize(bowl, x, stop);
+  return bowl.products;
+}
+
+// The model that says four times too much leaves three quarters of the gradient: nothing is gained by solving its
+// systems well.
+TEST(Newton, SolvesSystemsAsWellAsTheModelPredicts) {
+  const auto well = products(4, 0.01, 0.01), between = products(4, 0.01, 0.9);
+  ASSERT_EQ(well.size(), 4u);
+  ASSERT_EQ(between.size(), 4u);
+  EXPECT_EQ(between[0], well[0]) << "nothing is known before the first step";
+  for (std::size_t step = 1; step < 4; ++step) EXPECT_LT(between[step], well[step] / 2);
+  // A model that is right predicts what is left of the gradient.
+  EXPECT_EQ(products(1, 0.1, 0.9), products(1, 0.1, 0.1));
+  // The larger of the two is never exceeded, whatever the smaller is.
+  EXPECT_EQ(products(4, 0.5, 0.01), products(4, 0.01, 0.01));
+}
+
+/// A quadratic function of three unknowns whose model is stiffened along one direction after the first step of all.
+class Stiffened final : public SecondOrderObjective {
+ public:
+  explicit Stiffened(double stiffness) : stiffness_(stiffness) {}
+  std::size_t size() const override { return 3; }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+    value = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      value += (slope[i] + 0.5 * curvature[i] * x[i]) * x[i];
+      if (!gradient.empty()) gradient[i] = slope[i] + curvature[i] * x[i];
+    }
+    return true;
+  }
+  void prepare_second_derivative(std::span<const double>) override { added_ = 0; }
+  void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
+    ++n_products;
+    double along = 0;
+    for (std::size_t i = 0; i < 3; ++i) along += direction[i] * x[i];
+    for (std::size_t i = 0; i < 3; ++i) y[i] = curvature[i] * x[i] + added_ * along * direction[i];
+  }
+  void precondition(std::span<const double> r, std::span<double> z) const override { std::ranges::copy(r, z.begin()); }
+  bool restrain(std::span<const double>, std::span<const double> d) override {
+    if (added_ > 0) {
+      restrained_step.assign(d.begin(), d.end());
+      return false;
+    }
+    n_products_before = n_products;
+    added_ = stiffness_;
+    return true;
+  }
+
+  static constexpr std::array<double, 3> slope{0, 3, 8}, curvature{100, 1, 10}, direction{-1, 3, 1};
+  mutable int n_products = 0;
+  int n_products_before = 0;
+  std::vector<double> restrained_step;
+
+ private:
+  double stiffness_, added_ = 0;
+};
+
+MinimizerSummary one_step(Stiffened& objective, const NewtonOptions& options) {
+  std::vector<double> x(3, 0.0);
+  StopOptions stop;
+  stop.max_iterations = 1;
+  stop.relative_decrease = 0;
+  return Newton(options).minimize(objective, x, stop);
+}
+
+// What the step solves in the end is the stiffened system; nothing is done where next to nothing has changed.
+TEST(Newton, GoesOnFromAStepThatWasRestrained) {
+  Stiffened little(1e-6), much(50);
+  one_step(little, {.max_forcing = 1e-4, .min_forcing = 1e-4});
+  EXPECT_EQ(little.n_products_before, 2) << "the slope has two components";
+  EXPECT_EQ(little.n_products - little.n_products_before, 1) << "with the step itself";
+  one_step(much, {.max_forcing = 1e-9, .min_forcing = 1e-9});
+  ASSERT_EQ(much.restrained_step.size(), 3u);
+  std::vector<double> residual(3);
+  much.apply_second_derivative(much.restrained_step, residual);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(residual[i], -Stiffened::slope[i], 1e-6);
+}
+
+// With so few iterations, found by trial, going on from the step as it was would lead upwards.
+TEST(Newton, DescendsAfterRestraintsThoughIterationsAreFew) {
+  Stiffened objective(1e4);
+  const MinimizerSummary summary = one_step(objective, {.max_forcing = 1e-9, .min_forcing = 1e-9, .max_linear_iterations = 2});
+  double slope = 0;
+  for (std::size_t i = 0; i < 3; ++i) slope += Stiffened::slope[i] * objective.restrained_step[i];
+  EXPECT_LT(slope, 0);
+  EXPECT_EQ(summary.iterations, 1);
+  EXPECT_LT(summary.final_value, 0);
+}
+
+}  // namespace
+}  // namespace shellmatch

@@ -1,0 +1,217 @@
+// `shellmatch study` as a user meets it: what is killed goes on, and what misbehaves costs its own row.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "tests/studies/execution/study_harness.h"
+
+namespace shellmatch {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Finished ones only: until it is renamed, a run's folder is a hidden one.
+std::size_t n_results(const fs::path& folder) {
+  std::size_t n = 0;
+  if (fs::exists(folder / "runs"))
+    for (const auto& entry : fs::directory_iterator(folder / "runs"))
+      n += entry.path().filename().string().front() != '.' && fs::exists(entry.path() / "result.json");
+  return n;
+}
+
+TEST_F(StudyProgram, KilledAtRandomAndResumedGivesTheSameTable) {
+  const std::string study = write("study.yaml", small_study);
+  ASSERT_EQ(run_program({"study", study, "-o", path("whole"), "-q"}).exit_code, 0);
+  const CsvTable whole = lasting_table(folder_ / "whole");
+  ASSERT_EQ(whole.size(), 10u);
+  for (const auto& [run, columns] : whole) EXPECT_EQ(columns.at("status"), "finished") << run;
+
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(fmt::format("seed {}", seed));
+  std::mt19937 random(seed);
+  using Clock = std::chrono::steady_clock;
+  std::size_t at_last_kill = 0;
+  for (int n_kills = 0; n_kills < 5; ++n_kills) {
+    Program program({"study", study, "-o", path("torn"), "-q"});
+    // However fast the machine: at the first new result it is too late to wait, or nothing is left to kill.
+    const auto end = Clock::now() + std::chrono::milliseconds(std::uniform_int_distribution<>(20, 400)(random));
+    while (Clock::now() < end && n_results(folder_ / "torn") == at_last_kill)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    program.send_signal(SIGKILL);
+    program.wait();
+    EXPECT_GE(n_results(folder_ / "torn"), at_last_kill) << "a result was lost";
+    at_last_kill = n_results(folder_ / "torn");
+    ASSERT_LT(at_last_kill, 10u) << "nothing was left to kill";
+  }
+  ASSERT_EQ(run_program({"study", study, "-o", path("torn"), "-q"}).exit_code, 0);
+  EXPECT_EQ(lasting_table(folder_ / "torn"), whole);
+  for (const auto& entry : fs::directory_iterator(folder_ / "torn" / "runs"))
+    EXPECT_NE(entry.path().filename().string().front(), '.') << "left behind: " << entry.path();
+}
+
+TEST_F(StudyProgram, CtrlCStopsAndTheSameCommandGoesOn) {
+  const std::string study = write("study.yaml", small_study);
+  Program program({"study", study, "-o", path("out")});
+  ASSERT_TRUE(program.wait_for_stderr("finished after"));
+  program.send_signal(SIGINT);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_NE(stopped.err.find("goes on where it was"), std::string::npos) << stopped.err;
+  const std::size_t done = n_results(folder_ / "out");
+  EXPECT_GE(done, 1u);
+  EXPECT_LT(done, 10u);
+  const ProgramResult resumed = run_program({"study", study, "-o", path("out")});
+  EXPECT_EQ(resumed.exit_code, 0);
+  std::size_t n_run = 0;
+  for (std::size_t at = resumed.err.find("finished after"); at != std::string::npos;
+       at = resumed.err.find("finished after", at + 1))
+    ++n_run;
+  EXPECT_EQ(n_run, 10 - done) << resumed.err;
+  // With everything done nothing runs.
+  EXPECT_EQ(run_program({"study", study, "-o", path("out")}).err.find("finished after"), std::string::npos);
+}
+
+TEST_F(StudyProgram, WhatMisbehavesCostsItsOwnRow) {
+  const std::string study = write("study.yaml", R"(version: 1
+limits: {seconds: 5, grace_seconds: 0.3, memory_mb: 300}
+set:
+  threads: 1
+  pictures: none
+  input: {reference: generate:leaf/deep, template: generate:leaf/shallow, placement: as-is}
+  cascade: {min_level: 3, max_level: 3}
+problems:
+  leaf: {set: {energy: {delta: 1}}}
+solvers: [lbfgs, ceres_ncg, ceres_lbfgs, nlopt_lbfgs, nlopt_mma, newton]
+)");
+  const ProgramResult result =
+      run_program({"study", study, "-o", path("out"), "--program", MISBEHAVING_PROGRAM, "--jobs", "2"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const CsvTable table = read_table(folder_ / "out");
+  ASSERT_EQ(table.size(), 6u);
+  const auto cell = [&](const char* solver, const char* column) {
+    return table.at(fmt::format("leaf-{}-r1", solver)).at(column);
+  };
+  const auto row_is = [&](const char* solver, const char* status, const char* exit_code, const char* signal) {
+    EXPECT_EQ(cell(solver, "status"), status) << solver;
+    EXPECT_EQ(cell(solver, "exit_code"), exit_code) << solver;
+    EXPECT_EQ(cell(solver, "signal"), signal) << solver;
+    EXPECT_EQ(cell(solver, "energy"), "") << solver;
+  };
+  row_is("lbfgs", "crashed", "0", "11");
+  row_is("ceres_ncg", "timed_out", "0", "9");
+  row_is("ceres_lbfgs", "out_of_memory", "0", "9");
+  row_is("nlopt_lbfgs", "failed", "5", "");
+  row_is("nlopt_mma", "failed", "0", "");
+  EXPECT_EQ(cell("newton", "status"), "finished");
+  EXPECT_GT(std::stod(cell("newton", "energy")), 0);
+  EXPECT_GE(std::stod(cell("ceres_ncg", "seconds")), 5.3);
+  EXPECT_LT(std::stod(cell("ceres_ncg", "seconds")), 30);
+  EXPECT_GT(std::stod(cell("ceres_lbfgs", "peak_memory_mb")), 250);
+  EXPECT_LT(std::stod(cell("ceres_lbfgs", "peak_memory_mb")), 1200);
+  EXPECT_EQ(cell("newton", "timings_taken"), "in parallel");
+
+  std::ifstream summary(folder_ / "out/summary.md");
+  const std::string text((std::istreambuf_iterator<char>(summary)), std::istreambuf_iterator<char>());
+  EXPECT_NE(text.find("taken in parallel"), std::string::npos);
+  EXPECT_NE(text.find("`leaf-lbfgs-r1`: crashed"), std::string::npos);
+
+  // A result is a result: only what is asked for runs again, here with the build that behaves.
+  EXPECT_EQ(run_program({"study", study, "-o", path("out")}).err.find("-r1 ..."), std::string::npos);
+  const ProgramResult again = run_program({"study", study, "-o", path("out"), "--retry", "-q"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  for (const auto& [run, columns] : read_table(folder_ / "out"))
+    EXPECT_EQ(columns.at("status"), "finished") << run;
+}
+
+TEST_F(StudyProgram, ARaisedLimitOrAnotherConfigurationRunsAgain) {
+  const std::string text =
+      "version: 1\nset: {threads: 1, pictures: none, cascade: {min_level: 3, max_level: 3}}\n"
+      "problems: {leaf: {set: {input: {reference: generate:leaf/deep, template: generate:leaf/shallow, "
+      "placement: as-is}}}}\n"
+      "solvers: [ceres_ncg]\n";
+  const std::string study = write("study.yaml", text + "limits: {seconds: 0.2, grace_seconds: 0.1}\n");
+  run_program({"study", study, "-o", path("out"), "-q", "--program", MISBEHAVING_PROGRAM});
+  EXPECT_EQ(read_table(folder_ / "out").at("leaf-ceres_ncg-r1").at("status"), "timed_out");
+  write("study.yaml", text + "limits: {seconds: 30}\n");
+  run_program({"study", study, "-o", path("out"), "-q"});
+  const CsvTable first = read_table(folder_ / "out");
+  EXPECT_EQ(first.at("leaf-ceres_ncg-r1").at("status"), "finished");
+  run_program({"study", study, "-o", path("out"), "-q", "--set", "energy.delta=0.3"});
+  const CsvTable second = read_table(folder_ / "out");
+  EXPECT_NE(second.at("leaf-ceres_ncg-r1").at("fingerprint"),
+            first.at("leaf-ceres_ncg-r1").at("fingerprint"));
+  EXPECT_NE(second.at("leaf-ceres_ncg-r1").at("energy"), first.at("leaf-ceres_ncg-r1").at("energy"));
+}
+
+// Or its times would be those of half a run.
+TEST_F(StudyProgram, ARunThatWasEndedBeginsAtItsFirstLevelAgain) {
+  // Its coarse levels take a tenth of a second, all of them many seconds.
+  const std::string study = write("study.yaml", R"(version: 1
+set:
+  resume: {min_seconds: 0}
+  input: {reference: generate:leaf/deep, template: generate:leaf/shallow, placement: as-is}
+  cascade: {min_level: 3, max_level: 11}
+problems: {leaf: {set: {threads: 1}}}
+solvers: [newton]
+)");
+  for (const char* limit : {"limits.seconds=0.8", "limits.seconds=1"}) {
+    SCOPED_TRACE(limit);
+    run_program({"study", study, "-o", path("out"), "-q", "--set", limit});
+    ASSERT_EQ(read_table(folder_ / "out").at("leaf-newton-r1").at("status"), "timed_out");
+    const fs::path run = folder_ / "out/runs/leaf-newton-r1";
+    std::vector<std::string> entries;
+    for (const auto& entry : fs::directory_iterator(run)) entries.push_back(entry.path().filename().string());
+    std::sort(entries.begin(), entries.end());
+    EXPECT_EQ(entries, (std::vector<std::string>{"config.yaml", "log.txt", "result.json"}));
+    std::ifstream log(run / "log.txt");
+    std::string first;
+    std::getline(log, first);
+    EXPECT_TRUE(first.starts_with("level 3/11")) << first;
+  }
+}
+
+TEST_F(StudyProgram, RunsOneByOneAndCollected) {
+  const std::string study = write("study.yaml", small_study);
+  const ProgramResult list = run_program({"study", study, "--list"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 10);
+  EXPECT_NE(list.out.find("leaf-paper-l2-energy.delta=0.5-r1\n"), std::string::npos) << list.out;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  ASSERT_EQ(run_program({"study", study, "--only", "leaf-newton-energy.delta=1-r1", "-o", path("out"), "-q"})
+                .exit_code,
+            0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/table.csv"));
+  ASSERT_EQ(run_program({"study", study, "--collect", "-o", path("out"), "-q"}).exit_code, 0);
+  const CsvTable table = read_table(folder_ / "out");
+  ASSERT_EQ(table.size(), 10u);
+  for (const auto& [run, columns] : table)
+    EXPECT_EQ(columns.at("status"), run == "leaf-newton-energy.delta=1-r1" ? "finished" : "not_run") << run;
+}
+
+TEST_F(StudyProgram, MistakesAreRefusedWithOneClearLine) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& part) {
+    const ProgramResult result = run_program(words, folder_.string());
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << part << " is missing in: " << result.err;
+  };
+  const std::string study = write("study.yaml", small_study);
+  refused({"study", "nowhere.yaml"}, "no such file");
+  refused({"study", study, "--only", "leaf-newtn-energy.delta=1-r1"},
+          "did you mean leaf-newton-energy.delta=1-r1?");
+  refused({"study", study, "--jobs", "0"}, "--jobs 0");
+  refused({"study", study, "--program", "nowhere"}, "no program");
+  refused({"study", study, "--set", "energy.detla=1"}, "energy.delta");
+  fs::create_directories(folder_ / "mine");
+  write("mine/letter.txt", "dear");
+  refused({"study", study, "-o", "mine"}, "letter.txt");
+  EXPECT_FALSE(fs::exists(folder_ / "mine/study.yaml"));
+}
+
+}  // namespace
+}  // namespace shellmatch
