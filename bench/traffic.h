@@ -47,10 +47,10 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
             ++n_blocks;
           }
 
-  // Rows of all patches: an unknown that several patches reach is read and written again.
-  const auto& patches = level.energy.patches();
+  // Rows of all cell_blocks: an unknown that several cell_blocks reach is read and written again.
+  const auto& cell_blocks = level.energy.cell_blocks();
   double n_rows = 0;
-  for (std::size_t p = 0; p < patches.size(); ++p) n_rows += static_cast<double>(patches.rows(p).size());
+  for (std::size_t p = 0; p < cell_blocks.size(); ++p) n_rows += static_cast<double>(cell_blocks.rows(p).size());
 
   constexpr double vec = sizeof(Vec<3>);
   const double all_cells =
@@ -65,8 +65,8 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
   const double again = 2 * n_rows - n_free;
-  const double sum = n_rows * sizeof(Patches<3>::Row) + n_cells * sizeof(patches.rows_of_corners(0)) +
-                     static_cast<double>(patches.n_shares()) * sizeof(Patches<3>::Share);
+  const double sum = n_rows * sizeof(CellBlocks<3>::Row) + n_cells * sizeof(cell_blocks.rows_of_corners(0)) +
+                     static_cast<double>(cell_blocks.n_shares()) * sizeof(CellBlocks<3>::Share);
   const double finite = n_nodes * vec;
   const double values = NodeMatrix<3>::block_size * sizeof(float), block = values + sizeof(Index);
 

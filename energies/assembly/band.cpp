@@ -133,9 +133,9 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
         is_member[e] = std::abs(values.distance(q)) < sigma;
     }
   });
-  const std::size_t of_patch = elements_per_patch(elements.size());
+  const std::size_t of_block = cells_per_block(elements.size());
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (e % of_patch == 0) first_batch_.push_back(batches_.size());
+    if (e % of_block == 0) first_batch_.push_back(batches_.size());
     if (!is_member[e]) continue;
     if (batches_.size() == first_batch_.back() || batches_.back().n_elements == n_lanes) {
       batches_.push_back({.element = {}, .n_elements = 0});

@@ -37,9 +37,9 @@ class Band {
        const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
 
   std::span<const Batch> batches() const { return batches_; }
-  /// Those of a patch of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.
-  std::array<std::size_t, 2> batches_of(std::size_t patch) const {
-    return {first_batch_[patch], first_batch_[patch + 1]};
+  /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.
+  std::array<std::size_t, 2> batches_of(std::size_t block) const {
+    return {first_batch_[block], first_batch_[block + 1]};
   }
   /// Point q of batch b.
   const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
@@ -55,7 +55,7 @@ class Band {
 
  private:
   std::vector<Batch> batches_;
-  std::vector<std::size_t> first_batch_;  ///< by patch
+  std::vector<std::size_t> first_batch_;  ///< by block
   std::vector<Point> points_;
   std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
   double measure_ = 0;

@@ -14,14 +14,14 @@ using autodiff::pack_size;
 /// Template and Dphi at eight points: the functors' active arguments. What does not count must not become
 /// NaN.
 template <int Dim, bool WithGradient>
-void look_up(const GeometryField<Dim>& target, const Pack& weight, const typename GeometryField<Dim>::Spots& spots,
-             const GaussImages<Dim>& images, std::size_t q, PointArrays<Dim>& p) {
+void look_up(const GeometryField<Dim>& target, const Pack& weight, const typename GeometryField<Dim>::LocatedPoints& located,
+             const SumFactorisedEvaluator<Dim>& evaluator, std::size_t q, PointArrays<Dim>& p) {
   if constexpr (WithGradient)
-    target.look_up(weight, spots, p.active.data(), p.derivative);
+    target.look_up(weight, located, p.active.data(), p.derivative);
   else
-    target.look_up(weight, spots, p.active.data());
+    target.look_up(weight, located, p.active.data());
   Pack* dphi = p.active.data() + PointArrays<Dim>::n_target;
-  images.jacobian(q, dphi);
+  evaluator.jacobian(q, dphi);
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
       Pack& entry = dphi[i * Dim + j];
@@ -33,7 +33,7 @@ void look_up(const GeometryField<Dim>& target, const Pack& weight, const typenam
 
 template <int Dim>
 template <bool WithGradient>
-void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                          TermValues& values, double* gradients, BandSums* band_sums) const {
   constexpr int n_target = PointArrays<Dim>::n_target;
   constexpr int n_reference = ReferencePoint<Dim, double>::size;
@@ -44,25 +44,25 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec
   const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);
 
   ElementBatch<Dim> batch;
-  GaussImages<Dim> images(shape_);
+  SumFactorisedEvaluator<Dim> evaluator(shape_);
   PointArrays<Dim> p;
   p.passive[n_reference] = Pack{} + options_.lambda;
   p.passive[n_reference + 1] = Pack{} + options_.mu;
   std::array<Pack, 3> sums{};
-  const auto [first, last] = band_.batches_of(patch.index);
+  const auto [first, last] = band_.batches_of(cells.index);
   for (std::size_t b = first; b < last; ++b) {
     batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
-    images.evaluate(batch);
-    if constexpr (WithGradient) images.clear_adjoint();
+    evaluator.evaluate(batch);
+    if constexpr (WithGradient) evaluator.clear_adjoint();
     if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return batches[b + 1].element[lane]; });
-    auto next = target_->find(images.position(0));
+    auto next = target_->find(evaluator.position(0));
     for (std::size_t q = 0; q < shape_.points.size(); ++q) {
       const auto& point = band_.point(b, q);
       band_.prefetch_after(b, q);
-      const auto spots = next;  // the following are found while these are worked on
-      if (q + 1 < shape_.points.size()) next = target_->find(images.position(q + 1));
+      const auto located = next;  // the following are found while these are worked on
+      if (q + 1 < shape_.points.size()) next = target_->find(evaluator.position(q + 1));
       if (autodiff::sum_lanes(point.weight) == 0) continue;
-      look_up<Dim, WithGradient>(*target_, point.weight, spots, images, q, p);
+      look_up<Dim, WithGradient>(*target_, point.weight, located, evaluator, q, p);
       for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
       if (band_sums) band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
       if constexpr (WithGradient) p.adjoint.fill(Pack{});
@@ -85,15 +85,15 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& patch, std::span<const Vec
           by_position[k] = p.adjoint[0] * p.derivative[k][0];
           for (int i = 1; i < n_target; ++i) by_position[k] += p.adjoint[i] * p.derivative[k][i];
         }
-        images.add_by_position(q, by_position);
-        images.add_by_jacobian(q, p.adjoint.data() + n_target);
+        evaluator.add_by_position(q, by_position);
+        evaluator.add_by_jacobian(q, p.adjoint.data() + n_target);
       }
     }
     if constexpr (WithGradient) {
       batch.clear_gradient();
-      images.add_to_gradient(batch);
+      evaluator.add_to_gradient(batch);
       batch.add_gradients(batches[b].n_elements, [&](int lane) {
-        return gradients + (static_cast<std::size_t>(batches[b].element[lane]) - patch.begin) * batch.n_dofs;
+        return gradients + (static_cast<std::size_t>(batches[b].element[lane]) - cells.begin) * batch.n_dofs;
       });
     }
   }

@@ -1,4 +1,4 @@
-// The terms that every element has, summed over a patch.
+// The terms that every element has, summed over a block.
 
 #include "energies/assembly/cell_terms.h"
 
@@ -10,10 +10,10 @@ namespace shellmatch {
 
 template <int Dim>
 template <bool WithGradient>
-bool MatchingEnergy<Dim>::set_cell_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+bool MatchingEnergy<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                          TermValues& values, double* gradients) const {
   using autodiff::Pack;
-  const auto elements = elements_.subspan(patch.begin, patch.end - patch.begin);
+  const auto elements = elements_.subspan(cells.begin, cells.end - cells.begin);
   const double volume_weight = weights[Term::volume], barrier_weight = weights[Term::barrier];
   if (!(volume_weight > 0 || barrier_weight > 0)) {
     if (WithGradient) std::fill_n(gradients, elements.size() * ElementBatch<Dim>::n_dofs, 0.0);

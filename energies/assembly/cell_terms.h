@@ -12,8 +12,8 @@ namespace shellmatch {
 template <int Dim>
 struct CellBatch {
   ElementBatch<Dim> elements;
-  GaussImages<Dim, false> images;
-  explicit CellBatch(const ShapeTable<Dim>& shape) : images(shape) {}
+  SumFactorisedEvaluator<Dim, false> evaluator;
+  explicit CellBatch(const ShapeTable<Dim>& shape) : evaluator(shape) {}
 };
 
 /// Weighted values of a term on each of the eight; with a gradient, adds it to that of the elements.

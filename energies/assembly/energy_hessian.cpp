@@ -20,16 +20,16 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
   folds_cost_ =
       weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
   if (!sum_) sum_.emplace(*unknowns_);
-  energy_->patches().for_each([&](const Chunk& patch) {
+  energy_->cell_blocks().for_each([&](const Chunk& cells) {
     static thread_local ElementMatrices<Dim> matrices;
-    matrices.resize(patch.end - patch.begin);
-    measure_room(patch, phi);
-    set_volume(patch, phi, weights[Term::volume], matrices);
-    if (weights[Term::barrier] > 0) add_barrier(patch, phi, weights[Term::barrier], matrices);
-    add_band(patch, phi, weights, matrices);
-    for (std::size_t e = patch.begin; e < patch.end; ++e) traces_[e] = matrices.trace(e - patch.begin);
-    add_kept_restraint(patch, matrices);
-    sum_->add(energy_->patches(), patch, matrices);
+    matrices.resize(cells.end - cells.begin);
+    measure_room(cells, phi);
+    set_volume(cells, phi, weights[Term::volume], matrices);
+    if (weights[Term::barrier] > 0) add_barrier(cells, phi, weights[Term::barrier], matrices);
+    add_band(cells, phi, weights, matrices);
+    for (std::size_t e = cells.begin; e < cells.end; ++e) traces_[e] = matrices.trace(e - cells.begin);
+    add_kept_restraint(cells, matrices);
+    sum_->add(energy_->cell_blocks(), cells, matrices);
   });
   inverse_blocks_.resize(unknowns_->nodes().size());
   parallel_for(inverse_blocks_.size(), [&](std::size_t i) { invert_block(i); });

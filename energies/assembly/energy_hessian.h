@@ -43,13 +43,13 @@ class EnergyHessian {
   void precondition(std::span<const double> r, std::span<double> z) const;
 
  private:
-  // The matrices of a patch's elements: the first writes, the others add.
-  void set_volume(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
-  void add_barrier(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
-  void add_band(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+  // The matrices of a block's elements: the first writes, the others add.
+  void set_volume(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
+  void add_barrier(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
+  void add_band(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                 ElementMatrices<Dim>& matrices) const;
-  void add_kept_restraint(const Chunk& patch, ElementMatrices<Dim>& matrices);
-  void measure_room(const Chunk& patch, std::span<const Vec<Dim>> phi);
+  void add_kept_restraint(const Chunk& cells, ElementMatrices<Dim>& matrices);
+  void measure_room(const Chunk& cells, std::span<const Vec<Dim>> phi);
   void invert_block(std::size_t unknown);
 
   const MatchingEnergy<Dim>* energy_;

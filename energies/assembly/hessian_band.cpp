@@ -86,7 +86,7 @@ PointGeometry<Dim> geometry_at(const GeometryField<Dim>& target, const Pack& wei
 }  // namespace
 
 template <int Dim>
-void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+void EnergyHessian<Dim>::add_band(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                   ElementMatrices<Dim>& matrices) const {
   constexpr int m = (Dim - 1) * (Dim - 1), n_variables = m + Dim, n_packed = ElementMatrices<Dim>::n_packed;
   const auto elements = unknowns_->elements();
@@ -95,22 +95,22 @@ void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> 
   const Lame<double> lame{options_.lambda, options_.mu};
 
   ElementBatch<Dim> batch;
-  GaussImages<Dim> images(energy_->shape());
+  SumFactorisedEvaluator<Dim> evaluator(energy_->shape());
   std::array<Pack, n_packed> k;
   std::array<std::array<Pack, n_variables>, n_dofs> modes;
-  const auto [first, last] = band.batches_of(patch.index);
+  const auto [first, last] = band.batches_of(cells.index);
   for (std::size_t b = first; b < last; ++b) {
     const auto& members = band.batches()[b];
     batch.load(elements, phi, [&](int lane) { return members.element[lane]; });
     if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return band.batches()[b + 1].element[lane]; });
-    images.evaluate(batch);
+    evaluator.evaluate(batch);
     k.fill(Pack{});
     for (std::size_t q = 0; q < points.size(); ++q) {
       const auto& point = band.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       std::array<Pack, Dim * Dim> dphi;
-      images.jacobian(q, dphi.data());
-      const auto g = geometry_at<Dim>(*target_, point.weight, images.position(q));
+      evaluator.jacobian(q, dphi.data());
+      const auto g = geometry_at<Dim>(*target_, point.weight, evaluator.position(q));
       // X = t2^T Dphi t1; membrane: W of X; bending: W of N X R, N and R the roots in the frames.
       std::array<Pack, Dim> n1;
       for (int a = 0; a < Dim; ++a) n1[a] = point.reference[1 + a];
@@ -219,7 +219,7 @@ void EnergyHessian<Dim>::add_band(const Chunk& patch, std::span<const Vec<Dim>> 
     for (int lane = 0; lane < members.n_elements; ++lane) {
       std::array<float, n_packed> of_element;
       for (int i = 0; i < n_packed; ++i) of_element[i] = static_cast<float>(k[i][lane]);
-      matrices.add(static_cast<std::size_t>(members.element[lane]) - patch.begin, of_element);
+      matrices.add(static_cast<std::size_t>(members.element[lane]) - cells.begin, of_element);
     }
   }
 }

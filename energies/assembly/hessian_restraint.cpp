@@ -38,24 +38,24 @@ const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& laplacian(
 }  // namespace
 
 template <int Dim>
-void EnergyHessian<Dim>::add_kept_restraint(const Chunk& patch, ElementMatrices<Dim>& matrices) {
+void EnergyHessian<Dim>::add_kept_restraint(const Chunk& cells, ElementMatrices<Dim>& matrices) {
   const auto& k = laplacian<Dim>();
-  for (std::size_t e = patch.begin; e < patch.end; ++e) {
+  for (std::size_t e = cells.begin; e < cells.end; ++e) {
     restraint_[e] *= static_cast<float>(decay);
     if (restraint_[e] == 0) continue;
     for (int c = 0; c < n_corners<Dim>; ++c)
       for (int d = c; d < n_corners<Dim>; ++d)
         for (int a = 0; a < Dim; ++a)
-          matrices.add(e - patch.begin, c * Dim + a, d * Dim + a,
+          matrices.add(e - cells.begin, c * Dim + a, d * Dim + a,
                        static_cast<float>(static_cast<double>(restraint_[e]) * k[c][d]));
   }
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::measure_room(const Chunk& patch, std::span<const Vec<Dim>> phi) {
-  const auto elements = unknowns_->elements().first(patch.end);
+void EnergyHessian<Dim>::measure_room(const Chunk& cells, std::span<const Vec<Dim>> phi) {
+  const auto elements = unknowns_->elements().first(cells.end);
   ElementBatch<Dim> batch;
-  for (std::size_t first = patch.begin; first < patch.end; first += pack_size) {
+  for (std::size_t first = cells.begin; first < cells.end; first += pack_size) {
     batch.load_run(elements, phi, first);
     room_[first / pack_size] = {least_determinant(batch), batch.largest_entry()};
   }

@@ -54,10 +54,10 @@ autodiff::SecondOrder<Dim, Pack> density_of_stretches(const std::array<Pack, Dim
 }  // namespace
 
 template <int Dim>
-void EnergyHessian<Dim>::set_volume(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
+void EnergyHessian<Dim>::set_volume(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight,
                                     ElementMatrices<Dim>& matrices) const {
   static const auto products = gradient_products<Dim>();
-  const auto elements = unknowns_->elements().subspan(patch.begin, patch.end - patch.begin);
+  const auto elements = unknowns_->elements().subspan(cells.begin, cells.end - cells.begin);
   std::array<Pack, Dim * Dim * Dim * Dim> h;
   for (std::size_t first = 0; first < elements.size(); first += pack_size) {
     h.fill(Pack{});
@@ -91,10 +91,10 @@ void EnergyHessian<Dim>::set_volume(const Chunk& patch, std::span<const Vec<Dim>
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::add_barrier(const Chunk& patch, std::span<const Vec<Dim>> phi, double weight,
+void EnergyHessian<Dim>::add_barrier(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight,
                                      ElementMatrices<Dim>& matrices) const {
   const auto elements = unknowns_->elements();
-  for (std::size_t e = patch.begin; e < patch.end; ++e) {
+  for (std::size_t e = cells.begin; e < cells.end; ++e) {
     if (room_[e / pack_size].least_determinant[e % pack_size] >= options_.fold_threshold) continue;
     using Jet = ceres::Jet<double, n_dofs>;
     std::array<Jet, n_dofs> jets;
@@ -110,7 +110,7 @@ void EnergyHessian<Dim>::add_barrier(const Chunk& patch, std::span<const Vec<Dim
       const Eigen::Matrix<double, n_dofs, 1> g = determinant.v / limit;
       for (int i = 0; i < n_dofs; ++i)
         for (int j = i; j < n_dofs; ++j)
-          matrices.add(e - patch.begin, i, j, static_cast<float>(curvature * g[i] * g[j]));
+          matrices.add(e - cells.begin, i, j, static_cast<float>(curvature * g[i] * g[j]));
     }
   }
 }

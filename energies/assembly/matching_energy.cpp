@@ -23,7 +23,7 @@ template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                                     const EnergyOptions& options, double sigma, int points_per_direction)
     : MatchingEnergy(unknowns.elements(), geometry, options, sigma, points_per_direction) {
-  patches_.emplace(unknowns);
+  cell_blocks_.emplace(unknowns);
 }
 
 template <int Dim>
@@ -37,11 +37,11 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
 
 template <int Dim>
 template <bool WithGradient>
-TermValues MatchingEnergy<Dim>::all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights,
+TermValues MatchingEnergy<Dim>::all_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                           double* gradients, BandSums* band_sums) const {
   TermValues values;
-  const bool is_possible = set_cell_terms<WithGradient>(patch, phi, weights, values, gradients);
-  if (is_possible || band_sums) add_band_terms<WithGradient>(patch, phi, weights, values, gradients, band_sums);
+  const bool is_possible = set_cell_terms<WithGradient>(cells, phi, weights, values, gradients);
+  if (is_possible || band_sums) add_band_terms<WithGradient>(cells, phi, weights, values, gradients, band_sums);
   return values;
 }
 
@@ -55,32 +55,32 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
       if (!phi[i].allFinite()) possible = false;
   });
   if (!possible) return false;
-  const std::size_t of_patch = elements_per_patch(elements_.size());
-  std::vector<TermValues> parts(n_chunks(elements_.size(), of_patch));
+  const std::size_t of_block = cells_per_block(elements_.size());
+  std::vector<TermValues> parts(n_chunks(elements_.size(), of_block));
   if (gradient.empty()) {
-    parallel_chunks(elements_.size(), of_patch, [&](const Chunk& patch) {
+    parallel_chunks(elements_.size(), of_block, [&](const Chunk& cells) {
       if (!possible) return;
-      parts[patch.index] = all_terms<false>(patch, phi, weights, nullptr, nullptr);
-      if (!std::isfinite(parts[patch.index].sum())) possible = false;
+      parts[cells.index] = all_terms<false>(cells, phi, weights, nullptr, nullptr);
+      if (!std::isfinite(parts[cells.index].sum())) possible = false;
     });
   } else {
-    SHELLMATCH_CHECK(patches_.has_value(), "a part of the energy has values only");
+    SHELLMATCH_CHECK(cell_blocks_.has_value(), "a part of the energy has values only");
     if (element_gradients) element_gradients->resize(elements_.size() * n_dofs);
-    patches_->for_each([&](const Chunk& patch) {
+    cell_blocks_->for_each([&](const Chunk& cells) {
       if (!possible) return;
       static thread_local std::vector<autodiff::Pack> packs;  // as they are aligned
-      const std::size_t n = (patch.end - patch.begin) * n_dofs;
+      const std::size_t n = (cells.end - cells.begin) * n_dofs;
       packs.resize(n / autodiff::pack_size);
       double* gradients = reinterpret_cast<double*>(packs.data());
-      parts[patch.index] = all_terms<true>(patch, phi, weights, gradients, nullptr);
-      if (!std::isfinite(parts[patch.index].sum())) possible = false;
-      patches_->add(patch, gradients, gradient);
-      if (element_gradients) std::copy_n(gradients, n, element_gradients->data() + patch.begin * n_dofs);
+      parts[cells.index] = all_terms<true>(cells, phi, weights, gradients, nullptr);
+      if (!std::isfinite(parts[cells.index].sum())) possible = false;
+      cell_blocks_->add(cells, gradients, gradient);
+      if (element_gradients) std::copy_n(gradients, n, element_gradients->data() + cells.begin * n_dofs);
     });
   }
   values = {};
   for (const TermValues& part : parts) values += part;
-  return std::isfinite(values.sum());  // or else a patch was not
+  return std::isfinite(values.sum());  // or else a block was not
 }
 
 template <int Dim>
@@ -95,9 +95,9 @@ bool MatchingEnergy<Dim>::report(std::span<const Vec<Dim>> phi, const TermValues
       return *this;
     }
   };
-  const Part sum = parallel_sum(elements_.size(), elements_per_patch(elements_.size()), Part{}, [&](const Chunk& patch) {
+  const Part sum = parallel_sum(elements_.size(), cells_per_block(elements_.size()), Part{}, [&](const Chunk& cells) {
     Part part;
-    part.values = all_terms<false>(patch, phi, weights, nullptr, &part.band);
+    part.values = all_terms<false>(cells, phi, weights, nullptr, &part.band);
     return part;
   });
   values = sum.values;

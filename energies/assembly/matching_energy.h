@@ -62,20 +62,20 @@ class MatchingEnergy {
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
   /// \pre it is of a whole grid
-  const Patches<Dim>& patches() const { return *patches_; }
+  const CellBlocks<Dim>& cell_blocks() const { return *cell_blocks_; }
 
  private:
-  // On the elements of one patch; `gradients` are those of its elements. `band_sums`, if not null, is added to.
+  // On the elements of one block; `gradients` are those of its elements. `band_sums`, if not null, is added to.
   template <bool WithGradient>
-  TermValues all_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, double* gradients,
+  TermValues all_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* gradients,
                        BandSums* band_sums) const;
-  // Volume and barrier; sets the gradients. False where there is a fold, found out by the barrier: that ends the patch.
+  // Volume and barrier; sets the gradients. False where there is a fold, found out by the barrier: that ends the block.
   template <bool WithGradient>
-  bool set_cell_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+  bool set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                       double* gradients) const;
   // Match, membrane and bending; adds to the gradients.
   template <bool WithGradient>
-  void add_band_terms(const Chunk& patch, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+  void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                       double* gradients, BandSums* band_sums) const;
 
   std::span<const Element<Dim>> elements_;
@@ -83,7 +83,7 @@ class MatchingEnergy {
   EnergyOptions options_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
-  std::optional<Patches<Dim>> patches_;  ///< none where only values are wanted
+  std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none where only values are wanted
 };
 
 /// Weights of the terms for given nu and c_vol: 1/nu, delta, delta^3 and c_vol times the options' factors,

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Patches of elements, and the sum of what elements give to the unknowns, patch by patch.
+/// CellBlocks of elements, and the sum of what elements give to the unknowns, patch by patch.
 
 #include "energies/autodiff/pack.h"
 #include "energies/elements/unknowns.h"
@@ -15,16 +15,16 @@
 namespace shellmatch {
 
 /// A patch is so many consecutive elements, which are neighbours for the most part: few enough for what is computed
-/// of them to stay in a core's cache, and many enough patches for several threads. A multiple of the lanes of a pack.
-inline std::size_t elements_per_patch(std::size_t n_elements) {
+/// of them to stay in a core's cache, and many enough cell_blocks for several threads. A multiple of the lanes of a pack.
+inline std::size_t cells_per_block(std::size_t n_elements) {
   constexpr std::size_t lanes = autodiff::pack_size, least = 16 * lanes, most = 64 * lanes;
   return std::clamp(n_elements / 64 / lanes * lanes, least, most);
 }
 
-/// The patches of a grid's elements. What a patch computes is held for that patch alone, added to the unknowns it
+/// The cell_blocks of a grid's elements. What a patch computes is held for that patch alone, added to the unknowns it
 /// reaches, and forgotten: nothing is stored for every element.
 template <int Dim>
-class Patches {
+class CellBlocks {
  public:
   /// An unknown node that a patch reaches; they ascend.
   struct Row {
@@ -33,19 +33,19 @@ class Patches {
   };
 
   /// unknowns must outlive this object.
-  explicit Patches(const Unknowns<Dim>& unknowns);
+  explicit CellBlocks(const Unknowns<Dim>& unknowns);
 
   std::size_t size() const { return first_row_.size() - 1; }
   std::span<const Row> rows(std::size_t patch) const {
     return {rows_.data() + first_row_[patch], first_row_[patch + 1] - first_row_[patch]};
   }
 
-  /// Calls body(patch) for all patches, elements [begin, end) with number index, in parallel where they share no
+  /// Calls body(patch) for all cell_blocks, elements [begin, end) with number index, in parallel where they share no
   /// unknown. Bodies that add to the rows of their patch alone give the same bits whatever the number of threads.
   template <class Body>
   void for_each(Body&& body) const {
     const std::size_t n = unknowns_->elements().size();
-    waves_.run([&](std::size_t p) { body(Chunk{p * n_together_, std::min(n, (p + 1) * n_together_), p}); });
+    schedule_.run([&](std::size_t p) { body(Chunk{p * n_together_, std::min(n, (p + 1) * n_together_), p}); });
   }
 
   /// What a node that hangs gives one of the rows that carry it.
@@ -67,23 +67,23 @@ class Patches {
   std::size_t n_shares() const { return shares_.size(); }
 
   /// Adds element gradients of a patch, element after element, corner after corner, Dim components each, to the
-  /// gradient by the unknowns, within for_each(): over all patches the transpose of Unknowns::expand(), whatever the
+  /// gradient by the unknowns, within for_each(): over all cell_blocks the transpose of Unknowns::expand(), whatever the
   /// gradient held before.
-  void add(const Chunk& patch, const double* element_gradients, std::span<double> gradient) const {
-    const auto of_patch = rows(patch.index);
-    const std::size_t n_rows = of_patch.size(), n_hanging = first_hanging_[patch.index + 1] - first_hanging_[patch.index];
+  void add(const Chunk& cells, const double* element_gradients, std::span<double> gradient) const {
+    const auto of_block = rows(cells.index);
+    const std::size_t n_rows = of_block.size(), n_hanging = first_hanging_[cells.index + 1] - first_hanging_[cells.index];
     static thread_local std::vector<std::array<double, Dim>> sums;  // by row, then by hanging node
     sums.assign(n_rows + n_hanging, {});
     const double* g = element_gradients;
-    for (std::size_t e = patch.begin; e < patch.end; ++e)
+    for (std::size_t e = cells.begin; e < cells.end; ++e)
       for (const std::uint16_t row : rows_of_corners_[e])
         for (int k = 0; k < Dim; ++k) sums[row][k] += *g++;
     for (std::size_t h = 0; h < n_hanging; ++h)
-      for (const Share& share : shares_of(patch.index, h))
+      for (const Share& share : shares_of(cells.index, h))
         for (int k = 0; k < Dim; ++k) sums[share.row][k] += static_cast<double>(share.weight) * sums[n_rows + h][k];
     for (std::size_t r = 0; r < n_rows; ++r) {
-      double* to = gradient.data() + static_cast<std::size_t>(of_patch[r].unknown) * Dim;
-      for (int k = 0; k < Dim; ++k) to[k] = of_patch[r].is_first ? sums[r][k] : to[k] + sums[r][k];
+      double* to = gradient.data() + static_cast<std::size_t>(of_block[r].unknown) * Dim;
+      for (int k = 0; k < Dim; ++k) to[k] = of_block[r].is_first ? sums[r][k] : to[k] + sums[r][k];
     }
   }
 
@@ -98,10 +98,10 @@ class Patches {
   std::vector<std::size_t> first_hanging_;  ///< hanging nodes of patch p: [first_hanging_[p], first_hanging_[p + 1])
   std::vector<std::size_t> first_share_;    ///< the same by hanging node
   std::vector<Share> shares_;
-  Waves waves_;
+  ColouredSchedule schedule_;
 };
 
-extern template class Patches<2>;
-extern template class Patches<3>;
+extern template class CellBlocks<2>;
+extern template class CellBlocks<3>;
 
 }  // namespace shellmatch

@@ -20,13 +20,13 @@ namespace shellmatch {
 /// Pieces of one wave touch nothing in common, by greedy colouring of the pieces in their order. What is added to a
 /// number comes in the order of the waves; but no wave is waited for as a whole: a piece may begin as soon as those
 /// pieces of earlier waves are done which touch what it touches.
-class Waves {
+class ColouredSchedule {
  public:
-  Waves() = default;
+  ColouredSchedule() = default;
 
   /// touched(piece) lists what a piece touches, numbers in [0, n_numbers).
   template <class Touched>
-  Waves(std::size_t n_pieces, std::size_t n_numbers, Touched&& touched) {
+  ColouredSchedule(std::size_t n_pieces, std::size_t n_numbers, Touched&& touched) {
     constexpr int colours_at_once = 64;
     std::vector<std::size_t> waiting(n_pieces);
     for (std::size_t i = 0; i < n_pieces; ++i) waiting[i] = i;

@@ -16,12 +16,12 @@ namespace shellmatch {
 
 /// phi and Dphi, and sums of derivatives by them. The points are those of ShapeTable, in its order.
 template <int Dim, bool WithPosition = true>
-class GaussImages {
+class SumFactorisedEvaluator {
   using Pack = autodiff::Pack;
   static constexpr int power(int n, int exponent) { return exponent == 0 ? 1 : n * power(n, exponent - 1); }
 
  public:
-  explicit GaussImages(const ShapeTable<Dim>& shape) : n_(shape.points_per_direction) {
+  explicit SumFactorisedEvaluator(const ShapeTable<Dim>& shape) : n_(shape.points_per_direction) {
     for (int i = 0; i < n_; ++i) xi_[i] = shape.points[i].xi[0];  // the first direction runs fastest
     for (int q = 0; q < power(n_, Dim); ++q)
       for (int k = 0; k < Dim; ++k) {

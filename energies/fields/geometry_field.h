@@ -47,17 +47,17 @@ class GeometryField {
   Values value(const Vec<Dim>& y, std::array<Values, Dim>& derivative) const;
 
   /// Eight points and where they are.
-  struct Spots {
+  struct LocatedPoints {
     std::array<Pack, Dim> y, inside;  ///< the second projected onto the domain
     std::array<Index, autodiff::pack_size> leaf;  ///< if smooth
   };
   /// Asks for what look_up() reads there, which can be had early.
-  Spots find(const std::array<Pack, Dim>& y) const;
+  LocatedPoints find(const std::array<Pack, Dim>& y) const;
 
   /// At eight points at once, in lanes where weight > 0. Other lanes get harmless values, d = 0 and a unit
   /// vector n: they do not count, but a NaN would outlive a multiplication by zero.
-  void look_up(const Pack& weight, const Spots& spots, Pack* values) const;
-  void look_up(const Pack& weight, const Spots& spots, Pack* values, std::array<Packs, Dim>& derivative) const;
+  void look_up(const Pack& weight, const LocatedPoints& located, Pack* values) const;
+  void look_up(const Pack& weight, const LocatedPoints& located, Pack* values, std::array<Packs, Dim>& derivative) const;
 
   /// For any scalar, ceres::Jet among them: the derivative comes from the scalar's own arithmetic.
   template <class T>
@@ -112,9 +112,9 @@ class GeometryField {
   template <bool WithGradient>
   void multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y, LaneRows<WithGradient>& rows) const;
   template <bool WithGradient>
-  void spline_lanes(const Pack& weight, const Spots& spots, LaneRows<WithGradient>& rows) const;
+  void spline_lanes(const Pack& weight, const LocatedPoints& located, LaneRows<WithGradient>& rows) const;
   template <bool WithGradient>
-  void look_up_lanes(const Pack& weight, const Spots& spots, Pack* values, Packs* derivative) const;
+  void look_up_lanes(const Pack& weight, const LocatedPoints& located, Pack* values, Packs* derivative) const;
 
   const Octree<Dim>* grid_ = nullptr;                ///< null: smooth
   std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null: multilinear

@@ -12,32 +12,32 @@ namespace shellmatch {
 using autodiff::pack_size;
 
 template <int Dim>
-typename GeometryField<Dim>::Spots GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
-  Spots spots{.y = y, .inside = {}, .leaf = {}};
+typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
+  LocatedPoints located{.y = y, .inside = {}, .leaf = {}};
   std::array<std::array<double, pack_size>, Dim> place;
   for (int k = 0; k < Dim; ++k) {
     // In this order what is not a number, as in lanes that do not count, becomes 0.
-    Pack& inside = spots.inside[k];
+    Pack& inside = located.inside[k];
     inside = y[k] > 0.0 ? y[k] : Pack{};
     inside = inside < 1.0 ? inside : Pack{} + 1.0;
     place[k] = std::bit_cast<std::array<double, pack_size>>(inside);
   }
-  if (!is_smooth()) return spots;
-  splines_->locate(place, spots.leaf);
-  for (const Index l : spots.leaf) splines_->prefetch(l);
-  return spots;
+  if (!is_smooth()) return located;
+  splines_->locate(place, located.leaf);
+  for (const Index l : located.leaf) splines_->prefetch(l);
+  return located;
 }
 
 // In stages over all lanes, so that none waits for what another one has to fetch from memory.
 template <int Dim>
 template <bool WithGradient>
-inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& spots,
+inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const LocatedPoints& located,
                                              LaneRows<WithGradient>& rows) const {
   std::array<typename SplineSpace<Dim>::Local, pack_size> local;
   Pack size;
   std::array<Pack, Dim> corner;
   for (int lane = 0; lane < pack_size; ++lane) {
-    const Index leaf = spots.leaf[lane];
+    const Index leaf = located.leaf[lane];
     local[lane] = splines_->coefficients_of(leaf);
     size[lane] = static_cast<double>(1 << splines_->level_of(leaf));
     const auto c = splines_->corner_of(leaf);
@@ -45,8 +45,8 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& sp
   }
   std::array<Pack, Dim> t, scale;
   for (int k = 0; k < Dim; ++k) {
-    t[k] = spots.inside[k] * size - corner[k];
-    scale[k] = spots.inside[k] == spots.y[k] ? size : Pack{};  // none where y is projected
+    t[k] = located.inside[k] * size - corner[k];
+    scale[k] = located.inside[k] == located.y[k] ? size : Pack{};  // none where y is projected
   }
   const SplineFactors<Dim, Pack> factors(t, scale);
 
@@ -70,13 +70,13 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const Spots& sp
 
 template <int Dim>
 template <bool WithGradient>
-void GeometryField<Dim>::look_up_lanes(const Pack& weight, const Spots& spots, Pack* values,
+void GeometryField<Dim>::look_up_lanes(const Pack& weight, const LocatedPoints& located, Pack* values,
                                        Packs* derivative) const {
   LaneRows<WithGradient> rows;
   if (is_smooth())
-    spline_lanes(weight, spots, rows);
+    spline_lanes(weight, located, rows);
   else
-    multilinear_lanes(weight, spots.y, rows);
+    multilinear_lanes(weight, located.y, rows);
   constexpr int n_main = std::min<int>(n_values, pack_size);
   for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
     autodiff::transpose(rows.main[k]);
@@ -88,20 +88,20 @@ void GeometryField<Dim>::look_up_lanes(const Pack& weight, const Spots& spots, P
 }
 
 template <int Dim>
-void GeometryField<Dim>::look_up(const Pack& weight, const Spots& spots, Pack* values) const {
-  look_up_lanes<false>(weight, spots, values, nullptr);
+void GeometryField<Dim>::look_up(const Pack& weight, const LocatedPoints& located, Pack* values) const {
+  look_up_lanes<false>(weight, located, values, nullptr);
 }
 
 template <int Dim>
-void GeometryField<Dim>::look_up(const Pack& weight, const Spots& spots, Pack* values,
+void GeometryField<Dim>::look_up(const Pack& weight, const LocatedPoints& located, Pack* values,
                                  std::array<Packs, Dim>& derivative) const {
-  look_up_lanes<true>(weight, spots, values, derivative.data());
+  look_up_lanes<true>(weight, located, values, derivative.data());
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
-  template typename GeometryField<Dim>::Spots GeometryField<Dim>::find(const std::array<Pack, Dim>&) const; \
-  template void GeometryField<Dim>::look_up(const Pack&, const Spots&, Pack*) const;                        \
-  template void GeometryField<Dim>::look_up(const Pack&, const Spots&, Pack*, std::array<Packs, Dim>&) const;
+  template typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::array<Pack, Dim>&) const; \
+  template void GeometryField<Dim>::look_up(const Pack&, const LocatedPoints&, Pack*) const;                        \
+  template void GeometryField<Dim>::look_up(const Pack&, const LocatedPoints&, Pack*, std::array<Packs, Dim>&) const;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -57,7 +57,7 @@ NodeMatrix<Dim>::NodeMatrix(const Unknowns<Dim>& unknowns)
     columns_.insert(columns_.end(), found.begin(), found.end());
     found = {};
   }
-  waves_ = Waves(n_slabs, n, [&](std::size_t s) -> std::span<const Index> { return reached[s]; });
+  schedule_ = ColouredSchedule(n_slabs, n, [&](std::size_t s) -> std::span<const Index> { return reached[s]; });
   columns_.resize(first_.back() + n_ahead);
   std::fill(columns_.end() - n_ahead, columns_.end(), 0);
   find_places();
@@ -92,22 +92,22 @@ void NodeMatrix<Dim>::find_places() {
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch) {
-  const auto rows = patches.rows(patch.index);
-  static thread_local std::vector<float*> values_of;  // by row of the patch
+void NodeMatrix<Dim>::add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells, const ElementMatrices<Dim>& of_block) {
+  const auto rows = cell_blocks.rows(cells.index);
+  static thread_local std::vector<float*> values_of;  // by row of the block
   values_of.clear();
   for (const auto& row : rows) {
     float* begin = values_.data() + first_[row.unknown] * block_size;
     if (row.is_first) std::fill(begin, values_.data() + first_[row.unknown + 1] * block_size, 0.0F);
     values_of.push_back(begin);
   }
-  const std::uint8_t* place = places_.data() + first_place_[patch.begin];
+  const std::uint8_t* place = places_.data() + first_place_[cells.begin];
   const auto put = [&](std::size_t a, std::size_t b, const WideBlock& block) {  // rows ascend with their unknowns
     add_block<Dim>(turned_if<Dim>(a > b, block), values_of[std::min(a, b)] + *place++ * block_size);
   };
-  for (std::size_t e = patch.begin; e < patch.end; ++e) {
-    const auto& row_of = patches.rows_of_corners(e);
-    const float* matrix = of_patch[e - patch.begin].data();
+  for (std::size_t e = cells.begin; e < cells.end; ++e) {
+    const auto& row_of = cell_blocks.rows_of_corners(e);
+    const float* matrix = of_block[e - cells.begin].data();
     if (std::ranges::all_of(row_of, [&](std::size_t row) { return row < rows.size(); })) {  // nothing hangs
       for (int c = 0; c < n_corners<Dim>; ++c)
         for (int d = c; d < n_corners<Dim>; ++d, matrix += block_size) {
@@ -121,7 +121,7 @@ void NodeMatrix<Dim>::add(const Patches<Dim>& patches, const Chunk& patch, const
     for (int c = 0; c < n_corners<Dim>; ++c) {
       if (row_of[c] < rows.size()) carriers.add(row_of[c], c, 1.0F);
       else
-        for (const auto& share : patches.shares_of(patch.index, row_of[c] - rows.size()))
+        for (const auto& share : cell_blocks.shares_of(cells.index, row_of[c] - rows.size()))
           carriers.add(share.row, c, share.weight);
     }
     const Condensed<Dim, std::uint16_t> condensed(carriers, matrix);
@@ -182,7 +182,7 @@ template <int Dim>
 void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) const {
   parallel_for(y.size(), [&](std::size_t i) { y[i] = 0; }, 1 << 16);
   const std::size_t n = first_.size() - 1;
-  waves_.run([&](std::size_t s) { add_product(s * rows_per_slab_, std::min(n, (s + 1) * rows_per_slab_), x, y); });
+  schedule_.run([&](std::size_t s) { add_product(s * rows_per_slab_, std::min(n, (s + 1) * rows_per_slab_), x, y); });
 }
 
 template <int Dim>

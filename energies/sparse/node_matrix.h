@@ -27,9 +27,9 @@ class NodeMatrix {
   /// The pattern for one grid. Unknowns must outlive this object.
   explicit NodeMatrix(const Unknowns<Dim>& unknowns);
 
-  /// Adds the element matrices of a patch, within patches.for_each(): over all patches the sum, whatever was
-  /// there before. \pre `patches` are those of the unknowns
-  void add(const Patches<Dim>& patches, const Chunk& patch, const ElementMatrices<Dim>& of_patch);
+  /// Adds the element matrices of a block, within cell_blocks.for_each(): over all cell_blocks the sum, whatever was
+  /// there before. \pre `cell_blocks` are those of the unknowns
+  void add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells, const ElementMatrices<Dim>& of_block);
 
   /// Adds factor * k[c][d] times the identity for all corners c, d of element e; k is symmetric. Not for
   /// several threads.
@@ -44,12 +44,12 @@ class NodeMatrix {
 
  private:
   void find_places();
-  // What rows [begin, end) and their mirror images give.
+  // What rows [begin, end) and their mirror evaluator give.
   void add_product(std::size_t begin, std::size_t end, std::span<const double> x, std::span<double> y) const;
 
   const Unknowns<Dim>* unknowns_;
   std::size_t rows_per_slab_;  ///< that are multiplied by one thread in one go
-  Waves waves_;                ///< of slabs: those of one wave share no row or column
+  ColouredSchedule schedule_;                ///< of slabs: those of one wave share no row or column
   std::vector<std::size_t> first_;   ///< blocks of row i: [first_[i], first_[i + 1]), the diagonal's first
   LargeVector<Index> columns_;       ///< ascending within a row; and some more, to be asked for early
   std::vector<std::size_t> first_place_;  ///< places of element e: [first_place_[e], first_place_[e + 1])

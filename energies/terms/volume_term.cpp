@@ -17,19 +17,19 @@ Pack volume_term(CellBatch<Dim>& batch, const ShapeTable<Dim>& shape, const Ener
   const std::array<Pack, 2> passive = {Pack{} + options.lambda, Pack{} + options.mu};
   std::array<Pack, Dim * Dim> dphi, adjoint;
   Pack sum{};
-  batch.images.evaluate(batch.elements);
-  if constexpr (WithGradient) batch.images.clear_adjoint();
+  batch.evaluator.evaluate(batch.elements);
+  if constexpr (WithGradient) batch.evaluator.clear_adjoint();
   for (std::size_t q = 0; q < shape.points.size(); ++q) {
-    batch.images.jacobian(q, dphi.data());
+    batch.evaluator.jacobian(q, dphi.data());
     const Pack seed = measure * shape.points[q].weight;
     if constexpr (WithGradient) {
       sum += seed * Code::gradient(dphi.data(), passive.data(), seed, adjoint.data());
-      batch.images.add_by_jacobian(q, adjoint.data());
+      batch.evaluator.add_by_jacobian(q, adjoint.data());
     } else {
       sum += seed * Code::value(dphi.data(), passive.data());
     }
   }
-  if constexpr (WithGradient) batch.images.add_to_gradient(batch.elements);
+  if constexpr (WithGradient) batch.evaluator.add_to_gradient(batch.elements);
   return sum;
 }
 

@@ -23,10 +23,10 @@ Octree<Dim> hanging_grid(double radius) {
 
 template <int Dim>
 std::vector<double> sum_elements(const Unknowns<Dim>& unknowns, std::span<const double> element_gradients) {
-  const Patches<Dim> patches(unknowns);
+  const CellBlocks<Dim> cell_blocks(unknowns);
   std::vector<double> sum(unknowns.size(), std::numeric_limits<double>::quiet_NaN());  // as of before
-  patches.for_each([&](const Chunk& patch) {
-    patches.add(patch, element_gradients.data() + patch.begin * n_corners<Dim> * Dim, sum);
+  cell_blocks.for_each([&](const Chunk& cells) {
+    cell_blocks.add(cells, element_gradients.data() + cells.begin * n_corners<Dim> * Dim, sum);
   });
   return sum;
 }

@@ -17,7 +17,7 @@ TermValues only(Term term);
 template <int Dim>
 Octree<Dim> hanging_grid(double radius);
 
-/// The sum of element gradients by the unknowns, patch by patch.
+/// The sum of element gradients by the unknowns, block by block.
 template <int Dim>
 std::vector<double> sum_elements(const Unknowns<Dim>& unknowns, std::span<const double> element_gradients);
 

@@ -45,14 +45,14 @@ void check_moments() {
         EXPECT_EQ(weight > 0, lane < band.batches()[b].n_elements && std::abs(d1) < sigma);
       }
   }
-  const std::size_t of_patch = elements_per_patch(p.unknowns.elements().size());
+  const std::size_t of_block = cells_per_block(p.unknowns.elements().size());
   std::size_t next = 0;
-  for (std::size_t patch = 0; patch < p.energy.patches().size(); ++patch) {
-    const auto [first, last] = band.batches_of(patch);
+  for (std::size_t block = 0; block < p.energy.cell_blocks().size(); ++block) {
+    const auto [first, last] = band.batches_of(block);
     EXPECT_EQ(first, next);
     next = last;
     for (std::size_t b = first; b < last; ++b)
-      for (const Index e : band.batches()[b].element) EXPECT_EQ(static_cast<std::size_t>(e) / of_patch, patch);
+      for (const Index e : band.batches()[b].element) EXPECT_EQ(static_cast<std::size_t>(e) / of_block, block);
   }
   EXPECT_EQ(next, band.batches().size());
   EXPECT_NEAR(moments[0], 1, 1e-3);

@@ -1,4 +1,4 @@
-// Patches of elements and the waves in which they are worked off.
+// CellBlocks of elements and the waves in which they are worked off.
 
 #include "energies/elements/cell_blocks.h"
 
@@ -28,8 +28,8 @@ std::vector<Index> touched(std::size_t i) {
 }
 constexpr std::size_t n_pieces = 200;
 
-TEST(Waves, HoldEveryPieceOnceAndKnowWhoTouchedSomethingOfItLast) {
-  const Waves waves(n_pieces, 50, touched);
+TEST(ColouredSchedule, HoldEveryPieceOnceAndKnowWhoTouchedSomethingOfItLast) {
+  const ColouredSchedule waves(n_pieces, 50, touched);
   std::vector<std::size_t> order(waves.pieces().begin(), waves.pieces().end()), all(n_pieces);
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::ranges::sort(order);
@@ -46,14 +46,14 @@ TEST(Waves, HoldEveryPieceOnceAndKnowWhoTouchedSomethingOfItLast) {
 }
 
 // Neighbours are far apart in the order, so that threads seldom wait: as few colours as greedy colouring needs.
-TEST(Waves, PutPiecesThatShareNothingNextToEachOther) {
-  const Waves chain(100, 101, [](std::size_t i) { return std::array{static_cast<Index>(i), static_cast<Index>(i + 1)}; });
+TEST(ColouredSchedule, PutPiecesThatShareNothingNextToEachOther) {
+  const ColouredSchedule chain(100, 101, [](std::size_t i) { return std::array{static_cast<Index>(i), static_cast<Index>(i + 1)}; });
   for (std::size_t k = 0; k < 100; ++k) EXPECT_EQ(chain.pieces()[k], k < 50 ? 2 * k : 2 * (k - 50) + 1);
 }
 
-TEST(Waves, NeverWorkOnTheSameThingTwiceAtATimeAndKeepTheOrder) {
+TEST(ColouredSchedule, NeverWorkOnTheSameThingTwiceAtATimeAndKeepTheOrder) {
   set_n_threads(4);
-  const Waves waves(n_pieces, 50, touched);
+  const ColouredSchedule waves(n_pieces, 50, touched);
   std::vector<std::atomic<int>> at_work(50);
   std::vector<std::vector<std::size_t>> visits(50), expected(50);
   for (const std::size_t piece : waves.pieces())
@@ -71,9 +71,9 @@ TEST(Waves, NeverWorkOnTheSameThingTwiceAtATimeAndKeepTheOrder) {
   set_n_threads(0);
 }
 
-TEST(Waves, EndWithTheFirstFailureAndLeaveNobodyWaiting) {
+TEST(ColouredSchedule, EndWithTheFirstFailureAndLeaveNobodyWaiting) {
   set_n_threads(4);
-  const Waves waves(n_pieces, 50, touched);
+  const ColouredSchedule waves(n_pieces, 50, touched);
   std::atomic<int> n_done = 0;
   EXPECT_THROW(waves.run([&](std::size_t piece) {
     if (piece == waves.pieces()[20]) throw std::runtime_error("it fails");
@@ -86,8 +86,8 @@ TEST(Waves, EndWithTheFirstFailureAndLeaveNobodyWaiting) {
 }
 
 // All pieces want the same thing, and there are more of them than colours that are tried at once.
-TEST(Waves, AreAsManyAsItTakes) {
-  const Waves waves(150, 1, [](std::size_t) { return std::array{Index{0}}; });
+TEST(ColouredSchedule, AreAsManyAsItTakes) {
+  const ColouredSchedule waves(150, 1, [](std::size_t) { return std::array{Index{0}}; });
   ASSERT_EQ(waves.pieces().size(), 150u);
   for (std::size_t k = 1; k < 150; ++k) EXPECT_TRUE(std::ranges::equal(waves.predecessors_of(k), std::array{static_cast<Index>(k - 1)}));
 }
@@ -96,30 +96,30 @@ template <int Dim>
 void check_rows() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.3);
   const Unknowns<Dim> unknowns(grid, BoundaryCondition::neumann);
-  const Patches<Dim> patches(unknowns);
-  ASSERT_GT(patches.size(), 1u) << "too few to tell";
+  const CellBlocks<Dim> cell_blocks(unknowns);
+  ASSERT_GT(cell_blocks.size(), 1u) << "too few to tell";
   std::vector<std::size_t> n_places(unknowns.nodes().size(), 0), n_first(unknowns.nodes().size(), 0);
   std::size_t next = 0;
   std::mutex mutex;
-  patches.for_each([&](const Chunk& patch) {
+  cell_blocks.for_each([&](const Chunk& cells) {
     const std::lock_guard lock(mutex);
-    next += patch.end - patch.begin;
-    EXPECT_LE(patch.end - patch.begin, elements_per_patch(unknowns.elements().size()));
-    const auto rows = patches.rows(patch.index);
+    next += cells.end - cells.begin;
+    EXPECT_LE(cells.end - cells.begin, cells_per_block(unknowns.elements().size()));
+    const auto rows = cell_blocks.rows(cells.index);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       EXPECT_EQ(rows[r].is_first, n_places[rows[r].unknown] == 0);
       EXPECT_TRUE(r == 0 || rows[r - 1].unknown < rows[r].unknown);
       n_first[rows[r].unknown] += rows[r].is_first;
     }
-    for (std::size_t e = patch.begin; e < patch.end; ++e)
+    for (std::size_t e = cells.begin; e < cells.end; ++e)
       for (int c = 0; c < n_corners<Dim>; ++c) {
-        const std::size_t row = patches.rows_of_corners(e)[c];
+        const std::size_t row = cell_blocks.rows_of_corners(e)[c];
         const Index node = unknowns.elements()[e].nodes[c];
         if (row < rows.size()) {
           EXPECT_EQ(unknowns.nodes()[rows[row].unknown], node);
           ++n_places[rows[row].unknown];
         } else {
-          const auto shares = patches.shares_of(patch.index, row - rows.size());
+          const auto shares = cell_blocks.shares_of(cells.index, row - rows.size());
           const auto carriers = unknowns.carriers_of(node);
           ASSERT_EQ(shares.size(), carriers.size());
           for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -136,7 +136,7 @@ void check_rows() {
     EXPECT_EQ(n_first[i], 1u);
   }
 }
-TEST(Patches, ReachEveryPlaceOnce) {
+TEST(CellBlocks, ReachEveryPlaceOnce) {
   check_rows<2>();
   check_rows<3>();
 }

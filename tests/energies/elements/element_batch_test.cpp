@@ -38,15 +38,15 @@ TYPED_TEST(ElementBatchOf, GivesPositionsAndTheirDerivativesByTheShapeFunctions)
   const Moved<Dim> m;
   for (int n_gauss = 1; n_gauss <= max_gauss_points; ++n_gauss) {
     const ShapeTable<Dim> shape(n_gauss);
-    GaussImages<Dim> images(shape);
-    GaussImages<Dim, false> derivatives(shape);
-    images.evaluate(m.batch);
+    SumFactorisedEvaluator<Dim> evaluator(shape);
+    SumFactorisedEvaluator<Dim, false> derivatives(shape);
+    evaluator.evaluate(m.batch);
     derivatives.evaluate(m.batch);
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       const auto& q = shape.points[i];
-      const std::array<Pack, Dim> y = images.position(i);
+      const std::array<Pack, Dim> y = evaluator.position(i);
       std::array<Pack, Dim * Dim> dphi, alone;
-      images.jacobian(i, dphi.data());
+      evaluator.jacobian(i, dphi.data());
       derivatives.jacobian(i, alone.data());
       for (int lane = 0; lane < autodiff::pack_size; ++lane)
         for (int k = 0; k < Dim; ++k) {
@@ -73,32 +73,32 @@ template <int Dim, bool WithPosition>
 void check_transpose(int n_gauss) {
   Moved<Dim> m;
   const ShapeTable<Dim> shape(n_gauss);
-  GaussImages<Dim, WithPosition> images(shape);
-  images.evaluate(m.batch);
+  SumFactorisedEvaluator<Dim, WithPosition> evaluator(shape);
+  evaluator.evaluate(m.batch);
   Pack expected{}, found{};
   for (const bool counts : {false, true}) {
-    images.clear_adjoint();
+    evaluator.clear_adjoint();
     for (std::size_t q = 0; q < shape.points.size(); ++q)
       for (int times = 0; times < 2; ++times) {
         std::array<Pack, Dim * Dim> dphi, by_dphi;
         for (Pack& a : by_dphi) a = m.any();
-        images.add_by_jacobian(q, by_dphi.data());
-        images.jacobian(q, dphi.data());
+        evaluator.add_by_jacobian(q, by_dphi.data());
+        evaluator.jacobian(q, dphi.data());
         if (counts)
           for (int i = 0; i < Dim * Dim; ++i) expected += dphi[i] * by_dphi[i];
         if constexpr (WithPosition) {
           std::array<Pack, Dim> by_y;
           for (Pack& a : by_y) a = m.any();
-          images.add_by_position(q, by_y);
+          evaluator.add_by_position(q, by_y);
           if (counts)
-            for (int k = 0; k < Dim; ++k) expected += images.position(q)[k] * by_y[k];
+            for (int k = 0; k < Dim; ++k) expected += evaluator.position(q)[k] * by_y[k];
         }
       }
   }
-  images.add_to_gradient(m.batch);
+  evaluator.add_to_gradient(m.batch);
   for (int i = 0; i < m.batch.n_dofs; ++i) found += m.batch.u[i] * m.batch.gradient[i];
   for (int lane = 0; lane < autodiff::pack_size; ++lane) EXPECT_NEAR(found[lane], expected[lane], 1e-10) << n_gauss;
-  images.add_to_gradient(m.batch);
+  evaluator.add_to_gradient(m.batch);
   for (int i = 0; i < m.batch.n_dofs; ++i) found -= 0.5 * m.batch.u[i] * m.batch.gradient[i];
   for (int lane = 0; lane < autodiff::pack_size; ++lane) EXPECT_NEAR(found[lane], 0, 1e-10) << "added, not set";
 }

@@ -26,16 +26,16 @@ struct RandomMatrices {
   ElementMatrices<Dim> matrices;
 };
 
-// Patch by patch, as the model does it, and once more: what was there before does not count.
+// Patch by cells, as the model does it, and once more: what was there before does not count.
 template <int Dim>
 void assemble(NodeMatrix<Dim>& sum, const Unknowns<Dim>& unknowns, const ElementMatrices<Dim>& all) {
-  const Patches<Dim> patches(unknowns);
+  const CellBlocks<Dim> cell_blocks(unknowns);
   for (int time = 0; time < 2; ++time)
-    patches.for_each([&](const Chunk& patch) {
-      ElementMatrices<Dim> of_patch;
-      of_patch.resize(patch.end - patch.begin);
-      for (std::size_t e = patch.begin; e < patch.end; ++e) of_patch[e - patch.begin] = all[e];
-      sum.add(patches, patch, of_patch);
+    cell_blocks.for_each([&](const Chunk& cells) {
+      ElementMatrices<Dim> of_block;
+      of_block.resize(cells.end - cells.begin);
+      for (std::size_t e = cells.begin; e < cells.end; ++e) of_block[e - cells.begin] = all[e];
+      sum.add(cell_blocks, cells, of_block);
     });
 }
 

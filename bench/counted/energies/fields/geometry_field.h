@@ -35,13 +35,13 @@ class GeometryField {
     return values_(y);
   }
 
-  using Spots = std::array<Pack, Dim>;
-  Spots find(const std::array<Pack, Dim>& y) const { return y; }
-  void look_up(const Pack&, const Spots& y, Pack* values) const {
+  using LocatedPoints = std::array<Pack, Dim>;
+  LocatedPoints find(const std::array<Pack, Dim>& y) const { return y; }
+  void look_up(const Pack&, const LocatedPoints& y, Pack* values) const {
     const Values v = values_(place(y));
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];
   }
-  void look_up(const Pack&, const Spots& y, Pack* values,
+  void look_up(const Pack&, const LocatedPoints& y, Pack* values,
                std::array<Packs, Dim>& derivative) const {
     std::array<Values, Dim> d;
     const Values v = value(place(y), d);
