@@ -1,5 +1,7 @@
 #include "base/options.h"
 
+#include "base/error.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,6 +27,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+Choice& Choice::operator=(std::string_view name) {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  SHELLMATCH_CHECK(found != names_.end(), "a choice is set to one of its names");
+  index_ = static_cast<std::size_t>(found - names_.begin());
+  return *this;
+}
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;

@@ -15,7 +15,7 @@
 ///     };
 ///
 /// `Self` is const for those who print and not const for those who read. The visitor is a template over the
-/// member's type: bool, int, double, std::string, a described enum (below), std::vector of those, or another
+/// member's type: bool, int, double, std::string, a described enum or a Choice (below), std::vector of the first five, or another
 /// described struct, which becomes a YAML section. YAML, `shellmatch config`, error messages and
 /// docs/options.md are all made from this one description.
 
@@ -47,6 +47,24 @@ std::string_view enum_name(Enum value) {
     if (v == value) return name;
   return "?";
 }
+
+/// One of several names that are no enum's, such as the models of an energy term. The first is the default.
+class Choice {
+ public:
+  Choice() = default;
+  explicit Choice(std::vector<std::string_view> names) : names_(std::move(names)) {}
+
+  const std::vector<std::string_view>& names() const { return names_; }
+  std::size_t index() const { return index_; }
+  std::string_view name() const { return names_.empty() ? std::string_view{} : names_[index_]; }
+  /// \pre `name` is one of names()
+  Choice& operator=(std::string_view name);
+  friend bool operator==(const Choice& choice, std::string_view name) { return choice.name() == name; }
+
+ private:
+  std::vector<std::string_view> names_;
+  std::size_t index_ = 0;
+};
 
 /// The word of `candidates` nearest to `word` by edit distance, for "did you mean"; empty if none is near.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);

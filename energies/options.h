@@ -3,71 +3,91 @@
 /// What can be chosen of the energy. Lengths are in units of the domain's side.
 
 #include "base/options.h"
+#include "energies/elements/boundary_condition.h"
+#include "energies/term_values.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace shellmatch {
 
-enum class VolumeDensity { simplified, full, symmetric_dirichlet };
-template <>
-struct EnumNames<VolumeDensity> {
-  static constexpr std::pair<VolumeDensity, std::string_view> names[] = {
-      {VolumeDensity::simplified, "simplified"},
-      {VolumeDensity::full, "full"},
-      {VolumeDensity::symmetric_dirichlet, "symmetric_dirichlet"}};
-};
+/// Names of the terms, in the order of TermValues.
+const std::vector<std::string_view>& term_names();
 
-/// What the membrane term measures; all but thin_shell are there to compare with (energies/terms/integrands.h).
-enum class MembraneModel { thin_shell, no_p2, cauchy_green };
-template <>
-struct EnumNames<MembraneModel> {
-  static constexpr std::pair<MembraneModel, std::string_view> names[] = {
-      {MembraneModel::thin_shell, "thin_shell"},
-      {MembraneModel::no_p2, "no_p2"},
-      {MembraneModel::cauchy_green, "cauchy_green"}};
-};
+/// Weights, models and own options of the terms in energies/terms/list.h, whose files describe them.
+class TermOptions {
+ public:
+  TermOptions();
 
-/// What the bending term measures, likewise.
-enum class BendingModel { thin_shell, no_p2, quadratic };
-template <>
-struct EnumNames<BendingModel> {
-  static constexpr std::pair<BendingModel, std::string_view> names[] = {
-      {BendingModel::thin_shell, "thin_shell"}, {BendingModel::no_p2, "no_p2"}, {BendingModel::quadratic, "quadratic"}};
-};
+  /// The user's factor on a term; 0 switches it off.
+  double& factor(Term t) { return factors_[static_cast<std::size_t>(t)]; }
+  double factor(Term t) const { return factors_[static_cast<std::size_t>(t)]; }
+  /// Which of the terms of this name.
+  Choice& model(Term t) { return models_[static_cast<std::size_t>(t)]; }
+  const Choice& model(Term t) const { return models_[static_cast<std::size_t>(t)]; }
+  /// An option of a term's own, such as "fold_threshold". \pre there is one of this name
+  double& own(std::string_view name);
+  double own(std::string_view name) const;
 
-enum class BoundaryCondition { neumann, dirichlet };
-template <>
-struct EnumNames<BoundaryCondition> {
-  static constexpr std::pair<BoundaryCondition, std::string_view> names[] = {
-      {BoundaryCondition::neumann, "neumann"}, {BoundaryCondition::dirichlet, "dirichlet"}};
+  /// Place in energies/terms/list.h of the chosen term of this name.
+  std::size_t chosen(Term t) const;
+  /// The own options of the term at this place, in its order.
+  const double* own_of(std::size_t place) const { return own_.data() + first_own(place); }
+
+  /// Names every option of the terms to a visitor (base/options.h).
+  template <class Self, class Visitor>
+  static void describe_factors(Self& self, Visitor& visit) {
+    for (std::size_t t = 0; t < self.factors_.size(); ++t) {
+      const Described option = factor_option(t);
+      visit(option.name, self.factors_[t], option.info);
+    }
+  }
+  template <class Self, class Visitor>
+  static void describe_models(Self& self, Visitor& visit) {
+    for (std::size_t t = 0; t < self.models_.size(); ++t)
+      if (self.models_[t].names().size() > 1) visit(term_names()[t], self.models_[t], OptionInfo{.meaning = model_meaning(t)});
+    for (std::size_t i = 0; i < self.own_.size(); ++i) visit(own_option(i).name, self.own_[i], own_option(i).info);
+  }
+
+ private:
+  struct Described {
+    std::string_view name;
+    OptionInfo info;
+  };
+  static Described factor_option(std::size_t t);
+  static std::string_view model_meaning(std::size_t t);  ///< "model: meaning; ..." of all models
+  static Described own_option(std::size_t i);
+  static std::size_t first_own(std::size_t place);
+
+  std::vector<double> factors_;
+  std::vector<Choice> models_;
+  std::vector<double> own_;  ///< of all terms, in the order of the list
 };
 
 /// Weights and material of the energy E = E_match + E_mem + E_bend + E_vol (paper, section 3).
 struct EnergyOptions {
   double lambda = 1, mu = 1;
   double delta = 1;
-  double match_weight = 1, membrane_weight = 1, bending_weight = 1, volume_weight = 1;
-  MembraneModel membrane = MembraneModel::thin_shell;
-  BendingModel bending = BendingModel::thin_shell;
-  VolumeDensity volume = VolumeDensity::symmetric_dirichlet;
+  TermOptions terms;
   BoundaryCondition boundary = BoundaryCondition::neumann;
-  double fold_barrier = 1, fold_threshold = 0.1;
   int quadrature_order = 2;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("lambda", self.lambda, {.unit = "energy/volume", .min = 0, .meaning = "first Lame coefficient of W"});
     visit("mu", self.mu, {.unit = "energy/volume", .min = 0, .min_excluded = true, .meaning = "second Lame coefficient (shear modulus) of W"});
     visit("delta", self.delta, {.unit = "length", .min = 0, .meaning = "thickness of the shell: membrane weighs delta, bending delta^3"});
-    visit("match_weight", self.match_weight, {.min = 0, .meaning = "factor on the match term; 0 switches it off"});
-    visit("membrane_weight", self.membrane_weight, {.min = 0, .meaning = "factor on the membrane term; 0 switches it off"});
-    visit("bending_weight", self.bending_weight, {.min = 0, .meaning = "factor on the bending term; 0 switches it off"});
-    visit("volume_weight", self.volume_weight, {.min = 0, .meaning = "factor on the volume term; 0 switches it off"});
-    visit("membrane", self.membrane, {.meaning = "thin_shell is the paper's; no_p2 leaves out the projection P2, cauchy_green takes W of the Cauchy-Green tensor: both lose what P2 is for, there to compare with, first-order methods only"});
-    visit("bending", self.bending, {.meaning = "thin_shell is the paper's; no_p2 leaves out the projection P2, quadratic is |Dphi^T S2 Dphi - S1|^2: both there to compare with, first-order methods only"});
-    visit("volume", self.volume, {.meaning = "density of the volume term: W itself (simplified), the paper's W_hat (full), or symmetric Dirichlet"});
+    TermOptions::describe_factors(self.terms, visit);
+    TermOptions::describe_models(self.terms, visit);
     visit("boundary", self.boundary, {.meaning = "neumann: the domain's boundary is free; dirichlet: phi = id there"});
-    visit("fold_barrier", self.fold_barrier, {.unit = "energy/volume", .min = 0, .meaning = "kappa, weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"});
-    visit("fold_threshold", self.fold_threshold, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "d0: the barrier acts on cells where a Bernstein coefficient of det Dphi is below this"});
     visit("quadrature_order", self.quadrature_order, {.unit = "points per direction", .min = 1, .max = 5, .meaning = "Gauss points for minimising"});
   }
 };
+
+/// Weights of the terms for given nu and c_vol: the options' factors, scaled as each term says.
+TermValues term_weights(const EnergyOptions& options, double nu, double volume_weight);
+
+/// Does a chosen term read the shape operators themselves, and not roots of classified ones?
+bool reads_shape_operators(const EnergyOptions& options);
 
 }  // namespace shellmatch

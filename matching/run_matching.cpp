@@ -34,7 +34,7 @@ namespace {
 class Recorder final : public Observer {
  public:
   explicit Recorder(Observer& next) : next_(next) {
-    for (const auto& name : term_names) history.term_names.emplace_back(name);
+    for (const auto& name : term_names()) history.term_names.emplace_back(name);
   }
   void note(const std::string& text) override { next_.note(text); }
   void phase(const std::string& name) override { next_.phase(name); }

@@ -55,22 +55,33 @@ class Objective {
   virtual double l2_gradient_norm(std::span<const double> gradient) const;
 };
 
-/// An objective that offers a positive semidefinite model H of its second derivative.
+/// A region of the problem, such as a cell, and a factor on its damping matrix.
+struct RegionDamping {
+  std::size_t region;
+  double factor;
+};
+
+/// An objective that offers a positive semidefinite model H of its second derivative. Its unknowns may be divided into
+/// regions r, each with a positive semidefinite damping matrix D_r that can be added to the model.
 class SecondOrderObjective : public Objective {
  public:
-  /// Computes H at x, where the objective has been evaluated.
-  virtual void prepare_second_derivative(std::span<const double> x) = 0;
+  /// Computes H at x, where the objective has been evaluated, plus the sum of damping[r] D_r.
+  /// \param damping  one factor for each region, or empty: none
+  virtual void prepare_second_derivative(std::span<const double> x, std::span<const float> damping) = 0;
   /// y = H x with the H prepared last.
   virtual void apply_second_derivative(std::span<const double> x, std::span<double> y) const = 0;
   /// z = B^{-1} r, with B symmetric positive definite and spectrally near to H.
   virtual void precondition(std::span<const double> r, std::span<double> z) const = 0;
-  /// Told of the step d from x that H suggests, stiffens H where the step leads beyond what H knows of. True
-  /// where it did: the step should then be computed again. What was added fades over the next calls of
-  /// prepare_second_derivative().
-  virtual bool restrain(std::span<const double> x, std::span<const double> d) {
-    static_cast<void>(x), static_cast<void>(d);
-    return false;
+
+  /// Number of regions that can be damped; 0: none.
+  virtual std::size_t n_regions() const { return 0; }
+  /// The regions in which the step d from x leads beyond where H models the objective, with the factor that makes D_r as
+  /// stiff as H is there.
+  virtual std::vector<RegionDamping> regions_beyond_model(std::span<const double> /*x*/, std::span<const double> /*d*/) {
+    return {};
   }
+  /// Adds factor * D_r to H for each of these regions.
+  virtual void add_damping(std::span<const RegionDamping> /*regions*/) {}
 };
 
 }  // namespace shellmatch

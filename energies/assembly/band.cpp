@@ -23,28 +23,6 @@ Mat<Dim> full_matrix(const std::array<double, n_symmetric<Dim>>& s) {
   return m;
 }
 
-/// ReferencePoint of an element's quadrature point, as a flat array.
-template <int Dim>
-std::array<double, Band<Dim>::n_reference> reference_point(
-    const typename GeometryField<Dim>::Values& at_point, bool root_is_inverse) {
-  Vec<Dim> n1;
-  std::array<double, n_symmetric<Dim>> root;
-  for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k];
-  for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] = at_point[1 + Dim + i];
-  n1 /= std::max(n1.norm(), 1e-2);  // as renormalised() does for the template
-  const Mat<Dim> p = Mat<Dim>::Identity() - n1 * n1.transpose();
-  Mat<Dim> r = full_matrix<Dim>(root);
-  if (!root_is_inverse) r = r.inverse().eval();
-  r = (p * r * p).eval();
-  std::array<double, Band<Dim>::n_reference> flat;
-  flat[0] = at_point[0];
-  for (int k = 0; k < Dim; ++k) flat[1 + k] = n1[k];
-  for (int i = 0; i < Dim; ++i)
-    for (int j = i; j < Dim; ++j)
-      flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
-  return flat;
-}
-
 template <int Dim>
 Vec<Dim> position(const Element<Dim>& element, const Vec<Dim>& xi) {
   return element.corner + element.side * xi;
@@ -113,6 +91,27 @@ autodiff::Pack centre_distances(std::span<const Element<Dim>> elements, const Ge
 }  // namespace
 
 template <int Dim>
+std::array<double, Band<Dim>::n_reference> Band<Dim>::reference_point(
+    const typename GeometryField<Dim>::Values& at_point, bool root_is_inverse) {
+  Vec<Dim> n1;
+  std::array<double, n_symmetric<Dim>> root;
+  for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k];
+  for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] = at_point[1 + Dim + i];
+  n1 /= std::max(n1.norm(), least_normal_length);  // as renormalised() does for the template
+  const Mat<Dim> p = Mat<Dim>::Identity() - n1 * n1.transpose();
+  Mat<Dim> r = full_matrix<Dim>(root);
+  if (!root_is_inverse) r = r.inverse().eval();
+  r = (p * r * p).eval();
+  std::array<double, n_reference> flat;
+  flat[0] = at_point[0];
+  for (int k = 0; k < Dim; ++k) flat[1 + k] = n1[k];
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i; j < Dim; ++j)
+      flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
+  return flat;
+}
+
+template <int Dim>
 Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
                 const GeometryField<Dim>& reference, bool root_is_inverse, double sigma)
     : n_points_(shape.points.size()) {
@@ -168,7 +167,7 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
         double volume = 1;
         for (int k = 0; k < Dim; ++k) volume *= element.side;
         for (std::size_t q = 0; q < n_points_; ++q) {
-          const auto flat = reference_point<Dim>(values.at(q), root_is_inverse);
+          const auto flat = reference_point(values.at(q), root_is_inverse);
           Point& point = points_[b * n_points_ + q];
           const bool counts = lane < batch.n_elements;
           point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;

@@ -6,7 +6,6 @@
 #include "energies/autodiff/pack.h"
 #include "energies/elements/unknowns.h"
 #include "energies/fields/geometry_field.h"
-#include "energies/terms/integrands.h"
 
 #include <span>
 #include <vector>
@@ -35,6 +34,11 @@ class Band {
   /// sigma in units of the domain's side. root_is_inverse: of GeometryPair.
   Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
        const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
+
+  /// ReferencePoint as a flat array, from the reference's field at a point: n1 normalised, the root inverted unless it is
+  /// the inverse already, and projected.
+  static std::array<double, n_reference> reference_point(const typename GeometryField<Dim>::Values& at_point,
+                                                         bool root_is_inverse);
 
   std::span<const Batch> batches() const { return batches_; }
   /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.

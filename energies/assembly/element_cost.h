@@ -1,20 +1,18 @@
 #pragma once
 /// \file
-/// Each energy term as a cost functor of Ceres on element-local degrees of freedom: the positions of the
-/// element's corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic
-/// differentiation and gradient checker take these as they are; the fast assembly of MatchingEnergy is tested
-/// against them.
+/// Each energy term as a cost functor of Ceres on element-local degrees of freedom: the positions of the element's
+/// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and gradient
+/// checker take it as it is; the compiled assembly is tested against it.
 
-#include "energies/assembly/band.h"
-#include "energies/terms/fold_barrier.h"
-#include "energies/terms/integrands.h"
-#include "energies/fields/geometry_field.h"
+#include "energies/assembly/element_fields.h"
+#include "energies/autodiff/jet.h"
+#include "energies/terms/term_functors.h"
 
-#include <vector>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace shellmatch {
-
-namespace detail {
 
 /// phi and Dphi at a quadrature point from the element's degrees of freedom.
 template <int Dim, class T>
@@ -30,100 +28,56 @@ void deformation_at(const T* dofs, const typename ShapeTable<Dim>::Point& q, dou
   }
 }
 
-}  // namespace detail
-
-/// A band term (Match, Membrane, Bending) on one element.
-template <template <int> class BandTerm, int Dim>
-class BandElementCost {
- public:
-  static constexpr int n_dofs = n_corners<Dim> * Dim;
-
-  /// Element `lane` of batch `batch` of the band, which has to outlive the functor, as have table and target.
-  BandElementCost(const Band<Dim>& band, std::size_t batch, int lane, std::span<const Element<Dim>> elements,
-                  const ShapeTable<Dim>& shape, const GeometryField<Dim>& target, double weight, Lame<double> lame)
-      : band_(&band), batch_(batch), lane_(lane), side_(elements[band.batches()[batch].element[lane]].side),
-        shape_(&shape), target_(&target), weight_(weight), lame_(lame) {}
-
-  template <class T>
-  bool operator()(const T* dofs, T* energy) const {
-    *energy = T(0.0);
-    for (std::size_t q = 0; q < shape_->points.size(); ++q) {
-      const auto& point = band_->point(batch_, q);
-      const double w = point.weight[lane_] * weight_;
+/// The energy of one term on one element, over any scalar.
+template <class Term, class T>
+T element_energy(const ElementFields<Term::dim>& element, const T* dofs, double weight, const Material<double>& material) {
+  constexpr int dim = Term::dim;
+  T energy(0.0);
+  SmallVec<T, dim> y;
+  SmallMat<T, dim> dphi;
+  if constexpr (IsBandTerm<Term>) {
+    for (std::size_t q = 0; q < element.band.size(); ++q) {
+      const double w = element.band[q].weight * weight;
       if (!(w > 0)) continue;
-      SmallVec<T, Dim> y;
-      SmallMat<T, Dim> dphi;
-      detail::deformation_at<Dim>(dofs, shape_->points[q], side_, y, dphi);
-      ReferencePoint<Dim, double> x;
-      x.d1 = point.reference[0][lane_];
-      for (int i = 0; i < Dim; ++i) x.n1[i] = point.reference[1 + i][lane_];
-      for (int i = 0; i < n_symmetric<Dim>; ++i) x.r1.v[i] = point.reference[1 + Dim + i][lane_];
-      *energy += w * BandTerm<Dim>::density(target_->template at<T>(y), dphi, x, lame_);
+      deformation_at<dim>(dofs, element.shape->points[q], element.side, y, dphi);
+      energy += w * band_density<Term, T, double>(element.target->template at<T>(y), dphi, element.band[q].reference, material);
     }
-    return true;
+  } else if constexpr (IsCellTerm<Term>) {
+    const double volume = weight * element.volume();
+    for (const auto& q : element.shape->points) {
+      deformation_at<dim>(dofs, q, element.side, y, dphi);
+      energy += volume * q.weight * Term::Density::template value<T, double>(dphi, material);
+    }
+  } else {
+    std::array<double, 3 + Term::own.size()> passive{Term::scale(1 / element.side, material), material.lambda, material.mu};
+    std::copy_n(material.own, Term::own.size(), passive.begin() + 3);
+    energy = weight * element.volume() * CornerFunctor<Term>::template evaluate<T, double>(dofs, passive.data());
   }
+  return energy;
+}
 
- private:
-  const Band<Dim>* band_;
-  std::size_t batch_;
-  int lane_;
-  double side_;
-  const ShapeTable<Dim>* shape_;
-  const GeometryField<Dim>* target_;
-  double weight_;
-  Lame<double> lame_;
-};
-
-/// A volume term (SimplifiedVolume, FullVolume, SymmetricDirichletVolume) on one element.
-template <template <int> class VolumeTerm, int Dim>
-class VolumeElementCost {
+/// The same as a functor of Ceres; `Term` is one of energies/terms, for instance Membrane<3>.
+template <class Term>
+class ElementCost {
  public:
-  static constexpr int n_dofs = n_corners<Dim> * Dim;
-  VolumeElementCost(double side, const ShapeTable<Dim>& shape, double weight, Lame<double> lame)
-      : side_(side), shape_(&shape), weight_(weight), lame_(lame) {}
+  static constexpr int n_dofs = n_corners<Term::dim> * Term::dim;
 
+  /// \param own  values of the term's own options, in its order
+  ElementCost(ElementFields<Term::dim> element, double weight, double lambda, double mu,
+              std::array<double, Term::own.size()> own = {})
+      : element_(std::move(element)), weight_(weight), lambda_(lambda), mu_(mu), own_(own) {}
+
+  /// False where the term cannot be evaluated.
   template <class T>
   bool operator()(const T* dofs, T* energy) const {
-    *energy = T(0.0);
-    double volume = weight_;
-    for (int k = 0; k < Dim; ++k) volume *= side_;
-    for (const auto& q : shape_->points) {
-      SmallVec<T, Dim> y;
-      SmallMat<T, Dim> dphi;
-      detail::deformation_at<Dim>(dofs, q, side_, y, dphi);
-      *energy += volume * q.weight * VolumeTerm<Dim>::density(dphi, lame_);
-    }
+    *energy = element_energy<Term>(element_, dofs, weight_, Material<double>{lambda_, mu_, own_.data()});
     return std::isfinite(autodiff::scalar_part(*energy));
   }
 
  private:
-  double side_;
-  const ShapeTable<Dim>* shape_;
-  double weight_;
-  Lame<double> lame_;
-};
-
-/// The barrier against folds on one element.
-template <int Dim>
-class BarrierElementCost {
- public:
-  static constexpr int n_dofs = n_corners<Dim> * Dim;
-  /// threshold: d0 of energies/terms/fold_barrier.h
-  BarrierElementCost(double side, double weight, double threshold) {
-    double volume = 1;
-    for (int k = 0; k < Dim; ++k) volume *= side;
-    factor_ = weight * volume;
-    scale_ = 1 / (threshold * volume);
-  }
-
-  template <class T>
-  bool operator()(const T* dofs, T* energy) const {
-    *energy = factor_ * FoldBarrierFunctor<Dim>::template evaluate<T, double>(dofs, &scale_);
-    return std::isfinite(autodiff::scalar_part(*energy));
-  }
-
- private:
-  double factor_, scale_;
+  ElementFields<Term::dim> element_;
+  double weight_, lambda_, mu_;
+  std::array<double, Term::own.size()> own_;
 };
 
 }  // namespace shellmatch

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The energy element by element the slow way, from the cost functors of energies/assembly/element_cost.h: their values, and
-/// their derivatives by ceres::Jet. Shares the integrands with the assembly and nothing of its code: what derivative
+/// The energy element by element without compiled code, from the terms' own functors (energies/assembly/element_cost.h):
+/// values, and derivatives by ceres::Jet. It shares the terms with the assembly and nothing of its code: what derivative
 /// checks hold the assembly against.
 
 #include "energies/assembly/matching_energy.h"
@@ -19,8 +19,7 @@ class ElementOracle {
   using Dofs = std::array<double, n_dofs>;  ///< corner after corner, Dim components each
 
   /// All must outlive it.
-  ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const GeometryField<Dim>& target,
-                const EnergyOptions& options);
+  ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns);
 
   /// Weighted sum of the terms on element e of Unknowns::elements(); NaN where it cannot be evaluated.
   double value(const TermValues& weights, std::size_t e, const Dofs& dofs) const;
@@ -39,14 +38,11 @@ class ElementOracle {
   double natural_size(const TermValues& weights, std::size_t e) const;
 
  private:
-  template <class T>
-  T sum(const TermValues& weights, std::size_t e, const std::array<T, n_dofs>& dofs) const;
+  ElementFields<Dim>& fields_of(std::size_t e) const;
 
   const MatchingEnergy<Dim>* energy_;
   std::span<const Element<Dim>> elements_;
-  const GeometryField<Dim>* target_;
-  EnergyOptions options_;
-  std::vector<Index> place_;  ///< batch times lanes plus lane within the band, or no_index
+  std::vector<Index> lane_of_;  ///< batch times lanes plus lane within the band, or no_index
 };
 
 }  // namespace shellmatch

@@ -1,34 +1,39 @@
 #include "energies/assembly/energy_hessian.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
+#include "energies/assembly/band_variables.h"
 
 #include <Eigen/LU>
 
 namespace shellmatch {
 
 template <int Dim>
-EnergyHessian<Dim>::EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
-                                  const GeometryField<Dim>& target, const EnergyOptions& options)
-    : energy_(&energy), unknowns_(&unknowns), target_(&target), options_(options) {}
+EnergyHessian<Dim>::EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns)
+    : energy_(&energy), unknowns_(&unknowns) {}
 
 template <int Dim>
-void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValues& weights) {
+void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                  std::span<const float> damping) {
   const std::size_t n = unknowns_->elements().size();
+  SHELLMATCH_CHECK(damping.empty() || damping.size() == n, "one damping factor for each element");
   traces_.resize(n);
-  restraint_.resize(n);
-  room_.resize(n_chunks(n, autodiff::pack_size));
-  folds_cost_ =
-      weights[Term::barrier] > 0 || (options_.volume == VolumeDensity::full && weights[Term::volume] > 0);
+  margins_.resize(n_chunks(n, autodiff::pack_size));
+  folds_cost_ = energy_->terms().forbid_folds(weights);
+  const bool in_tangent = energy_->terms().fit_tangent(weights);
   if (!sum_) sum_.emplace(*unknowns_);
   energy_->cell_blocks().for_each([&](const Chunk& cells) {
     static thread_local ElementMatrices<Dim> matrices;
     matrices.resize(cells.end - cells.begin);
-    measure_room(cells, phi);
-    set_volume(cells, phi, weights[Term::volume], matrices);
-    if (weights[Term::barrier] > 0) add_barrier(cells, phi, weights[Term::barrier], matrices);
-    add_band(cells, phi, weights, matrices);
+    measure_margins(cells, phi);
+    set_cell_terms(cells, phi, weights, matrices);
+    add_corner_terms(cells, phi, weights, matrices);
+    if (in_tangent)
+      add_band_terms<TangentVariables<Dim>>(cells, phi, weights, matrices);
+    else
+      add_band_terms<AllVariables<Dim>>(cells, phi, weights, matrices);
     for (std::size_t e = cells.begin; e < cells.end; ++e) traces_[e] = matrices.trace(e - cells.begin);
-    add_kept_restraint(cells, matrices);
+    add_damping(cells, damping, matrices);
     sum_->add(energy_->cell_blocks(), cells, matrices);
   });
   inverse_blocks_.resize(unknowns_->nodes().size());

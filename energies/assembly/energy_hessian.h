@@ -2,14 +2,14 @@
 /// \file
 /// A positive semidefinite model of the energy's second derivative, for Newton's method.
 ///
-/// Match: Gauss-Newton. Membrane and bending: J^T W'' J with the second derivative of W made positive
-/// semidefinite at every quadrature point in closed form, in the tangent frames of both surfaces (there W is
-/// a function of a matrix of one row and column less), and J the first derivative of its argument by Dphi and
-/// by phi, on which n2 and the template's curvature depend. Volume: the second derivative at the element's
-/// centre, by principal stretches. Barrier: Gauss-Newton.
+/// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi, on
+/// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: Gauss and
+/// Newton's model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
+/// elements where they act. To the model is added, where the solver asks for it, a multiple of the Laplacian's matrix on
+/// single elements: it resists changes of the step within the element, and no common motion of its nodes.
 
-#include "energies/sparse/element_matrices.h"
 #include "energies/assembly/matching_energy.h"
+#include "energies/sparse/element_matrices.h"
 #include "energies/sparse/node_matrix.h"
 
 #include <optional>
@@ -18,23 +18,31 @@
 
 namespace shellmatch {
 
+/// An element and a factor on the Laplacian's matrix there.
+struct ElementDamping {
+  std::size_t element;
+  double factor;
+};
+
 template <int Dim>
 class EnergyHessian {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
 
   /// energy and unknowns must outlive this object.
-  EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
-                const GeometryField<Dim>& target, const EnergyOptions& options);
+  EnergyHessian(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns);
 
   /// Computes the model at phi. \pre the energy can be evaluated there.
-  void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights);
+  /// \param damping  factor on the Laplacian's matrix by element; empty: none
+  void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights, std::span<const float> damping = {});
 
-  /// Where the step d (nodal) from phi would fold a cell, or nearly so, the model knows nothing of it: adds
-  /// to such cells' matrices a multiple of the Laplacian's, which resists every change of the step within the
-  /// cell but none of it as a whole: Levenberg's and Marquardt's remedy, cell by cell. The multiples are kept
-  /// over the steps, where they fall unless they are called for again. False where no cell is in want of it.
-  bool restrain(std::span<const Vec<Dim>> phi, std::span<const double> d);
+  /// Elements on which the step d (by the unknowns) from phi, where the model was assembled, would use up the fold
+  /// margin: the smallest Bernstein coefficient of det Dphi would fall below a fifth of what it is, and below 0.2. With
+  /// each the factor that makes the Laplacian's matrix as stiff as the element's own. None where no term forbids folds.
+  std::vector<ElementDamping> elements_beyond_margin(std::span<const Vec<Dim>> phi, std::span<const double> d);
+
+  /// Adds multiples of the Laplacian's matrices to the model.
+  void add_damping(std::span<const ElementDamping> more);
 
   /// y = H x by the unknowns.
   void apply(std::span<const double> x, std::span<double> y) const;
@@ -43,29 +51,32 @@ class EnergyHessian {
   void precondition(std::span<const double> r, std::span<double> z) const;
 
  private:
-  // The matrices of a block's elements: the first writes, the others add.
-  void set_volume(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
-  void add_barrier(const Chunk& cells, std::span<const Vec<Dim>> phi, double weight, ElementMatrices<Dim>& matrices) const;
-  void add_band(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                ElementMatrices<Dim>& matrices) const;
-  void add_kept_restraint(const Chunk& cells, ElementMatrices<Dim>& matrices);
-  void measure_room(const Chunk& cells, std::span<const Vec<Dim>> phi);
+  /// Fold margin of eight elements.
+  struct Margin {
+    autodiff::Pack least_determinant;  ///< smallest Bernstein coefficient of det Dphi
+    autodiff::Pack largest_entry;      ///< of Dphi, in size
+  };
+
+  // The matrices of the elements of one block: the first writes, the others add.
+  void set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                      ElementMatrices<Dim>& matrices) const;
+  void add_corner_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                        ElementMatrices<Dim>& matrices) const;
+  template <class Variables>
+  void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                      ElementMatrices<Dim>& matrices) const;
+  void add_damping(const Chunk& cells, std::span<const float> damping, ElementMatrices<Dim>& matrices) const;
+  void measure_margins(const Chunk& cells, std::span<const Vec<Dim>> phi);
   void invert_block(std::size_t unknown);
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
-  const GeometryField<Dim>* target_;
-  EnergyOptions options_;
-  std::optional<NodeMatrix<Dim>> sum_;  ///< of the elements' matrices; its pattern is found when it is first wanted
-  std::vector<float> traces_;           ///< of the elements' matrices, kept restraint aside
-  bool folds_cost_ = false;             ///< is there a term that forbids them?
-  std::vector<float> restraint_;        ///< factor on the Laplacian's matrix, by element
-  struct Room {
-    autodiff::Pack least_determinant, largest_entry;
-  };
-  std::vector<Room> room_;                ///< eight elements each, at the phi of the last assemble()
+  std::optional<NodeMatrix<Dim>> sum_;    ///< of the elements' matrices; its pattern is found when it is first wanted
+  std::vector<float> traces_;             ///< of the elements' matrices without damping
+  bool folds_cost_ = false;               ///< is there a term that forbids them?
+  std::vector<Margin> margins_;           ///< by eight elements, at the phi of the last assemble()
   std::vector<Mat<Dim>> inverse_blocks_;  ///< of each unknown node
-  std::vector<Vec<Dim>> nodal_;           ///< scratch of restrain()
+  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin()
 };
 
 }  // namespace shellmatch

@@ -24,11 +24,12 @@ template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
                            std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second cache
+  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second-level cache
   const auto elements = unknowns.elements();
-  const Part all = parallel_sum(elements.size(), elements_at_a_time, Part{}, [&](const Chunk& piece) {
-    const auto some = elements.subspan(piece.begin, piece.end - piece.begin);
-    const MatchingEnergy<Dim> energy(some, geometry, options, sigma, points_per_direction);
+  const auto terms = std::make_shared<const EnergyTerms<Dim>>(options);
+  const Part all = parallel_sum(elements.size(), elements_at_a_time, Part{}, [&](const Chunk& chunk) {
+    const auto some = elements.subspan(chunk.begin, chunk.end - chunk.begin);
+    const MatchingEnergy<Dim> energy(some, geometry, terms, sigma, points_per_direction);
     Part part;
     part.is_evaluable = energy.report(phi, weights, part.values, part.band);
     return part;

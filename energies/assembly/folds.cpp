@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "energies/elements/element_batch.h"
-#include "energies/terms/fold_barrier.h"
+#include "energies/densities/bernstein.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,40 +9,60 @@
 
 namespace shellmatch {
 
-TermValues term_weights(const EnergyOptions& o, double nu, double volume_weight) {
-  TermValues w;
-  w[Term::match] = o.match_weight / nu;
-  w[Term::membrane] = o.membrane_weight * o.delta;
-  w[Term::bending] = o.bending_weight * o.delta * o.delta * o.delta;
-  w[Term::volume] = o.volume_weight * volume_weight;
-  w[Term::barrier] = o.fold_barrier;
-  return w;
-}
-
 template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                                     const EnergyOptions& options, double sigma, int points_per_direction)
-    : MatchingEnergy(unknowns.elements(), geometry, options, sigma, points_per_direction) {
+    : MatchingEnergy(unknowns, geometry, std::make_shared<const EnergyTerms<Dim>>(options), sigma, points_per_direction) {}
+
+template <int Dim>
+MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
+                                    std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma,
+                                    int points_per_direction)
+    : MatchingEnergy(unknowns.elements(), geometry, std::move(terms), sigma, points_per_direction) {
   cell_blocks_.emplace(unknowns);
 }
 
 template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
-                                    const EnergyOptions& options, double sigma, int points_per_direction)
+                                    std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma,
+                                    int points_per_direction)
     : elements_(elements),
       target_(&geometry.target),
-      options_(options),
+      terms_(std::move(terms)),
       shape_(points_per_direction),
       band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {}
 
+namespace {
+
+// Values of the terms by blocks of cells, and their sum in the order of the blocks.
+class BlockValues {
+ public:
+  BlockValues(std::size_t n_blocks, std::size_t n_terms) : n_terms_(n_terms), values_(n_blocks * n_terms, 0.0) {}
+  double* of(std::size_t block) { return values_.data() + block * n_terms_; }
+  bool is_finite(std::size_t block) {
+    double sum = 0;
+    for (std::size_t t = 0; t < n_terms_; ++t) sum += of(block)[t];
+    return std::isfinite(sum);
+  }
+  TermValues sum() const {
+    TermValues sum(n_terms_);
+    for (std::size_t i = 0; i < values_.size(); ++i) sum[i % n_terms_] += values_[i];
+    return sum;
+  }
+
+ private:
+  std::size_t n_terms_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
 template <int Dim>
 template <bool WithGradient>
-TermValues MatchingEnergy<Dim>::all_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                          double* gradients, BandSums* band_sums) const {
-  TermValues values;
+void MatchingEnergy<Dim>::add_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                    double* values, double* gradients, BandSums* band_sums) const {
   const bool is_possible = set_cell_terms<WithGradient>(cells, phi, weights, values, gradients);
   if (is_possible || band_sums) add_band_terms<WithGradient>(cells, phi, weights, values, gradients, band_sums);
-  return values;
 }
 
 template <int Dim>
@@ -55,13 +75,14 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
       if (!phi[i].allFinite()) possible = false;
   });
   if (!possible) return false;
+  SHELLMATCH_CHECK(weights.size() == terms_->size(), "one weight for each term");
   const std::size_t of_block = cells_per_block(elements_.size());
-  std::vector<TermValues> parts(n_chunks(elements_.size(), of_block));
+  BlockValues parts(n_chunks(elements_.size(), of_block), terms_->size());
   if (gradient.empty()) {
     parallel_chunks(elements_.size(), of_block, [&](const Chunk& cells) {
       if (!possible) return;
-      parts[cells.index] = all_terms<false>(cells, phi, weights, nullptr, nullptr);
-      if (!std::isfinite(parts[cells.index].sum())) possible = false;
+      add_terms<false>(cells, phi, weights, parts.of(cells.index), nullptr, nullptr);
+      if (!parts.is_finite(cells.index)) possible = false;
     });
   } else {
     SHELLMATCH_CHECK(cell_blocks_.has_value(), "a part of the energy has values only");
@@ -72,36 +93,27 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
       const std::size_t n = (cells.end - cells.begin) * n_dofs;
       packs.resize(n / autodiff::pack_size);
       double* gradients = reinterpret_cast<double*>(packs.data());
-      parts[cells.index] = all_terms<true>(cells, phi, weights, gradients, nullptr);
-      if (!std::isfinite(parts[cells.index].sum())) possible = false;
+      add_terms<true>(cells, phi, weights, parts.of(cells.index), gradients, nullptr);
+      if (!parts.is_finite(cells.index)) possible = false;
       cell_blocks_->add(cells, gradients, gradient);
       if (element_gradients) std::copy_n(gradients, n, element_gradients->data() + cells.begin * n_dofs);
     });
   }
-  values = {};
-  for (const TermValues& part : parts) values += part;
+  values = parts.sum();
   return std::isfinite(values.sum());  // or else a block was not
 }
 
 template <int Dim>
 bool MatchingEnergy<Dim>::report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                                  BandSums& band) const {
-  struct Part {
-    TermValues values;
-    BandSums band;
-    Part& operator+=(const Part& o) {
-      values += o.values;
-      band += o.band;
-      return *this;
-    }
-  };
-  const Part sum = parallel_sum(elements_.size(), cells_per_block(elements_.size()), Part{}, [&](const Chunk& cells) {
-    Part part;
-    part.values = all_terms<false>(cells, phi, weights, nullptr, &part.band);
-    return part;
+  const std::size_t of_block = cells_per_block(elements_.size());
+  BlockValues parts(n_chunks(elements_.size(), of_block), terms_->size());
+  band = parallel_sum(elements_.size(), of_block, BandSums{}, [&](const Chunk& cells) {
+    BandSums of_cells;
+    add_terms<false>(cells, phi, weights, parts.of(cells.index), nullptr, &of_cells);
+    return of_cells;
   });
-  values = sum.values;
-  band = sum.band;
+  values = parts.sum();
   return std::isfinite(values.sum());
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// Value and gradient of a recorded functor as straight-line code. Every node of the tape becomes one statement
-/// on a local variable, forward for the value and backward (reverse mode) for the adjoints; what node does what
-/// is known to the compiler, which keeps the variables in registers and on the stack.
+/// Values and derivatives of a recorded functor as straight-line code. Every node of the tape becomes one statement
+/// on a local variable, forward for the values and backward (reverse mode) for the adjoints, once for each output. The
+/// operation of every node is known to the compiler, which keeps the variables in registers and on the stack.
 ///
 /// `V` is double or Pack. The adjoint of a node is first assigned and then added to, by the tape's own order,
-/// so nothing has to be cleared.
+/// so that nothing has to be cleared.
 
 #include "energies/autodiff/expression.h"
 #include "energies/autodiff/pack.h"
@@ -27,15 +27,35 @@ class Compiled {
   static constexpr bool has_operands(Op op) { return op != Op::constant && op != Op::active && op != Op::passive; }
   static constexpr bool is_unary(Op op) { return op == Op::negate || op == Op::sqrt || op == Op::exp; }
 
-  // The backward sweep meets the users of a node from the last to the first: the last one assigns.
-  static constexpr std::array<int, n_> last_user_ = [] {
-    std::array<int, n_> r{};
-    for (std::size_t i = 0; i < n_; ++i) r[i] = -1;
-    for (std::size_t i = 0; i < n_; ++i)
-      if (nodes_[i].is_active && has_operands(nodes_[i].op)) {
-        r[nodes_[i].a] = static_cast<int>(i);
-        r[nodes_[i].b] = static_cast<int>(i);
-      }
+  static constexpr std::size_t n_outputs_ = n_outputs_of<Functor>;
+  static constexpr auto outputs_ = full_.outputs;
+
+  // By output: the active nodes that it depends on, itself among them.
+  static constexpr auto reached_ = [] {
+    std::array<std::array<bool, n_>, n_outputs_> r{};
+    for (std::size_t o = 0; o < n_outputs_; ++o) {
+      r[o][outputs_[o]] = nodes_[outputs_[o]].is_active;
+      for (std::size_t i = n_; i-- > 0;)
+        if (r[o][i] && has_operands(nodes_[i].op)) {
+          if (nodes_[nodes_[i].a].is_active) r[o][nodes_[i].a] = true;
+          if (nodes_[nodes_[i].b].is_active) r[o][nodes_[i].b] = true;
+        }
+    }
+    return r;
+  }();
+
+  // By output: the last reached node that uses a node. The backward sweep meets users from the last to the first, so
+  // that this one assigns the adjoint and the others add to it.
+  static constexpr auto last_user_ = [] {
+    std::array<std::array<int, n_>, n_outputs_> r{};
+    for (std::size_t o = 0; o < n_outputs_; ++o) {
+      for (int& user : r[o]) user = -1;
+      for (std::size_t i = 0; i < n_; ++i)
+        if (reached_[o][i] && has_operands(nodes_[i].op)) {
+          r[o][nodes_[i].a] = static_cast<int>(i);
+          r[o][nodes_[i].b] = static_cast<int>(i);
+        }
+    }
     return r;
   }();
 
@@ -55,55 +75,68 @@ class Compiled {
     else if constexpr (n.op == Op::max) v[I] = max_of(v[n.a], v[n.b]);
   }
 
-  template <std::size_t User, int Operand, bool Second, class V>
+  template <std::size_t Output, std::size_t User, int Operand, bool Second, class V>
   [[gnu::always_inline]] static void add_adjoint(V* a, V d) {
     if constexpr (nodes_[Operand].is_active) {
       // x * x gives two contributions from one user: only the first of them may assign.
       constexpr bool repeated = Second && nodes_[User].a == nodes_[User].b;
-      if constexpr (last_user_[Operand] == static_cast<int>(User) && !repeated) a[Operand] = d;
+      if constexpr (last_user_[Output][Operand] == static_cast<int>(User) && !repeated) a[Operand] = d;
       else a[Operand] = a[Operand] + d;
     }
   }
 
-  template <std::size_t I, class V>
+  template <std::size_t Output, std::size_t I, class V>
   [[gnu::always_inline]] static void backward(const V* v, V* a) {
     constexpr Node n = nodes_[I];
-    if constexpr (n.is_active && has_operands(n.op)) {
+    if constexpr (reached_[Output][I] && has_operands(n.op)) {
       const V g = a[I];
       if constexpr (n.op == Op::add) {
-        add_adjoint<I, n.a, false>(a, g);
-        add_adjoint<I, n.b, true>(a, g);
+        add_adjoint<Output, I, n.a, false>(a, g);
+        add_adjoint<Output, I, n.b, true>(a, g);
       } else if constexpr (n.op == Op::subtract) {
-        add_adjoint<I, n.a, false>(a, g);
-        add_adjoint<I, n.b, true>(a, V(-g));
+        add_adjoint<Output, I, n.a, false>(a, g);
+        add_adjoint<Output, I, n.b, true>(a, V(-g));
       } else if constexpr (n.op == Op::multiply) {
-        if constexpr (nodes_[n.a].is_active) add_adjoint<I, n.a, false>(a, V(g * v[n.b]));
-        if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(g * v[n.a]));
+        if constexpr (nodes_[n.a].is_active) add_adjoint<Output, I, n.a, false>(a, V(g * v[n.b]));
+        if constexpr (nodes_[n.b].is_active) add_adjoint<Output, I, n.b, true>(a, V(g * v[n.a]));
       } else if constexpr (n.op == Op::divide) {
         const V q = g / v[n.b];
-        add_adjoint<I, n.a, false>(a, q);
-        if constexpr (nodes_[n.b].is_active) add_adjoint<I, n.b, true>(a, V(-q * v[I]));
+        add_adjoint<Output, I, n.a, false>(a, q);
+        if constexpr (nodes_[n.b].is_active) add_adjoint<Output, I, n.b, true>(a, V(-q * v[I]));
       } else if constexpr (n.op == Op::negate) {
-        add_adjoint<I, n.a, false>(a, V(-g));
+        add_adjoint<Output, I, n.a, false>(a, V(-g));
       } else if constexpr (n.op == Op::sqrt) {
-        add_adjoint<I, n.a, false>(a, V(0.5 * g / v[I]));
+        add_adjoint<Output, I, n.a, false>(a, V(0.5 * g / v[I]));
       } else if constexpr (n.op == Op::exp) {
-        add_adjoint<I, n.a, false>(a, V(g * v[I]));
+        add_adjoint<Output, I, n.a, false>(a, V(g * v[I]));
       } else if constexpr (n.op == Op::max) {
         const V first = where_greater(v[n.a], v[n.b], g);
-        add_adjoint<I, n.a, false>(a, first);
-        add_adjoint<I, n.b, true>(a, V(g - first));
+        add_adjoint<Output, I, n.a, false>(a, first);
+        add_adjoint<Output, I, n.b, true>(a, V(g - first));
       }
     }
   }
 
-  template <std::size_t I, class V>
+  template <std::size_t Output, std::size_t I, class V>
   [[gnu::always_inline]] static void store_adjoint(const V* a, V* result) {
-    if constexpr (nodes_[I].op == Op::active) result[nodes_[I].a] = a[I];
+    if constexpr (nodes_[I].op == Op::active && reached_[Output][I]) result[nodes_[I].a] = a[I];
+  }
+
+  // Adjoints of one output by the active inputs, from the values of all nodes.
+  template <std::size_t Output, class V>
+  [[gnu::always_inline]] static void sweep(const V* v, V seed, V* adjoint) {
+    V a[n_];
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      a[outputs_[Output]] = seed;
+      (backward<Output, n_ - 1 - I>(v, a), ...);
+      for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
+      (store_adjoint<Output, I>(a, adjoint), ...);
+    }(std::make_index_sequence<n_>{});
   }
 
  public:
   static constexpr std::size_t n_operations = n_;
+  static constexpr int n_outputs = static_cast<int>(n_outputs_);
 
   /// Does the functor read this active input at all? To be asked at compile time: the answer takes a look at all nodes.
   static consteval bool reads_active(int input) {
@@ -111,29 +144,48 @@ class Compiled {
       if (n.op == Op::active && n.a == input) return true;
     return false;
   }
+  /// Does this output depend on this active input?
+  static consteval bool depends(int output, int input) {
+    for (std::size_t i = 0; i < n_; ++i)
+      if (reached_[output][i] && nodes_[i].op == Op::active && nodes_[i].a == input) return true;
+    return false;
+  }
 
+  /// The functor's value. \pre it has one output
   template <class V>
   [[gnu::always_inline]] static V value(const V* active, const V* passive) {
+    static_assert(n_outputs_ == 1);
     V v[n_];
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (forward<I>(v, active, passive), ...);
     }(std::make_index_sequence<n_>{});
-    return v[n_ - 1];
+    return v[outputs_[0]];
   }
 
   /// Value, and `seed` times the derivative by each active input in `adjoint` (size n_active; 0 for inputs that
-  /// are not read).
+  /// are not read). \pre the functor has one output
   template <class V>
   [[gnu::always_inline]] static V gradient(const V* active, const V* passive, V seed, V* adjoint) {
-    V v[n_], a[n_];
+    static_assert(n_outputs_ == 1);
+    V v[n_];
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
       (forward<I>(v, active, passive), ...);
-      a[n_ - 1] = seed;
-      (backward<n_ - 1 - I>(v, a), ...);
-      for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
-      (store_adjoint<I>(a, adjoint), ...);
-      return v[n_ - 1];
+      sweep<0>(v, seed, adjoint);
+      return v[outputs_[0]];
     }(std::make_index_sequence<n_>{});
+  }
+
+  /// All outputs, and the derivative of output o by active input i in derivative[o * n_active + i] (0 where there is no
+  /// dependence).
+  template <class V>
+  [[gnu::always_inline]] static void jacobian(const V* active, const V* passive, V* values, V* derivative) {
+    V v[n_];
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (forward<I>(v, active, passive), ...);
+    }(std::make_index_sequence<n_>{});
+    [&]<std::size_t... O>(std::index_sequence<O...>) {
+      ((values[O] = v[outputs_[O]], sweep<O>(v, broadcast(V{}, 1.0), derivative + O * Functor::n_active)), ...);
+    }(std::make_index_sequence<n_outputs_>{});
   }
 };
 

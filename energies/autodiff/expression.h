@@ -122,17 +122,26 @@ class Expression {
   double value_ = 0;
 };
 
-/// A finished record: `size` nodes in an order in which operands come before their use; the last is the result.
-template <std::size_t Capacity>
+/// Number of values that a functor returns: one, or as many as `Functor::n_outputs` says, as an array.
+template <class Functor>
+inline constexpr int n_outputs_of = 1;
+template <class Functor>
+  requires requires { Functor::n_outputs; }
+inline constexpr int n_outputs_of<Functor> = Functor::n_outputs;
+
+/// A finished record: `size` nodes in an order in which operands come before their use, and the nodes of the results.
+template <std::size_t Capacity, int NOutputs>
 struct Tape {
   std::array<Node, Capacity> nodes{};
   std::size_t size = 0;
+  std::array<int, NOutputs> outputs{};
 };
 
-/// Records Functor::evaluate(active, passive), where both are arrays of Expression.
-/// Functor names n_active and n_passive.
+/// Records Functor::evaluate(active, passive), where both are arrays of Expression. The functor returns a scalar, or a
+/// std::array of n_outputs of them. Functor names n_active and n_passive.
 template <class Functor, std::size_t Capacity = 2048>
-consteval Tape<Capacity> record() {
+consteval Tape<Capacity, n_outputs_of<Functor>> record() {
+  constexpr int n_outputs = n_outputs_of<Functor>;
   Record recorded;
   std::array<Expression, Functor::n_active> active;
   std::array<Expression, Functor::n_passive> passive;
@@ -140,21 +149,29 @@ consteval Tape<Capacity> record() {
     active[i] = {&recorded, recorded.find_or_add({.op = Op::active, .a = i, .is_active = true})};
   for (int i = 0; i < Functor::n_passive; ++i)
     passive[i] = {&recorded, recorded.find_or_add({.op = Op::passive, .a = i})};
-  const Expression result = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
+  std::array<Expression, n_outputs> results;
+  if constexpr (requires { Functor::n_outputs; })
+    results = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
+  else
+    results[0] = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
+  Tape<Capacity, n_outputs> tape;
+  for (int o = 0; o < n_outputs; ++o)
+    tape.outputs[o] = results[o].is_constant()
+                          ? recorded.find_or_add(Node{.op = Op::constant, .value = results[o].value()})
+                          : results[o].node();
 
-  // Keep what the result depends on, in the same order.
+  // Keep what the results depend on, in the same order.
   const std::vector<Node>& all = recorded.nodes();
   const auto is_input = [](const Node& n) { return n.op == Op::active || n.op == Op::passive || n.op == Op::constant; };
   std::vector<char> needed(all.size(), 0);
-  needed[result.node()] = 1;
-  for (int i = result.node(); i >= 0; --i)
+  for (const int output : tape.outputs) needed[output] = 1;
+  for (int i = static_cast<int>(all.size()) - 1; i >= 0; --i)
     if (needed[i] && !is_input(all[i])) {
       needed[all[i].a] = 1;
       needed[all[i].b] = 1;
     }
   std::vector<int> moved(all.size(), -1);
-  Tape<Capacity> tape;
-  for (int i = 0; i <= result.node(); ++i) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     if (!needed[i]) continue;
     Node n = all[i];
     if (!is_input(n)) {
@@ -164,6 +181,7 @@ consteval Tape<Capacity> record() {
     moved[i] = static_cast<int>(tape.size);
     tape.nodes[tape.size++] = n;
   }
+  for (int& output : tape.outputs) output = moved[output];
   return tape;
 }
 

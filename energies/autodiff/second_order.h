@@ -67,6 +67,14 @@ struct SecondOrder {
     const V e = exp_of(x.v);
     return chain(x, e, e, e);
   }
+  /// The larger one with its derivatives, entry by entry where V is a Pack; y where they are equal.
+  friend SecondOrder max_of(const SecondOrder& x, const SecondOrder& y) {
+    SecondOrder r;
+    r.v = max_of(x.v, y.v);
+    for (int i = 0; i < N; ++i) r.g[i] = x.v > y.v ? x.g[i] : y.g[i];
+    for (std::size_t i = 0; i < r.upper.size(); ++i) r.upper[i] = x.v > y.v ? x.upper[i] : y.upper[i];
+    return r;
+  }
 };
 
 }  // namespace shellmatch::autodiff

@@ -14,6 +14,7 @@ inline constexpr int n_symmetric = Dim * (Dim + 1) / 2;
 
 template <class T, int Dim>
 struct SmallVec {
+  static constexpr int size = Dim;
   std::array<T, Dim> v{};
   constexpr T& operator[](int i) { return v[i]; }
   constexpr const T& operator[](int i) const { return v[i]; }
@@ -21,6 +22,7 @@ struct SmallVec {
 
 template <class T, int Dim>
 struct SmallMat {
+  static constexpr int size = Dim * Dim;
   std::array<T, Dim * Dim> v{};
   constexpr T& operator()(int i, int j) { return v[i * Dim + j]; }
   constexpr const T& operator()(int i, int j) const { return v[i * Dim + j]; }

@@ -93,24 +93,4 @@ struct ElementBatch {
   }
 };
 
-/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at
-/// most `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
-template <int Dim>
-autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
-  const autodiff::Pack after = largest + change;
-  if constexpr (Dim == 2)
-    return 2.0 * (after * after - largest * largest);
-  else
-    return 6.0 * (after * after * after - largest * largest * largest);
-}
-
-/// A lower bound of all Bernstein coefficients of det Dphi on each of the eight, at a third of their cost: exact
-/// where phi is affine. NaN where a position is.
-template <int Dim>
-autodiff::Pack determinant_bound(const ElementBatch<Dim>& batch);
-
-/// Smallest Bernstein coefficient of det Dphi on each of the eight (energies/terms/fold_barrier.h).
-template <int Dim>
-autodiff::Pack least_determinant(const ElementBatch<Dim>& batch);
-
 }  // namespace shellmatch

@@ -2,7 +2,7 @@
 /// \file
 /// Elements and unknowns of a grid as the energies use them, and shape functions at quadrature points.
 
-#include "energies/options.h"
+#include "energies/elements/boundary_condition.h"
 #include "grid/octree/octree.h"
 #include "grid/fields/quadrature.h"
 

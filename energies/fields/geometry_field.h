@@ -6,7 +6,7 @@
 
 #include "energies/autodiff/jet.h"
 #include "energies/autodiff/pack.h"
-#include "energies/terms/integrands.h"
+#include "energies/fields/coefficients.h"
 #include "grid/octree/octree.h"
 #include "grid/fields/spline_space.h"
 

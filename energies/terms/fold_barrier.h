@@ -1,96 +1,86 @@
 #pragma once
 /// \file
-/// A barrier that keeps det Dphi positive throughout every cell. det Dphi is a polynomial on a cell, of degree 2
-/// in each direction in space and bilinear in the plane; it is positive where its Bernstein coefficients are.
-/// The barrier acts on these coefficients: what it certifies at the coefficients holds at every point, and
-/// subdivision only forms convex combinations of them, so that refinement keeps the certificate.
 
-#include "energies/autodiff/pack.h"
-#include "energies/densities/small_matrix.h"
-#include "grid/octree/octree.h"
+#include "energies/autodiff/compiled.h"
+#include "energies/densities/bernstein.h"
+#include "energies/elements/determinants.h"
+#include "energies/terms/term.h"
 
 #include <cmath>
 
 namespace shellmatch {
 
-/// Bernstein coefficients of det Dphi on the unit cell per direction: 2 in the plane, 3 in space.
-template <int Dim>
-inline constexpr int n_bernstein = Dim == 2 ? 2 : 3;
-/// And in all: 4 or 27.
-template <int Dim>
-inline constexpr int n_bernstein_total = Dim == 2 ? 4 : 27;
-
-/// Bernstein coefficients of det(d phi/d xi), xi in the unit cell, from the positions of the corners (corner
-/// after corner, Dim components each). Divide by side^Dim for det Dphi. The first direction runs fastest.
-template <int Dim, class T>
-constexpr std::array<T, n_bernstein_total<Dim>> bernstein_determinant(const T* dofs) {
-  constexpr int n = n_bernstein<Dim>, n_edges = n_corners<Dim> / 2, n_places = n_bernstein_total<Dim> / n;
-  // d phi/d xi_k is the same all along xi_k, and multilinear in the other directions: differences along edges, in space
-  // also half way between them, which are means.
-  std::array<std::array<std::array<T, Dim>, n_places>, Dim> slope;
-  for (int k = 0; k < Dim; ++k)
-    for (int a = 0; a < Dim; ++a) {
-      std::array<T, n_edges> edge;
-      for (int e = 0; e < n_edges; ++e) {
-        const int c = (e & ((1 << k) - 1)) | (e >> k << (k + 1));  // the edge's lower end
-        edge[e] = dofs[(c | (1 << k)) * Dim + a] - dofs[c * Dim + a];
-      }
-      auto& at = slope[k];
-      if constexpr (Dim == 2) {
-        for (int e = 0; e < n_edges; ++e) at[e][a] = edge[e];
-      } else {
-        for (int e = 0; e < n_edges; ++e) at[2 * (e & 1) + 6 * (e >> 1)][a] = edge[e];
-        for (const int row : {0, 6}) at[row + 1][a] = 0.5 * (at[row][a] + at[row + 2][a]);
-        for (int i = 0; i < 3; ++i) at[3 + i][a] = 0.5 * (at[i][a] + at[6 + i][a]);
-      }
-    }
-  // det at the points {0, 1} or {0, 1/2, 1} in each direction.
-  std::array<T, n_bernstein_total<Dim>> b;
-  for (int i = 0; i < n_bernstein_total<Dim>; ++i) {
-    const int place[3] = {i % n, (i / n) % n, i / (n * n)};
-    SmallMat<T, Dim> j;
-    for (int k = 0; k < Dim; ++k) {
-      int at = 0;  // of the other directions, the first runs fastest
-      for (int m = Dim - 1; m >= 0; --m)
-        if (m != k) at = n * at + place[m];
-      for (int a = 0; a < Dim; ++a) j(a, k) = slope[k][at][a];
-    }
-    b[i] = determinant(j);
-  }
-  if constexpr (Dim == 3) {
-    // Along each direction, values at 0, 1/2, 1 become coefficients: only the middle one changes.
-    for (int stride = 1; stride <= 9; stride *= 3)
-      for (int i = 0; i < 27; ++i)
-        if ((i / stride) % 3 == 1) b[i] = 2.0 * b[i] - 0.5 * (b[i - stride] + b[i + stride]);
-  }
-  return b;
-}
-
-/// Functors of the corners' positions, corner after corner, and of one number that is not differentiated by.
-template <int Dim>
-struct FunctorOfCorners {
-  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
-};
-
-/// Mean over the coefficients b of B(b / d0), B(x) = (1 - x)^3 / x for 0 < x < 1 and 0 beyond: twice
-/// continuously differentiable, infinite as x -> 0, NaN for x <= 0. Active: the corners' positions; passive:
-/// 1 / (d0 side^Dim).
-template <int Dim>
-struct FoldBarrierFunctor : FunctorOfCorners<Dim> {
+/// B(x) = (1 - x)^3 / x for 0 < x < 1 and 0 beyond: twice continuously differentiable, infinite as x -> 0, NaN for x <= 0.
+struct BarrierDensity {
   template <class T, class P>
-  static constexpr T evaluate(const T* active, const P* passive) {
+  static constexpr T value(const T& x, const Material<P>&) {
     using autodiff::max_of;
     using std::sqrt;
-    const auto b = bernstein_determinant<Dim>(active);
-    T sum(0.0);
-    for (const T& coefficient : b) {
-      const T x = coefficient * passive[0];
-      const T root = sqrt(x);  // NaN for x < 0
-      const T gap = max_of(1.0 - x, T(0.0));
-      sum = sum + gap * gap * gap / (root * root);
-    }
-    return sum * (1.0 / n_bernstein_total<Dim>);
+    const T root = sqrt(x);  // NaN for x < 0
+    const T gap = max_of(1.0 - x, T(0.0));
+    return gap * gap * gap / (root * root);
   }
+};
+
+/// A barrier that keeps det Dphi positive throughout every cell: kappa times the mean of B(b / d0) over the Bernstein
+/// coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds at every
+/// point and in every part of the cell.
+template <int Dim>
+struct FoldBarrier : CornerTerm<Dim> {
+  static constexpr TermInfo info{
+      .name = "barrier",
+      .meaning = "barrier on the Bernstein coefficients of det Dphi",
+      .weight = {"fold_barrier", 1,
+                 {.unit = "energy/volume", .min = 0,
+                  .meaning = "kappa, weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
+      .forbids_folds = true};
+  static constexpr std::array<TermOption, 1> own{
+      {{"fold_threshold", 0.1,
+        {.min = 0, .max = 0.9, .min_excluded = true,
+         .meaning = "d0: the barrier acts on cells where a Bernstein coefficient of det Dphi is below this"}}}};
+  static constexpr int n_arguments = n_bernstein_total<Dim>;
+  using Density = BarrierDensity;
+
+  /// What the coefficients of det(d phi/d xi) are multiplied by: 1 / (d0 side^Dim).
+  template <class V>
+  static V scale(const V& inverse_side, const Material<double>& c) {
+    V s = V{} + 1.0 / c.own[0];
+    for (int k = 0; k < Dim; ++k) s *= inverse_side;
+    return s;
+  }
+
+  template <class T, class P>
+  static constexpr std::array<T, n_arguments> argument(const T* corners, const P& scale) {
+    std::array<T, n_arguments> x = bernstein_determinant<Dim>(corners);
+    for (T& coefficient : x) coefficient = coefficient * scale;
+    return x;
+  }
+
+  /// Not 0 in the lanes of elements on which the term does not vanish, at a small part of its cost: most elements are far
+  /// from folding.
+  static autodiff::Pack may_act(const ElementBatch<Dim>& batch, const Material<double>& c) {
+    using autodiff::Pack;
+    const Pack is_near = determinant_bound(batch) > c.own[0] ? Pack{} : Pack{} + 1.0;
+    if (autodiff::sum_lanes(is_near) == 0) return Pack{};
+    const Pack passive = scale(batch.inverse_side, c);
+    return autodiff::Compiled<Gap>::value(batch.u.data(), &passive);
+  }
+
+ private:
+  /// By how much coefficients lie below 1, without roots and divisions. NaN where one of them is.
+  struct Gap {
+    static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
+    template <class T, class P>
+    static constexpr T evaluate(const T* active, const P* passive) {
+      using autodiff::max_of;
+      T gaps(0.0), sum(0.0);
+      for (const T& x : argument<T, P>(active, passive[0])) {
+        gaps = gaps + max_of(1.0 - x, T(0.0));  // 0 for NaN
+        sum = sum + x;
+      }
+      return gaps + (sum - sum);
+    }
+  };
 };
 
 }  // namespace shellmatch

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "energies/assembly/energy_report.h"
+#include "energies/terms/term_names.h"
 #include "grid/fields/mass.h"
 #include "grid/octree/prolongation.h"
 #include "matching/derivative_check/gradient_check.h"
@@ -67,7 +68,7 @@ class Level {
       start.volume_weight = steps[s].volume_weight;
       weights = term_weights(options_.energy, start.nu, start.volume_weight);
       LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
-                                [&](Metric metric) { return level_metric(level_, options_.energy, solver, weights, metric); });
+                                [&](Metric metric) { return level_metric(level_, solver, weights, metric); });
       std::vector<double> x = problem.unknowns_of(phi);
       StopOptions stop = solver.stop;
       if (level < options_.cascade.max_level || s + 1 < steps.size())
@@ -96,7 +97,7 @@ class Level {
       interrupted = result.last.reason == StopReason::interrupted;
       phi = problem.positions(x);
       next = terms.empty() ? s + 1
-                           : step_after(steps, s, terms[static_cast<std::size_t>(Term::match)],
+                           : step_after(steps, s, terms[static_cast<std::size_t>("match"_term)],
                                         result.last.final_value, options_.cascade.negligible_rise);
       result.iterations += result.last.iterations;
       result.value_evaluations += result.last.value_evaluations;
@@ -122,11 +123,11 @@ class Level {
   // Where not even the first minimisation can begin there is nothing to match.
   [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
     std::string which;
-    for (int t = 0; t < n_terms; ++t) {
+    for (std::size_t t = 0; t < weights.size(); ++t) {
       TermValues alone, values;
-      alone.v[t] = weights.v[t];
-      if (alone.v[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
-        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", term_names[t], alone.v[t]);
+      alone[t] = weights[t];
+      if (alone[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
+        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", term_names()[t], alone[t]);
     }
     throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {}; "
                       "choose smaller weights or parameters of it (energy.*, cascade.*)",
@@ -143,7 +144,7 @@ class Level {
     TermValues values;
     if (!level_.energy.evaluate(phi, weights, values, {})) return;
     GradientReport report = check_gradient<Dim>(
-        level_, CheckedEnergy<Dim>(level_), options_.energy, phi, weights,
+        level_, CheckedEnergy<Dim>(level_), phi, weights,
         {.n_directions = o.directions, .seed = 1, .most_differenced = 200, .n_ceres_elements = 2, .newton_model = false});
     report.substep = start.substep;
     report.iteration = iteration;

@@ -33,7 +33,7 @@ struct LevelEnergy {
         unknowns(g, options.energy.boundary),
         geometry(std::move(shapes)),
         energy(unknowns, geometry, options.energy, sigma, options.energy.quadrature_order),
-        hessian(energy, unknowns, geometry.target, options.energy) {}
+        hessian(energy, unknowns) {}
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
 };

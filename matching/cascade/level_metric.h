@@ -8,10 +8,10 @@
 
 namespace shellmatch {
 
-/// Matrix of h1 or h1_band on the unknown nodes (energies/sparse/metric_matrix.h).
+/// Matrix of h1 or h1_band on the unknown nodes (energies/assembly/metric_matrix.h).
 /// \param weights of the terms in the minimisation that the metric is for
 template <int Dim>
-Eigen::SparseMatrix<double> level_metric(const LevelEnergy<Dim>& level, const EnergyOptions& energy,
-                                         const SolverOptions& solver, const TermValues& weights, Metric metric);
+Eigen::SparseMatrix<double> level_metric(const LevelEnergy<Dim>& level, const SolverOptions& solver,
+                                         const TermValues& weights, Metric metric);
 
 }  // namespace shellmatch

@@ -29,20 +29,29 @@ bool LevelProblem<Dim>::evaluate(std::span<const double> x, double& value, std::
 }
 
 template <int Dim>
-void LevelProblem<Dim>::prepare_second_derivative(std::span<const double> x) {
+void LevelProblem<Dim>::prepare_second_derivative(std::span<const double> x, std::span<const float> damping) {
   unknowns_->expand(x, phi_);
-  hessian_.assemble(phi_, weights_);
+  hessian_.assemble(phi_, weights_, damping);
 }
 
 template <int Dim>
-bool LevelProblem<Dim>::restrain(std::span<const double> x, std::span<const double> d) {
+std::vector<RegionDamping> LevelProblem<Dim>::regions_beyond_model(std::span<const double> x, std::span<const double> d) {
   unknowns_->expand(x, phi_);
-  return hessian_.restrain(phi_, d);
+  std::vector<RegionDamping> regions;
+  for (const ElementDamping& one : hessian_.elements_beyond_margin(phi_, d)) regions.push_back({one.element, one.factor});
+  return regions;
+}
+
+template <int Dim>
+void LevelProblem<Dim>::add_damping(std::span<const RegionDamping> regions) {
+  std::vector<ElementDamping> elements;
+  for (const RegionDamping& one : regions) elements.push_back({one.region, one.factor});
+  hessian_.add_damping(elements);
 }
 
 template <int Dim>
 std::vector<std::string> LevelProblem<Dim>::term_names() const {
-  return {shellmatch::term_names.begin(), shellmatch::term_names.end()};
+  return energy_->terms().names();
 }
 
 template <int Dim>

@@ -26,17 +26,20 @@ class LevelProblem final : public SecondOrderObjective {
   std::size_t size() const override { return unknowns_->size(); }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override;
   std::vector<std::string> term_names() const override;
-  std::vector<double> term_values() const override { return {values_.v.begin(), values_.v.end()}; }
+  std::vector<double> term_values() const override { return {values_.begin(), values_.end()}; }
   std::span<const double> lumped_mass() const override { return mass_; }
   Eigen::SparseMatrix<double> metric_matrix(Metric metric) const override {
     return metric_ ? metric_(metric) : Eigen::SparseMatrix<double>();
   }
 
-  void prepare_second_derivative(std::span<const double> x) override;
+  void prepare_second_derivative(std::span<const double> x, std::span<const float> damping) override;
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
   void precondition(std::span<const double> r, std::span<double> z) const override { hessian_.precondition(r, z); }
 
-  bool restrain(std::span<const double> x, std::span<const double> d) override;
+  /// The elements of the grid.
+  std::size_t n_regions() const override { return unknowns_->elements().size(); }
+  std::vector<RegionDamping> regions_beyond_model(std::span<const double> x, std::span<const double> d) override;
+  void add_damping(std::span<const RegionDamping> regions) override;
 
   /// The unknowns of the nodal positions.
   std::vector<double> unknowns_of(const std::vector<Vec<Dim>>& phi) const;

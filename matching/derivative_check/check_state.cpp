@@ -1,5 +1,7 @@
 #include "matching/derivative_check/check_state.h"
 
+#include "energies/terms/term_names.h"
+
 #include "base/error.h"
 #include "energies/assembly/folds.h"
 #include "grid/octree/constraints.h"
@@ -93,7 +95,7 @@ std::vector<Vec<Dim>> positions_of(const CheckState& state, const LevelEnergy<Di
   }
   distribute(level.grid, phi);
   distribute(level.grid, noise);
-  const double bound = options.fold_barrier > 0 ? 0.5 * options.fold_threshold : 0.3;
+  const double bound = options.terms.factor("barrier"_term) > 0 ? 0.5 * options.terms.own("fold_threshold") : 0.3;
   const double smooth_bound = find_folds<Dim>(level.unknowns.elements(), phi).lower_bound;
   if (!(smooth_bound > 0))
     throw_input_error("--state {}: a random deformation of this amplitude folds; choose a smaller one", state.text());

@@ -65,8 +65,6 @@ class Along {
   std::vector<Vec<Dim>> phi_;
 };
 
-bool reads_target(const TermValues& w) { return w[Term::match] > 0 || w[Term::membrane] > 0 || w[Term::bending] > 0; }
-
 /// Along one direction: the shorter the reach, the fewer points have to be held back; rounding decides how short it
 /// can be. Leaves the direction that served in `v`.
 template <int Dim>
@@ -76,7 +74,7 @@ DirectionCheck check_direction(const CheckPlace<Dim>& place, const CheckedEnergy
   for (const double reach : {0.003, 0.02, 0.1}) {
     v = random_direction(place.level, seed);
     result = {};
-    if (reads_target(term.weights)) {
+    if (place.level.energy.terms().read_target(term.weights)) {
       const HeldPoints held = hold_at_kinks<Dim>(place.level.unknowns, place.oracle, place.level.geometry.target, place.level.grid, place.phi, reach, v);
       result.n_points_near_faces = held.n_points;
       result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(place.level.unknowns.nodes().size());

@@ -46,7 +46,7 @@ TermCheck check_term(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& ene
 }  // namespace
 
 template <int Dim>
-GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy, const EnergyOptions& options,
+GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy,
                               const std::vector<Vec<Dim>>& phi, const TermValues& weights,
                               const GradientCheckSettings& settings, const std::function<void(const std::string&)>& next) {
   SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(level.grid.n_nodes()), "phi has a position for each node");
@@ -55,26 +55,24 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   report.level = level.grid.finest_level();
   report.n_nodes = level.grid.n_nodes();
   report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
-  const ElementOracle<Dim> oracle(level.energy, level.unknowns, level.geometry.target, options);
+  const ElementOracle<Dim> oracle(level.energy, level.unknowns);
   const CheckPlace<Dim> place{level, oracle, phi, settings};
-  const bool has_newton_model =
-      settings.newton_model && options.membrane == MembraneModel::thin_shell && options.bending == BendingModel::thin_shell;
-  for (int t = 0; t <= n_terms; ++t) {
-    const std::string name(t < n_terms ? term_names[t] : "sum");
+  for (std::size_t t = 0; t <= weights.size(); ++t) {
+    const std::string name(t < weights.size() ? term_names()[t] : "sum");
     if (next) next(name);
     TermValues some = weights;
-    if (t < n_terms) {
+    if (t < weights.size()) {
       some = {};
-      some.v[t] = weights.v[t];
+      some[t] = weights[t];
     }
-    report.terms.push_back(check_term(place, energy, some, name, has_newton_model));
+    report.terms.push_back(check_term(place, energy, some, name, settings.newton_model));
   }
   return report;
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                               \
   template class CheckedEnergy<Dim>;                                                                              \
-  template GradientReport check_gradient<Dim>(LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, const EnergyOptions&, \
+  template GradientReport check_gradient<Dim>(LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, \
                                               const std::vector<Vec<Dim>>&, const TermValues&,                    \
                                               const GradientCheckSettings&,                                       \
                                               const std::function<void(const std::string&)>&);

@@ -43,7 +43,7 @@ struct GradientCheckSettings {
 /// `next` before each term. Evaluates, and leaves the Newton model assembled for something else.
 /// \throws InputError where the energy cannot be evaluated at phi
 template <int Dim>
-GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy, const EnergyOptions& options,
+GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy,
                               const std::vector<Vec<Dim>>& phi, const TermValues& weights,
                               const GradientCheckSettings& settings,
                               const std::function<void(const std::string& term)>& next = {});

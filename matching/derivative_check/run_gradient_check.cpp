@@ -60,7 +60,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
   const TermValues weights = term_weights(options.energy, step.nu, step.volume_weight);
-  GradientReport report = check_gradient<Dim>(level, CheckedEnergy<Dim>(level), options.energy, phi, weights, request.settings,
+  GradientReport report = check_gradient<Dim>(level, CheckedEnergy<Dim>(level), phi, weights, request.settings,
                                               [&](const std::string& term) { observer.phase(fmt::format("checking {}", term)); });
   report.state = request.state.text();
   report.nu = step.nu;

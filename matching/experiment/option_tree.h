@@ -90,14 +90,19 @@ struct TreeBuilder {
   OptionNode& parent;
 
   template <class T>
-  void operator()(const char* name, T& member, OptionInfo info) {
+  void operator()(std::string_view name, T& member, OptionInfo info) {
     OptionNode node;
     node.name = name;
-    node.path = parent.path.empty() ? node.name : parent.path + "." + name;
+    node.path = parent.path.empty() ? node.name : parent.path + "." + node.name;
     node.info = info;
     if constexpr (std::is_same_v<T, LevelOverrides>) {
       node.kind = OptionKind::level_overrides;
       node.level_overrides = &member;
+    } else if constexpr (std::is_same_v<T, Choice>) {
+      node.kind = OptionKind::choice;
+      node.choices.assign(member.names().begin(), member.names().end());
+      node.get = [&member] { return std::vector<OptionScalar>{std::string(member.name())}; };
+      node.set = [&member](const std::vector<OptionScalar>& values) { member = std::get<std::string>(values.front()); };
     } else if constexpr (IsVector<T>::value) {
       using Element = typename IsVector<T>::Element;
       set_kind<Element>(node);

@@ -1,5 +1,7 @@
 #include "matching/experiment/options.h"
 
+#include "energies/terms/term_names.h"
+
 namespace shellmatch {
 
 ExperimentOptions profile_defaults(Profile profile) {
@@ -34,8 +36,8 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;
     // Section 6: the simplified volume term and nothing else against folds, natural boundary conditions.
-    options.energy.volume = VolumeDensity::simplified;
-    options.energy.fold_barrier = 0;
+    options.energy.terms.model("volume"_term) = "simplified";
+    options.energy.terms.factor("barrier"_term) = 0;
     options.energy.boundary = BoundaryCondition::neumann;
     // Section 5: Fletcher-Reeves in L2 without restarts of its own; alpha is halved until Armijo's rule holds and
     // taken over to the next iteration.

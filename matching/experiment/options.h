@@ -121,9 +121,6 @@ struct ExperimentOptions {
   }
 };
 
-/// Quadratic bending compares the shape operators themselves, every other bending term roots of classified ones.
-inline bool reads_shape_operators(const EnergyOptions& energy) { return energy.bending == BendingModel::quadratic; }
-
 /// Whether the grid of phi is refined at the template too.
 inline bool refines_at_template(const ExperimentOptions& options) {
   return options.cascade.refine == RefineWhere::both ||

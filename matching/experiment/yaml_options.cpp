@@ -1,6 +1,7 @@
 #include "matching/experiment/yaml_options.h"
 
 #include "base/error.h"
+#include "energies/terms/term_names.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/option_text.h"
@@ -68,13 +69,7 @@ struct Conflict {
 };
 
 // What is wrong with the solver that `section` describes.
-std::optional<Conflict> solver_conflict(const SolverOptions& solver, const EnergyOptions& energy,
-                                        const std::string& section) {
-  const bool compares = energy.membrane != MembraneModel::thin_shell || energy.bending != BendingModel::thin_shell;
-  if (compares && solver.name == "newton")
-    return Conflict{section + ".name", fmt::format("newton has no second derivative for energy.membrane = {}, energy.bending "
-                                               "= {}; expected a first-order method, as lbfgs",
-                                               enum_name(energy.membrane), enum_name(energy.bending))};
+std::optional<Conflict> solver_conflict(const SolverOptions& solver, const std::string& section) {
   try {
     make_minimizer(solver);
   } catch (const InputError& error) {
@@ -89,15 +84,14 @@ std::optional<Conflict> solver_conflict(const SolverOptions& solver, const Energ
 
 std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   const CascadeOptions& cascade = options.cascade;
-  const EnergyOptions& energy = options.energy;
   if (cascade.max_level < cascade.min_level)
     return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
                                                      cascade.max_level, cascade.min_level)};
-  if (energy.match_weight == 0)
+  if (options.energy.terms.factor("match"_term) == 0)
     return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
-  if (auto conflict = solver_conflict(options.solver, energy, "solver")) return conflict;
+  if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
   for (const LevelOverrides::Entry& e : options.solver.levels.entries)
-    if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), energy, "solver.levels." + e.key()))
+    if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), "solver.levels." + e.key()))
       return conflict;
   return std::nullopt;
 }

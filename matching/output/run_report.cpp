@@ -56,7 +56,7 @@ TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDi
 LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   const auto named = [](const TermValues& values) {
     NamedValues list;
-    for (int t = 0; t < n_terms; ++t) list.emplace_back(term_names[t], values.v[t]);
+    for (std::size_t t = 0; t < values.size(); ++t) list.emplace_back(term_names()[t], values[t]);
     list.emplace_back("total", values.sum());
     return list;
   };

@@ -2,6 +2,7 @@
 
 #include "base/large_vector.h"
 #include "solvers/line_search/line_search.h"
+#include "solvers/methods/step_regularisation.h"
 #include "solvers/minimization_run.h"
 #include "solvers/vector_ops.h"
 
@@ -93,6 +94,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   }
   std::vector<double> d(run.size());
   LinearSolver linear(*model, options_.max_linear_iterations, run.size());
+  StepRegularisation regularisation(options_, *model);
   Line line(run);
   const LineSearchOptions search{.armijo = options_.armijo, .curvature = 0, .interpolation = Interpolation::cubic,
                                  .contraction = 0.5, .max_trials = options_.max_trials, .gradient_trials = 2};
@@ -100,11 +102,11 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   const double least = std::min(options_.min_forcing, options_.max_forcing);
   double ratio = 0;  // of gradient norms, after the last step and before it
   while (!run.over()) {
-    model->prepare_second_derivative(x);
+    model->prepare_second_derivative(x, regularisation.next_damping());
     const double relative = gradient_norm / run.start_gradient_norm();
     const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
     linear.solve(g, d, forcing);
-    for (int n = 0; n < options_.max_restraints && model->restrain(x, d); ++n) linear.solve_again(g, d);
+    while (regularisation.regularise(*model, x, d)) linear.solve_again(g, d);
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
       run.finish(StopReason::no_descent);

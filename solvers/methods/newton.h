@@ -12,8 +12,8 @@ namespace shellmatch {
 /// directions; the linear system is solved the better, the more the last step has lowered the gradient (S. C.
 /// Eisenstat and H. F. Walker, SIAM J. Sci. Comput. 17(1), 1996, choice 2, between min_forcing and max_forcing),
 /// and to the root of the relative gradient norm where that is smaller, measured in the preconditioner's norm. A step
-/// that the objective restrains is not computed from nothing again: the iterations go on from it. When a line search
-/// fails, the preconditioned gradient is tried once.
+/// that leads beyond the model is computed again with damping there (solvers/methods/step_regularisation.h), by further
+/// iterations from where it was. When a line search fails, the preconditioned gradient is tried once.
 ///
 /// The objective must be a SecondOrderObjective; others end with StopReason::library and a message.
 class Newton final : public Minimizer {

@@ -1,8 +1,10 @@
-// The inner loop of the program: match, membrane and bending at eight quadrature points at a time.
+// The inner loop of the program: the terms of the band at eight quadrature points at a time.
 
-#include "energies/assembly/band_kernel.h"
-#include "energies/elements/sum_factorised_evaluator.h"
 #include "energies/assembly/matching_energy.h"
+#include "energies/elements/sum_factorised_evaluator.h"
+
+#include <variant>
+#include <vector>
 
 namespace shellmatch {
 
@@ -34,21 +36,28 @@ void look_up(const GeometryField<Dim>& target, const Pack& weight, const typenam
 template <int Dim>
 template <bool WithGradient>
 void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                         TermValues& values, double* gradients, BandSums* band_sums) const {
-  constexpr int n_target = PointArrays<Dim>::n_target;
-  constexpr int n_reference = ReferencePoint<Dim, double>::size;
-  if (!(band_sums || weights[Term::match] > 0 || weights[Term::membrane] > 0 || weights[Term::bending] > 0)) return;
+                                         double* values, double* gradients, BandSums* band_sums) const {
+  constexpr int n_target = PointArrays<Dim>::n_target, n_reference = PointArrays<Dim>::n_reference;
+  struct Acting {
+    Pack (*apply)(PointArrays<Dim>& p, const Pack& seed, const double* own);
+    const double* own;
+    double weight, *value;
+    Pack sum{};
+  };
+  std::vector<Acting> acting;
+  for (std::size_t t = 0; t < terms_->size(); ++t)
+    if (const auto* code = std::get_if<BandCode<Dim>>(&(*terms_)[t].term.code); code && weights[t] > 0)
+      acting.push_back({WithGradient ? code->gradient : code->value, (*terms_)[t].own.data(), weights[t], values + t});
+  if (!band_sums && acting.empty()) return;
   const auto elements = elements_;
   const auto batches = band_.batches();
-  const TermKernel<Dim> other_membrane = comparison_kernel<Dim, WithGradient>(options_.membrane);
-  const TermKernel<Dim> other_bending = comparison_kernel<Dim, WithGradient>(options_.bending);
+  const Material<double>& material = (*terms_)[0].material;
 
   ElementBatch<Dim> batch;
   SumFactorisedEvaluator<Dim> evaluator(shape_);
   PointArrays<Dim> p;
-  p.passive[n_reference] = Pack{} + options_.lambda;
-  p.passive[n_reference + 1] = Pack{} + options_.mu;
-  std::array<Pack, 3> sums{};
+  p.passive[n_reference] = Pack{} + material.lambda;
+  p.passive[n_reference + 1] = Pack{} + material.mu;
   const auto [first, last] = band_.batches_of(cells.index);
   for (std::size_t b = first; b < last; ++b) {
     batch.load(elements, phi, [&](int lane) { return batches[b].element[lane]; });
@@ -66,19 +75,7 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
       for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
       if (band_sums) band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
       if constexpr (WithGradient) p.adjoint.fill(Pack{});
-      if (weights[Term::match] > 0)
-        sums[0] += apply_term<BandFunctor<Match<Dim>, Dim>, Dim, WithGradient>(
-            p, point.weight * weights[Term::match]);
-      if (weights[Term::membrane] > 0) {
-        const Pack seed = point.weight * weights[Term::membrane];
-        sums[1] += other_membrane ? other_membrane(p, seed)
-                                  : apply_term<BandFunctor<Membrane<Dim>, Dim>, Dim, WithGradient>(p, seed);
-      }
-      if (weights[Term::bending] > 0) {
-        const Pack seed = point.weight * weights[Term::bending];
-        sums[2] += other_bending ? other_bending(p, seed)
-                                 : apply_term<BandFunctor<Bending<Dim>, Dim>, Dim, WithGradient>(p, seed);
-      }
+      for (Acting& term : acting) term.sum += term.apply(p, point.weight * term.weight, term.own);
       if constexpr (WithGradient) {
         std::array<Pack, Dim> by_position;
         for (int k = 0; k < Dim; ++k) {
@@ -97,16 +94,16 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
       });
     }
   }
-  for (int t = 0; t < 3; ++t) values.v[t] = autodiff::sum_lanes(sums[t]);
+  for (const Acting& term : acting) *term.value += autodiff::sum_lanes(term.sum);
 }
 
-template void MatchingEnergy<2>::add_band_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
-                                                    TermValues&, double*, BandSums*) const;
-template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
-                                                    TermValues&, double*, BandSums*) const;
-template void MatchingEnergy<3>::add_band_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
-                                                    TermValues&, double*, BandSums*) const;
-template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
-                                                    TermValues&, double*, BandSums*) const;
+template void MatchingEnergy<2>::add_band_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
+                                                     double*, BandSums*) const;
+template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
+                                                     double*, BandSums*) const;
+template void MatchingEnergy<3>::add_band_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
+                                                     double*, BandSums*) const;
+template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
+                                                     double*, BandSums*) const;
 
 }  // namespace shellmatch

@@ -1,31 +1,13 @@
-#pragma once
-/// \file
-/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches.
-///
-/// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s).
-/// In the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each
-/// pair (i, j), a twist (e_i e_j^T - e_j e_i^T) with eigenvalue (psi_i + psi_j)/(s_i + s_j) and a flip (e_i
-/// e_j^T + e_j e_i^T) with (psi_i - psi_j)/(s_i - s_j). Smith, de Goes and Kim, 'Analytic eigensystems for
-/// isotropic distortion energies', ACM TOG 38(1), 2019. psi and its derivatives come from the density's own
-/// functor.
-
-#include "base/types.h"
-#include "energies/autodiff/second_order.h"
-#include "energies/terms/integrands.h"
+#include "energies/densities/isotropic_hessian.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
-
-/// A = U diag(s) V^T.
-template <int Dim>
-struct Stretches {
-  Mat<Dim> u, v;
-  Vec<Dim> s;  ///< the first is the smallest and carries the sign of det A
-};
 
 template <int Dim>
 Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
@@ -51,18 +33,6 @@ Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
   return {u, v, s};
 }
 
-/// psi with its derivatives by the stretches; V is double, or Pack for eight matrices at once.
-/// VolumeTerm: SimplifiedVolume, FullVolume, SymmetricDirichletVolume.
-template <class VolumeTerm, int Dim, class V>
-autodiff::SecondOrder<Dim, V> density_of_stretches(const std::array<V, Dim>& s, const Lame<double>& lame) {
-  using Scalar = autodiff::SecondOrder<Dim, V>;
-  SmallMat<Scalar, Dim> diagonal;
-  for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);
-  return VolumeTerm::template density<Scalar, double>(diagonal, lame);
-}
-
-/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight
-/// matrices, given by its lane of psi.
 template <int Dim>
 Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
     const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi, int lane) {
@@ -95,5 +65,13 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
   for (int m = 0; m < Dim; ++m) add(stretch.eigenvectors().col(m).asDiagonal(), stretch.eigenvalues()[m]);
   return h;
 }
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                   \
+  template Stretches<Dim> principal_stretches(const Mat<Dim>&);                       \
+  template Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(             \
+      const Stretches<Dim>&, const autodiff::SecondOrder<Dim, autodiff::Pack>&, int);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

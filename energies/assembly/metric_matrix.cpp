@@ -1,8 +1,9 @@
-#include "energies/sparse/metric_matrix.h"
+#include "energies/assembly/metric_matrix.h"
 
 #include "grid/fields/mass.h"
 
 #include <cmath>
+#include <variant>
 
 namespace shellmatch {
 
@@ -58,14 +59,22 @@ Sparse constraint_matrix(const Octree<Dim>& grid, const Unknowns<Dim>& unknowns)
 }  // namespace
 
 template <int Dim>
-MetricWeights stiffness_of_energy(const EnergyOptions& options, const TermValues& weights) {
-  const double modulus = 2 * options.mu + Dim * options.lambda;
-  // The symmetric Dirichlet density knows no lambda, and the second derivative of W_hat is that of no Lame pair.
-  const double volume_modulus = options.volume == VolumeDensity::simplified ? modulus : 2 * options.mu;
-  return {.mass = weights[Term::volume],
-          .stiffness = weights[Term::volume] * volume_modulus,
-          .band_mass = match_share * 2 * weights[Term::match] / Dim,
-          .band_stiffness = (weights[Term::membrane] + weights[Term::bending]) * modulus};
+MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValues& weights) {
+  MetricWeights sums{.mass = 0};
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto& [term, own, material] = terms[t];
+    if (const auto* band = std::get_if<BandCode<Dim>>(&term.code)) {
+      const double stiffness = weights[t] * term.modulus(material);
+      if (band->reads_dphi)
+        sums.band_stiffness += stiffness;
+      else
+        sums.band_mass += match_share * stiffness / Dim;
+    } else if (std::holds_alternative<CellCode<Dim>>(term.code)) {
+      sums.mass += weights[t];
+      sums.stiffness += weights[t] * term.modulus(material);
+    }
+  }
+  return sums;
 }
 
 template <int Dim>
@@ -106,8 +115,8 @@ Eigen::SparseMatrix<double> metric_matrix(const Octree<Dim>& grid, const Unknown
   return matrix;
 }
 
-template MetricWeights stiffness_of_energy<2>(const EnergyOptions&, const TermValues&);
-template MetricWeights stiffness_of_energy<3>(const EnergyOptions&, const TermValues&);
+template MetricWeights stiffness_of_energy<2>(const EnergyTerms<2>&, const TermValues&);
+template MetricWeights stiffness_of_energy<3>(const EnergyTerms<3>&, const TermValues&);
 template Eigen::SparseMatrix<double> metric_matrix<2>(const Octree<2>&, const Unknowns<2>&, const MatchingEnergy<2>&,
                                                       const MetricWeights&);
 template Eigen::SparseMatrix<double> metric_matrix<3>(const Octree<3>&, const Unknowns<3>&, const MatchingEnergy<3>&,

@@ -15,12 +15,13 @@ struct MetricWeights {
   double band_mass = 0, band_stiffness = 0;
 };
 
-/// Weights that resemble the energy's second derivative at the identity, where W(I + tE) is t^2 (mu |sym E|^2 +
-/// lambda/2 (tr E)^2). Stiffness: its greatest second derivative 2 mu + Dim lambda for the membrane, the bending and the
-/// volume term. Mass: match holds one direction of Dim with 2/nu, hence a tenth (measured) of a Dim-th of it for each
-/// component; where there is no band the volume's weight times the domain's side^-2 keeps the matrix definite.
+/// Weights that resemble the energy's second derivative at the identity. Stiffness: the largest second derivative of each
+/// density that reads Dphi (2 mu + n lambda for the thin shell's), times its weight. Mass: a term of the band that reads
+/// phi alone, as match, holds one direction of n, hence a tenth (measured) of an n-th of its second derivative for each
+/// component; where there is no band the weight of the terms on cells times the domain's side^-2 keeps the matrix
+/// definite.
 template <int Dim>
-MetricWeights stiffness_of_energy(const EnergyOptions& options, const TermValues& weights);
+MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValues& weights);
 
 /// The matrix of the product on the unknown nodes, in the order of unknowns.nodes(), the same for every component;
 /// hanging nodes are constrained, fixed ones left out. The mass of the whole domain is lumped: without the other

@@ -1,10 +1,7 @@
-// The barrier against folds on eight elements. Most of them are far from folding and cost a look only.
-
-#include "energies/terms/fold_barrier.h"
+#include "energies/elements/determinants.h"
 
 #include "energies/autodiff/compiled.h"
-#include "energies/autodiff/jet.h"
-#include "energies/assembly/cell_terms.h"
+#include "energies/densities/bernstein.h"
 
 namespace shellmatch {
 
@@ -12,9 +9,10 @@ using autodiff::Pack;
 
 namespace {
 
-/// Least Bernstein coefficient. Passive: 1 / side^Dim.
+/// Least Bernstein coefficient. Active: positions of the corners; passive: 1 / side^Dim.
 template <int Dim>
-struct LeastDeterminant : FunctorOfCorners<Dim> {
+struct LeastDeterminant {
+  static constexpr int n_active = n_corners<Dim> * Dim, n_passive = 1;
   template <class T, class P>
   static constexpr T evaluate(const T* active, const P* passive) {
     using autodiff::max_of;
@@ -22,23 +20,6 @@ struct LeastDeterminant : FunctorOfCorners<Dim> {
     T negative = -b[0];
     for (const T& coefficient : b) negative = max_of(negative, -coefficient);
     return -negative * passive[0];
-  }
-};
-
-/// By how much coefficients lie below 1: 0 where the barrier vanishes, which is known so without roots and divisions.
-/// NaN where one of them is. Passive as FoldBarrierFunctor.
-template <int Dim>
-struct BarrierGap : FunctorOfCorners<Dim> {
-  template <class T, class P>
-  static constexpr T evaluate(const T* active, const P* passive) {
-    using autodiff::max_of;
-    T gaps(0.0), sum(0.0);
-    for (const T& coefficient : bernstein_determinant<Dim>(active)) {
-      const T x = coefficient * passive[0];
-      gaps = gaps + max_of(1.0 - x, T(0.0));  // 0 for NaN
-      sum = sum + x;
-    }
-    return gaps + (sum - sum);
   }
 };
 
@@ -90,34 +71,9 @@ Pack determinant_bound(const ElementBatch<Dim>& batch) {
   return bound;
 }
 
-template <int Dim, bool WithGradient>
-Pack fold_barrier(CellBatch<Dim>& batch, double threshold, const Pack& measure) {
-  using Code = autodiff::Compiled<FoldBarrierFunctor<Dim>>;
-  ElementBatch<Dim>& elements = batch.elements;
-  // Most cells are far from folding, which the bound tells; it fails for those that bend, too.
-  const Pack is_near = determinant_bound(elements) > threshold ? Pack{} : Pack{} + 1.0;
-  if (autodiff::sum_lanes(is_near) == 0) return Pack{};
-  Pack scale = Pack{} + 1.0 / threshold;
-  for (int k = 0; k < Dim; ++k) scale *= elements.inverse_side;
-  const Pack gap = autodiff::Compiled<BarrierGap<Dim>>::value(elements.u.data(), &scale);
-  if (autodiff::sum_lanes(gap) == 0) return Pack{};
-  if constexpr (WithGradient) {
-    std::array<Pack, ElementBatch<Dim>::n_dofs> adjoint;
-    const Pack value = Code::gradient(elements.u.data(), &scale, measure, adjoint.data());
-    for (std::size_t i = 0; i < adjoint.size(); ++i) elements.gradient[i] += adjoint[i];
-    return value * measure;
-  } else {
-    return Code::value(elements.u.data(), &scale) * measure;
-  }
-}
-
 template Pack determinant_bound(const ElementBatch<2>&);
 template Pack determinant_bound(const ElementBatch<3>&);
 template Pack least_determinant(const ElementBatch<2>&);
 template Pack least_determinant(const ElementBatch<3>&);
-template Pack fold_barrier<2, false>(CellBatch<2>&, double, const Pack&);
-template Pack fold_barrier<2, true>(CellBatch<2>&, double, const Pack&);
-template Pack fold_barrier<3, false>(CellBatch<3>&, double, const Pack&);
-template Pack fold_barrier<3, true>(CellBatch<3>&, double, const Pack&);
 
 }  // namespace shellmatch

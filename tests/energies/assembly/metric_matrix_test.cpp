@@ -1,5 +1,5 @@
 // The matrices of the metrics: what they give for constants and linear functions, with hanging nodes.
-#include "energies/sparse/metric_matrix.h"
+#include "energies/assembly/metric_matrix.h"
 
 #include "grid/fields/mass.h"
 #include "tests/energies/matching_problem.h"

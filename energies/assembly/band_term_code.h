@@ -1,0 +1,200 @@
+#pragma once
+/// \file
+/// The compiled code of a band term: value, gradient and Newton's model at eight points.
+
+#include "energies/assembly/compiled_term.h"
+#include "energies/autodiff/compiled.h"
+#include "energies/densities/positive_hessian.h"
+#include "energies/terms/term_functors.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace shellmatch::detail {
+
+using autodiff::Pack;
+
+/// body(integral_constant) for 0, ..., N - 1.
+template <int N, class Body>
+[[gnu::always_inline]] inline void unrolled(Body&& body) {
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (body(std::integral_constant<int, I>{}), ...);
+  }(std::make_integer_sequence<int, N>{});
+}
+
+/// The passive inputs of a functor of `Term`: those of the point, the term's own options, and what `further` has.
+template <class Functor, class Term>
+std::array<Pack, Functor::n_passive> passive_inputs(const PointArrays<Term::dim>& p, const double* own,
+                                                    std::initializer_list<const Pack*> further = {}) {
+  std::array<Pack, Functor::n_passive> passive;
+  auto to = std::copy(p.passive.begin(), p.passive.end(), passive.begin());
+  for (std::size_t i = 0; i < Term::own.size(); ++i) *to++ = Pack{} + own[i];
+  for (const Pack* vectors : further) to = std::copy_n(vectors, (Term::dim - 1) * Term::dim, to);
+  return passive;
+}
+
+template <class Term, bool WithGradient>
+[[gnu::noinline]] Pack apply_band_term(PointArrays<Term::dim>& p, const Pack& seed, const double* own) {
+  using Code = autodiff::Compiled<BandFunctor<Term>>;
+  constexpr int n_active = PointArrays<Term::dim>::n_active;
+  const auto run = [&](const Pack* passive) -> Pack {
+    if constexpr (WithGradient) {
+      std::array<Pack, n_active> adjoint;
+      const Pack v = Code::gradient(p.active.data(), passive, seed, adjoint.data());
+      unrolled<n_active>([&](auto i) {
+        if constexpr (Code::reads_active(i)) p.adjoint[i] += adjoint[i];
+      });
+      return v * seed;
+    } else {
+      return Code::value(p.active.data(), passive) * seed;
+    }
+  };
+  if constexpr (Term::own.empty()) return run(p.passive.data());
+  else return run(passive_inputs<BandFunctor<Term>, Term>(p, own).data());
+}
+
+/// h += factor j^T w j
+template <int NArguments, int NVariables>
+void add_congruent(double factor, const SquarePack<NArguments>& w,
+                   const std::array<std::array<Pack, NVariables>, NArguments>& j, SquarePack<NVariables>& h) {
+  std::array<std::array<Pack, NVariables>, NArguments> wj{};
+  for (int e = 0; e < NArguments; ++e)
+    for (int f = 0; f < NArguments; ++f)
+      for (int v = 0; v < NVariables; ++v) wj[e][v] += w[e][f] * j[f][v];
+  for (int u = 0; u < NVariables; ++u)
+    for (int v = u; v < NVariables; ++v) {
+      Pack sum{};
+      for (int e = 0; e < NArguments; ++e) sum += j[e][u] * wj[e][v];
+      h[u][v] += factor * sum;
+      if (u != v) h[v][u] += factor * sum;
+    }
+}
+
+/// Derivative of output `Output` of a functor by the coordinates of phi, on which the template's values depend.
+template <class Code, int Dim, int Output>
+[[gnu::always_inline]] inline std::array<Pack, Dim> by_position(const Pack* derivative, const PointArrays<Dim>& p) {
+  std::array<Pack, Dim> sum{};
+  unrolled<PointArrays<Dim>::n_target>([&](auto i) {
+    if constexpr (Code::depends(Output, i))
+      for (int a = 0; a < Dim; ++a) sum[a] += derivative[i] * p.derivative[a][i];
+  });
+  return sum;
+}
+
+/// Does a functor's result depend on one of these active inputs?
+template <class Functor>
+consteval bool reads_any(int begin, int end) {
+  for (int i = begin; i < end; ++i)
+    if (autodiff::Compiled<Functor>::reads_active(i)) return true;
+  return false;
+}
+
+template <class Term>
+void add_in_tangent(const BandModelPoint<Term::dim>& at, double weight, const double* own,
+                    SquarePack<BandModelPoint<Term::dim>::n_tangent>& h) {
+  constexpr int dim = Term::dim, m = dim - 1, n_dphi = PointArrays<dim>::n_target;
+  constexpr int n_variables = BandModelPoint<dim>::n_tangent;
+  using Functor = std::conditional_t<Term::is_tangential, TangentArgument<Term>, BandArgument<Term>>;
+  using Code = autodiff::Compiled<Functor>;
+  constexpr int n = Code::n_outputs;
+  const auto passive = [&] {
+    if constexpr (Term::is_tangential)
+      return passive_inputs<Functor, Term>(at.arrays, own, {at.t1[0].data(), at.t2[0].data()});
+    else
+      return passive_inputs<Functor, Term>(at.arrays, own);
+  }();
+  std::array<Pack, n> argument;
+  std::array<Pack, n * Functor::n_active> derivative;
+  Code::jacobian(at.arrays.active.data(), passive.data(), argument.data(), derivative.data());
+  std::array<std::array<Pack, n_variables>, n> j{};
+  unrolled<n>([&](auto e) {
+    const Pack* row = derivative.data() + e * Functor::n_active;
+    if constexpr (Term::is_tangential) {
+      // X_ij moves Dphi by t2_i t1_j^T.
+      std::array<std::array<Pack, dim>, m> along{};  // (row of Dphi) t1_j
+      for (int s = 0; s < m; ++s)
+        for (int k = 0; k < dim; ++k)
+          for (int l = 0; l < dim; ++l) along[s][k] += row[n_dphi + k * dim + l] * at.t1[s][l];
+      for (int r = 0; r < m; ++r)
+        for (int s = 0; s < m; ++s)
+          for (int k = 0; k < dim; ++k) j[e][r * m + s] += at.t2[r][k] * along[s][k];
+    }
+    const auto by_phi = by_position<Code, dim, e>(row, at.arrays);
+    for (int a = 0; a < dim; ++a) j[e][m * m + a] = by_phi[a];
+  });
+  const Material<double> c{at.arrays.passive[PointArrays<dim>::n_reference][0],
+                           at.arrays.passive[PointArrays<dim>::n_reference + 1][0], own};
+  if constexpr (Term::is_tangential) {
+    // Lanes without weight may hold anything: an infinity would outlive the multiplication by zero.
+    for (int i = 0; i < n; ++i) argument[i] = at.weight > 0 ? argument[i] : Pack{} + (i % dim == 0 ? 1.0 : 0.0);
+    add_congruent<n, n_variables>(weight, positive_tangent_hessian<typename Term::Density, dim>(argument, c), j, h);
+  } else {
+    typename Term::Density::template Argument<Pack> a;
+    for (int i = 0; i < n; ++i) a.v[i] = at.weight > 0 ? argument[i] : Pack{};
+    add_congruent<n, n_variables>(weight, positive_hessian<typename Term::Density>(a, c), j, h);
+  }
+}
+
+/// The same by the entries of Dphi: X_ij = t2_i . Dphi t1_j.
+template <class Term>
+void add_in_all_by_tangent(const BandModelPoint<Term::dim>& at, double weight, const double* own,
+                           SquarePack<BandModelPoint<Term::dim>::n_all>& h) {
+  constexpr int dim = Term::dim, m = dim - 1, n_x = m * m, n_tangent = BandModelPoint<dim>::n_tangent;
+  constexpr int n_all = BandModelPoint<dim>::n_all;
+  SquarePack<n_tangent> of_tangent{};
+  add_in_tangent<Term>(at, weight, own, of_tangent);
+  std::array<std::array<Pack, n_all>, n_tangent> j{};
+  for (int r = 0; r < m; ++r)
+    for (int s = 0; s < m; ++s)
+      for (int k = 0; k < dim; ++k)
+        for (int l = 0; l < dim; ++l) j[r * m + s][k * dim + l] = at.t2[r][k] * at.t1[s][l];
+  for (int a = 0; a < dim; ++a) j[n_x + a][dim * dim + a] = Pack{} + 1.0;
+  add_congruent<n_tangent, n_all>(1, of_tangent, j, h);
+}
+
+template <class Term>
+void add_in_all(const BandModelPoint<Term::dim>& at, double weight, const double* own,
+                SquarePack<BandModelPoint<Term::dim>::n_all>& h) {
+  constexpr int dim = Term::dim, n_dphi = PointArrays<dim>::n_target, n_variables = BandModelPoint<dim>::n_all;
+  using Functor = BandArgument<Term>;
+  using Code = autodiff::Compiled<Functor>;
+  constexpr int n = Code::n_outputs;
+  const auto passive = passive_inputs<Functor, Term>(at.arrays, own);
+  typename Term::Density::template Argument<Pack> argument;
+  std::array<Pack, n * Functor::n_active> derivative;
+  Code::jacobian(at.arrays.active.data(), passive.data(), argument.v.data(), derivative.data());
+  std::array<std::array<Pack, n_variables>, n> j{};
+  unrolled<n>([&](auto e) {
+    const Pack* row = derivative.data() + e * Functor::n_active;
+    for (int i = 0; i < dim * dim; ++i) j[e][i] = row[n_dphi + i];
+    const auto by_phi = by_position<Code, dim, e>(row, at.arrays);
+    for (int a = 0; a < dim; ++a) j[e][dim * dim + a] = by_phi[a];
+  });
+  constexpr bool is_matrix = n == dim * dim;
+  for (int i = 0; i < n; ++i)
+    argument.v[i] = at.weight > 0 ? argument.v[i] : Pack{} + (is_matrix && i % (dim + 1) == 0 ? 1.0 : 0.0);
+  const Material<double> c{at.arrays.passive[PointArrays<dim>::n_reference][0],
+                           at.arrays.passive[PointArrays<dim>::n_reference + 1][0], own};
+  add_congruent<n, n_variables>(weight, positive_hessian<typename Term::Density>(argument, c), j, h);
+}
+
+template <class Term>
+BandCode<Term::dim> band_code() {
+  constexpr int dim = Term::dim, n_target = PointArrays<dim>::n_target, n_active = PointArrays<dim>::n_active;
+  constexpr bool reads_dphi = reads_any<BandFunctor<Term>>(n_target, n_active);
+  BandCode<dim> code{.value = apply_band_term<Term, false>,
+                     .gradient = apply_band_term<Term, true>,
+                     .add_in_tangent = nullptr,
+                     .add_in_all = nullptr,
+                     .reads_target = reads_any<BandFunctor<Term>>(0, n_target),
+                     .reads_dphi = reads_dphi,
+                     .reads_curvature = reads_any<BandFunctor<Term>>(1 + dim, n_target),
+                     .reads_shape_operators = Term::reads_shape_operators};
+  if constexpr (Term::is_tangential || !reads_dphi) code.add_in_tangent = add_in_tangent<Term>;
+  if constexpr (Term::is_tangential) code.add_in_all = add_in_all_by_tangent<Term>;
+  else code.add_in_all = add_in_all<Term>;
+  return code;
+}
+
+}  // namespace shellmatch::detail

@@ -1,0 +1,92 @@
+#include "energies/assembly/energy_terms.h"
+
+#include "base/error.h"
+#include "energies/assembly/term_share.h"
+#include "energies/terms/term_names.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+// Of one term, if it is integrated over the band.
+template <int Dim>
+const BandCode<Dim>* band_code_of(const CompiledTerm<Dim>& term) {
+  return std::get_if<BandCode<Dim>>(&term.code);
+}
+
+}  // namespace
+
+template <int Dim>
+EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options) : lambda_(options.lambda), mu_(options.mu) {
+  for (std::size_t t = 0; t < term_names().size(); ++t) {
+    const std::size_t place = options.terms.chosen(Term{t});
+    const CompiledTerm<Dim>& term = all_compiled_terms<Dim>()[place];
+    const double* own = options.terms.own_of(place);
+    add(term, {own, own + term.own.size()});
+  }
+}
+
+template <int Dim>
+Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> own) {
+  if (own.empty())
+    for (const TermOption& option : term.own) own.push_back(option.value);
+  SHELLMATCH_CHECK(own.size() == term.own.size(), "one value for each option of the term");
+  if (const auto* band = band_code_of(term); band && band->reads_curvature)
+    for (const Entry& other : entries_)
+      if (const auto* that = band_code_of(other.term); that && that->reads_curvature)
+        SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
+                         "one term reads roots of shape operators and another the shape operators themselves");
+  Entry& entry = entries_.emplace_back(Entry{term, std::move(own), {}});
+  entry.material = {lambda_, mu_, entry.own.data()};
+  return Term{entries_.size() - 1};
+}
+
+template <int Dim>
+std::vector<std::string> EnergyTerms<Dim>::names() const {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries_) names.emplace_back(entry.term.info.name);
+  return names;
+}
+
+template <int Dim>
+bool EnergyTerms<Dim>::forbid_folds(const TermValues& weights) const {
+  for (std::size_t t = 0; t < entries_.size(); ++t)
+    if (weights[t] > 0 && entries_[t].term.info.forbids_folds) return true;
+  return false;
+}
+
+template <int Dim>
+bool EnergyTerms<Dim>::read_target(const TermValues& weights) const {
+  for (std::size_t t = 0; t < entries_.size(); ++t)
+    if (const auto* band = band_code_of(entries_[t].term); band && weights[t] > 0 && band->reads_target) return true;
+  return false;
+}
+
+template <int Dim>
+bool EnergyTerms<Dim>::fit_tangent(const TermValues& weights) const {
+  for (std::size_t t = 0; t < entries_.size(); ++t)
+    if (const auto* band = band_code_of(entries_[t].term); band && weights[t] > 0 && !band->add_in_tangent) return false;
+  return true;
+}
+
+template <int Dim>
+const std::vector<CompiledTerm<Dim>>& all_compiled_terms() {
+  static const std::vector<CompiledTerm<Dim>> all = [] {
+    std::vector<CompiledTerm<Dim>> terms(all_term_infos.size());
+    [&]<std::size_t... Share>(std::index_sequence<Share...>) {
+      (compile_share<Dim, Share>(terms), ...);
+    }(std::make_index_sequence<n_term_shares>{});
+    return terms;
+  }();
+  return all;
+}
+
+template class EnergyTerms<2>;
+template class EnergyTerms<3>;
+template const std::vector<CompiledTerm<2>>& all_compiled_terms<2>();
+template const std::vector<CompiledTerm<3>>& all_compiled_terms<3>();
+
+}  // namespace shellmatch

@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// The terms of one energy: those that the options choose from energies/terms/list.h, and terms from elsewhere.
+
+#include "energies/assembly/compiled_term.h"
+#include "energies/options.h"
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+class EnergyTerms {
+ public:
+  /// One term with the values of its options.
+  struct Entry {
+    CompiledTerm<Dim> term;
+    std::vector<double> own;
+    Material<double> material;  ///< refers to `own`
+  };
+
+  explicit EnergyTerms(const EnergyOptions& options);
+  EnergyTerms(const EnergyTerms&) = delete;
+  EnergyTerms& operator=(const EnergyTerms&) = delete;
+
+  /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in TermValues.
+  /// \param own  values of its own options; their defaults where it is empty
+  /// \pre terms that read curvature all read roots, or all read shape operators
+  Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {});
+
+  std::size_t size() const { return entries_.size(); }
+  /// In the order of TermValues.
+  const std::deque<Entry>& entries() const { return entries_; }
+  const Entry& operator[](std::size_t i) const { return entries_[i]; }
+  std::vector<std::string> names() const;
+
+  /// Is one of the terms with a positive weight infinite where det Dphi <= 0?
+  bool forbid_folds(const TermValues& weights) const;
+  /// Does one of them read the template?
+  bool read_target(const TermValues& weights) const;
+  /// Do the tangent variables (BandModelPoint) tell the derivatives of all of them?
+  bool fit_tangent(const TermValues& weights) const;
+
+ private:
+  double lambda_, mu_;
+  std::deque<Entry> entries_;  // they do not move
+};
+
+/// One for each term of the list, in its order.
+template <int Dim>
+const std::vector<CompiledTerm<Dim>>& all_compiled_terms();
+
+extern template class EnergyTerms<2>;
+extern template class EnergyTerms<3>;
+
+}  // namespace shellmatch

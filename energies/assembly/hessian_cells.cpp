@@ -1,0 +1,111 @@
+// Second derivatives of the terms that every cell has.
+
+#include "energies/assembly/energy_hessian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace shellmatch {
+
+using autodiff::Pack;
+using autodiff::pack_size;
+
+namespace {
+
+/// Integral over the unit cell of dN_c/dxi_a dN_d/dxi_b, entry [c * Dim + a][d * Dim + b].
+template <int Dim>
+std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> gradient_products() {
+  std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> g{};
+  for (const auto& q : ShapeTable<Dim>(2).points)  // exact: the integrand is of degree 2 in each variable
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int a = 0; a < Dim; ++a)
+        for (int d = 0; d < n_corners<Dim>; ++d)
+          for (int b = 0; b < Dim; ++b) g[c * Dim + a][d * Dim + b] += q.weight * q.dn[c][a] * q.dn[d][b];
+  return g;
+}
+
+/// Dphi at the centre of an element.
+template <int Dim>
+Mat<Dim> centre_jacobian(const Element<Dim>& element, std::span<const Vec<Dim>> phi) {
+  Mat<Dim> j = Mat<Dim>::Zero();
+  for (int c = 0; c < n_corners<Dim>; ++c)
+    for (int k = 0; k < Dim; ++k)
+      j.col(k) += ((c >> k) & 1 ? 1.0 : -1.0) * phi[element.nodes[c]] / (element.side * (1 << (Dim - 1)));
+  return j;
+}
+
+}  // namespace
+
+template <int Dim>
+void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                        ElementMatrices<Dim>& matrices) const {
+  static const auto products = gradient_products<Dim>();
+  const auto elements = unknowns_->elements().subspan(cells.begin, cells.end - cells.begin);
+  const EnergyTerms<Dim>& terms = energy_->terms();
+  for (std::size_t first = 0; first < elements.size(); first += pack_size) {
+    const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - first));
+    SmallMat<Pack, Dim> dphi;
+    Pack scale{};  // the gradients of the shape functions bring side^-2, the volume side^Dim
+    for (int lane = 0; lane < pack_size; ++lane) {
+      const auto& element = elements[first + static_cast<std::size_t>(std::min(lane, n - 1))];
+      const Mat<Dim> j = centre_jacobian<Dim>(element, phi);
+      for (int i = 0; i < Dim * Dim; ++i) dphi.v[i][lane] = j(i / Dim, i % Dim);
+      scale[lane] = std::pow(element.side, Dim - 2);
+    }
+    SquarePack<Dim * Dim> h{};
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      if (const auto* code = std::get_if<CellCode<Dim>>(&terms[t].term.code); code && weights[t] > 0) {
+        const auto of_term = code->hessian(dphi, terms[t].material);
+        const Pack factor = weights[t] * scale;
+        for (int i = 0; i < Dim * Dim; ++i)
+          for (int j = 0; j < Dim * Dim; ++j) h[i][j] += factor * of_term[i][j];
+      }
+    for (int i = 0; i < n_dofs; ++i)
+      for (int j = i; j < n_dofs; ++j) {
+        const int k = i % Dim, l = j % Dim, c = i / Dim, d = j / Dim;
+        Pack sum{};
+        for (int p = 0; p < Dim; ++p)
+          for (int q = 0; q < Dim; ++q) sum += products[c * Dim + p][d * Dim + q] * h[k * Dim + p][l * Dim + q];
+        for (int lane = 0; lane < n; ++lane)
+          matrices.set(first + static_cast<std::size_t>(lane), i, j, static_cast<float>(sum[lane]));
+      }
+  }
+}
+
+template <int Dim>
+void EnergyHessian<Dim>::add_corner_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                          ElementMatrices<Dim>& matrices) const {
+  const auto elements = unknowns_->elements().first(cells.end);
+  const EnergyTerms<Dim>& terms = energy_->terms();
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto* code = std::get_if<CornerCode<Dim>>(&terms[t].term.code);
+    if (!code || !(weights[t] > 0)) continue;
+    ElementBatch<Dim> batch;
+    for (std::size_t first = cells.begin; first < cells.end; first += pack_size) {
+      const int n = static_cast<int>(batch.load_run(elements, phi, first));
+      const Pack acts = code->may_act(batch, terms[t].material);
+      for (int lane = 0; lane < n; ++lane) {
+        if (acts[lane] == 0) continue;
+        const std::size_t e = first + static_cast<std::size_t>(lane);
+        std::array<double, n_dofs> dofs;
+        for (int i = 0; i < n_dofs; ++i) dofs[i] = batch.u[i][lane];
+        ElementHessian<Dim> h = ElementHessian<Dim>::Zero();
+        code->add_hessian(dofs.data(), elements[e].side, weights[t], terms[t].material, h);
+        for (int i = 0; i < n_dofs; ++i)
+          for (int j = i; j < n_dofs; ++j) matrices.add(e - cells.begin, i, j, static_cast<float>(h(i, j)));
+      }
+    }
+  }
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                       \
+  template void EnergyHessian<Dim>::set_cell_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&,            \
+                                                   ElementMatrices<Dim>&) const;                                          \
+  template void EnergyHessian<Dim>::add_corner_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&,          \
+                                                     ElementMatrices<Dim>&) const;
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+
+#include "energies/densities/thin_shell.h"
+#include "energies/terms/term.h"
+
+namespace shellmatch {
+
+/// W(Lambda), Lambda = P2 N^{1/2} P2 Dphi P1 M^{-1/2} P1 + n2 n1^T, eq. (def:Ebend) without delta^3 eta.
+template <int Dim>
+struct Bending : BandTerm<Dim> {
+  static constexpr TermInfo info{
+      .name = "bending",
+      .model = "thin_shell",
+      .meaning = "the paper's",
+      .weight = {"bending_weight", 1, {.min = 0, .meaning = "factor on the bending term; 0 switches it off"}},
+      .scaled = [](double factor, const TermScales& s) { return factor * s.delta * s.delta * s.delta; }};
+  using Density = ThinShellDensity<Dim>;
+  static constexpr bool is_tangential = true;
+
+  template <class T, class P>
+  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
+                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
+    const auto n2 = renormalised(y.n2);
+    return project_rows(product<Dim>(y.root, project_rows(product<Dim>(dphi, x.r1), n2)), n2);
+  }
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// What a term of the energy is: one type in one file of this folder, and one line in energies/terms/list.h
+/// (docs/adding-an-energy.md). Value, gradient, Newton's model, Ceres' cost functors, checks, reports and options are made
+/// from it.
+///
+/// A term names its `info`, its `Density` W (energies/densities) and its argument A; the energy is the integral of W(A).
+/// Its base says where it is integrated:
+///
+///     BandTerm    weighted with eta_sigma(d1); argument(y, Dphi, x, material), where y is the TargetPoint at phi(x) and x
+///                 the ReferencePoint (energies/fields/coefficients.h)
+///     CellTerm    over the domain; the argument is Dphi itself
+///     CornerTerm  a function of the positions of a cell's corners: argument(corners, scale) is an array, W acts on each
+///                 entry, and the term is the cell's volume times their mean
+///
+/// A functor is written once over a scalar T that is differentiated (what depends on phi) and a scalar P that is not. The
+/// same text runs on numbers, on ceres::Jet, and on the recording scalar from which the compiled code is made
+/// (energies/autodiff): it must not branch on data; max_of is the one choice there is.
+///
+/// Optional members:
+///
+///     static constexpr bool is_tangential = true   the argument is P2 X P1 for some X, to which n2 n1^T is added (that is
+///                                                  not part of argument()): Newton's model is then made in tangent frames
+///     static constexpr bool reads_shape_operators  r1 and root are S1 and S2 themselves
+///     static constexpr std::array<TermOption, n> own  options of its own; values in material.own, in this order
+
+#include "base/options.h"
+#include "energies/densities/material.h"
+#include "energies/fields/coefficients.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace shellmatch {
+
+/// A number that the user chooses.
+struct TermOption {
+  std::string_view name;  ///< key in the section `energy`
+  double value = 0;       ///< default
+  OptionInfo info{};
+};
+
+/// What the schedule and the experiment give to the weights of terms.
+struct TermScales {
+  double nu = 1;      ///< of the match term; length^2 per energy
+  double volume = 1;  ///< c_vol
+  double delta = 1;   ///< thickness of the shell, length
+};
+
+/// The weight of a term that no schedule scales.
+constexpr double unscaled(double factor, const TermScales&) { return factor; }
+
+struct TermInfo {
+  std::string_view name;        ///< column in history.csv and name in summary.json; terms of one name exclude each other
+  std::string_view model = "";  ///< value of the option of that name, which chooses among them; "" for the only one
+  std::string_view meaning = "";
+  /// Factor that the user chooses; terms of one name share that of the first of them in the list. 0 switches off.
+  TermOption weight{};
+  /// Weight in the energy for that factor.
+  double (*scaled)(double factor, const TermScales& scales) = unscaled;
+  bool forbids_folds = false;  ///< infinite where det Dphi <= 0
+};
+
+/// Bases, which say where a term is integrated.
+template <int Dim>
+struct BandTerm {
+  static constexpr int dim = Dim;
+  static constexpr bool is_tangential = false, reads_shape_operators = false;
+  static constexpr std::array<TermOption, 0> own{};
+};
+template <int Dim>
+struct CellTerm {
+  static constexpr int dim = Dim;
+  static constexpr std::array<TermOption, 0> own{};
+};
+template <int Dim>
+struct CornerTerm {
+  static constexpr int dim = Dim;
+  static constexpr std::array<TermOption, 0> own{};
+};
+
+}  // namespace shellmatch

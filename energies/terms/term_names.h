@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// The names of the terms of energies/terms/list.h, known at compile time. energies/options.h has them at run time,
+/// without the terms themselves.
+
+#include "energies/term_values.h"
+#include "energies/terms/list.h"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace shellmatch {
+
+namespace detail {
+
+template <class... Term>
+constexpr auto infos_of(TermList<Term...>) {
+  return std::array<TermInfo, sizeof...(Term)>{Term::info...};
+}
+
+}  // namespace detail
+
+/// All terms, in the order of the list.
+inline constexpr auto all_term_infos = detail::infos_of(AllTerms<3>{});
+
+/// Number of terms that an energy can have at a time: that of their names.
+inline constexpr std::size_t n_all_terms = [] {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < all_term_infos.size(); ++i) n += i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name;
+  return n;
+}();
+
+/// Their names, in the order of every list of term values.
+inline constexpr auto all_term_names = [] {
+  std::array<std::string_view, n_all_terms> names;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < all_term_infos.size(); ++i)
+    if (i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name) names[n++] = all_term_infos[i].name;
+  return names;
+}();
+
+/// The term of this name. \pre there is one; a name that is known at compile time is checked there
+constexpr Term term_named(std::string_view name) {
+  for (std::size_t i = 0; i < n_all_terms; ++i)
+    if (all_term_names[i] == name) return Term{i};
+  throw "no such term";
+}
+
+namespace literals {
+
+/// "match"_term
+consteval Term operator""_term(const char* name, std::size_t length) { return term_named({name, length}); }
+
+}  // namespace literals
+using namespace literals;
+
+}  // namespace shellmatch

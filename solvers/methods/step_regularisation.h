@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// Regularisation of Newton's steps region by region (Levenberg and Marquardt's remedy, locally): where a step leads
+/// beyond what the model of the second derivative knows of, the model is made stiffer there and the step computed again.
+
+#include "solvers/objective.h"
+#include "solvers/options.h"
+
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// The policy, and its state during one minimisation: the damping factor of every region.
+class StepRegularisation {
+ public:
+  StepRegularisation(const NewtonOptions& options, const SecondOrderObjective& objective)
+      : options_(options), damping_(objective.n_regions(), 0.0F) {}
+
+  /// The factors with which the next model is to be prepared: those of the last one, faded.
+  std::span<const float> next_damping();
+
+  /// Damps the regions that the step d from x would carry beyond the model, more than before. False where there are none,
+  /// or where d has been computed `max_regularisations` times again.
+  bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d);
+
+ private:
+  const NewtonOptions& options_;
+  std::vector<float> damping_;
+  int n_of_step_ = 0;  ///< systems that were regularised for this step
+};
+
+}  // namespace shellmatch
