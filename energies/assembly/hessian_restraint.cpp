@@ -108,8 +108,8 @@ bool EnergyHessian<Dim>::restrain(std::span<const Vec<Dim>> phi, std::span<const
   for (const auto& chunk : of_chunk)
     for (const Found& found : chunk)
       for (const Index node : elements[found.element].nodes)
-        for (const auto& carrier : unknowns_->carriers_of(node))
-          invert_block(static_cast<std::size_t>(carrier.unknown));
+        for (const ConstraintEntry& entry : unknowns_->constraint_entries(node))
+          invert_block(static_cast<std::size_t>(entry.unknown));
   return any;
 }
 
