@@ -4,7 +4,7 @@
 /// one pass over an array to the next: every array that a pass touches once, read or written. What caches
 /// cannot keep within a pass comes on top, so these are lower bounds.
 
-#include "energies/sparse/node_blocks.h"
+#include "energies/sparse/node_matrix.h"
 #include "matching/cascade/level_energy.h"
 
 #include <vector>
@@ -30,27 +30,15 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   double n_band_nodes = 0;
   for (const char c : in_band) n_band_nodes += c;
 
-  // Pairs of unknowns that share an element, each counted once, and for each element again.
-  double n_blocks = 0, n_pairs = 0;
-  for (std::size_t e = 0; e < unknowns.elements().size(); ++e) {
-    const int n = carriers_of(unknowns, e).n;
-    n_pairs += n * (n + 1) / 2;
-  }
-  std::vector<std::size_t> seen(unknowns.nodes().size(), unknowns.nodes().size());
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    for (const auto& place : unknowns.places_of(i))
-      for (const Index node :
-           unknowns.elements()[static_cast<std::size_t>(place.element_corner) / n_corners<3>].nodes)
-        for (const auto& carrier : unknowns.carriers_of(node))
-          if (static_cast<std::size_t>(carrier.unknown) >= i && seen[carrier.unknown] != i) {
-            seen[carrier.unknown] = i;
-            ++n_blocks;
-          }
+  const NodeMatrix<3> matrix(unknowns);
+  const auto n_blocks = static_cast<double>(matrix.n_blocks());
+  const auto n_offsets = static_cast<double>(matrix.n_element_blocks());
 
-  // Rows of all cell_blocks: an unknown that several cell_blocks reach is read and written again.
+  // Local unknowns of all cell blocks: an unknown of several blocks is read and written once for each.
   const auto& cell_blocks = level.energy.cell_blocks();
-  double n_rows = 0;
-  for (std::size_t p = 0; p < cell_blocks.size(); ++p) n_rows += static_cast<double>(cell_blocks.rows(p).size());
+  double n_local = 0;
+  for (std::size_t block = 0; block < cell_blocks.size(); ++block)
+    n_local += static_cast<double>(cell_blocks.local_unknowns(block).size());
 
   constexpr double vec = sizeof(Vec<3>);
   const double all_cells =
@@ -64,19 +52,19 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   const double look_up = n_band * (smooth ? sizeof(SplineSpace<3>::Local) / 8.0 : Octree<3>::bytes_per_cell()) +
                          rows * static_cast<double>(sizeof(GeometryField<3>::Values));
   const double band_pass = n_band * sizeof(Element<3>) + n_band_nodes * vec + points + look_up;
-  const double again = 2 * n_rows - n_free;
-  const double sum = n_rows * sizeof(CellBlocks<3>::Row) + n_cells * sizeof(cell_blocks.rows_of_corners(0)) +
-                     static_cast<double>(cell_blocks.n_shares()) * sizeof(CellBlocks<3>::Share);
+  const double n_accesses = 2 * n_local - n_free;  // each block writes its unknowns, all but the first read them too
+  const double sum = n_local * sizeof(CellBlocks<3>::LocalUnknown) + n_cells * sizeof(CellBlocks<3>::LocalIndices) +
+                     static_cast<double>(cell_blocks.n_local_entries()) * sizeof(CellBlocks<3>::LocalEntry);
   const double finite = n_nodes * vec;
   const double values = NodeMatrix<3>::block_size * sizeof(float), block = values + sizeof(Index);
 
   Traffic t{};
   t.n_blocks = n_blocks;
   t.value = finite + all_cells + band_pass;
-  t.gradient = t.value + sum + again * vec;
-  t.band_gradient = finite + band_pass + sum + again * vec;
-  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_pairs +
-                   n_blocks * again / n_free * values +
+  t.gradient = t.value + sum + n_accesses * vec;
+  t.band_gradient = finite + band_pass + sum + n_accesses * vec;
+  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_offsets +
+                   n_blocks * n_accesses / n_free * values +
                    n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));
   return t;

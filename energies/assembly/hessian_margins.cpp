@@ -106,7 +106,7 @@ void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping> more) {
   for (const ElementDamping& one : more) sum_->add_isotropic(one.element, one.factor, laplacian<Dim>());
   for (const ElementDamping& one : more)
     for (const Index node : unknowns_->elements()[one.element].nodes)
-      for (const auto& entry : unknowns_->carriers_of(node)) invert_block(static_cast<std::size_t>(entry.unknown));
+      for (const ConstraintEntry& entry : unknowns_->constraint_entries(node)) invert_block(static_cast<std::size_t>(entry.unknown));
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \

@@ -15,12 +15,14 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 template <int Dim>
 using ElementMatrix = Eigen::Matrix<double, n_corners<Dim>, n_corners<Dim>>;
 
-// Of the match term's stiffness in the mass. The matrix is scalar and would hold tangential motions as firmly as those
-// along the normal, which alone the term resists. On a pair of leaves in the plane (levels 4 to 6, lbfgs) a share of 0.1
-// ended at 0.2393, 1 at 0.2432, 0 at 0.3590, the metric l2 at 0.2398.
-constexpr double match_share = 0.1;
+// Factor of the match term's second derivative in the mass. The matrix is scalar: at factor 1 it would weigh
+// tangential displacements like normal ones, although the term depends on the normal ones alone. Final energies of a
+// pair of leaves in the plane (levels 4 to 6, lbfgs): 0.2393 with factor 0.1, 0.2432 with 1, 0.3590 with 0, 0.2398
+// with the metric l2.
+constexpr double match_factor = 0.1;
 
-/// Weight times int Du.Dv over an element, and mass times int u v, by one point.
+/// Integrand mass * u v + stiffness * Du.Dv at one point of an element with this side, for all pairs of shape
+/// functions.
 template <int Dim>
 ElementMatrix<Dim> at_point(const typename ShapeTable<Dim>::Point& q, double mass, double stiffness, double side) {
   ElementMatrix<Dim> m;
@@ -39,18 +41,13 @@ void add(const Element<Dim>& element, const ElementMatrix<Dim>& m, Triplets& to)
     for (int d = 0; d < n_corners<Dim>; ++d) to.emplace_back(element.nodes[c], element.nodes[d], m(c, d));
 }
 
-/// C of x = C x_unknown: hanging nodes have the mean of their parents, fixed nodes an empty row.
+/// The constraint matrix C, x = C x_unknown, by the nodes of the grid and the unknown nodes.
 template <int Dim>
 Sparse constraint_matrix(const Octree<Dim>& grid, const Unknowns<Dim>& unknowns) {
-  std::vector<Index> unknown_of(static_cast<std::size_t>(grid.n_nodes()), no_index);
   Triplets entries;
-  for (std::size_t i = 0; i < unknowns.nodes().size(); ++i) {
-    unknown_of[unknowns.nodes()[i]] = static_cast<Index>(i);
-    entries.emplace_back(unknowns.nodes()[i], static_cast<Index>(i), 1.0);
-  }
-  for (const auto& h : grid.hanging_nodes())
-    for (int p = 0; p < h.n_parents; ++p)
-      if (const Index u = unknown_of[h.parents[p]]; u != no_index) entries.emplace_back(h.node, u, 1.0 / h.n_parents);
+  for (Index node = 0; node < grid.n_nodes(); ++node)
+    for (const ConstraintEntry& entry : unknowns.constraint_entries(node))
+      entries.emplace_back(node, entry.unknown, static_cast<double>(entry.weight));
   Sparse c(grid.n_nodes(), static_cast<Index>(unknowns.nodes().size()));
   c.setFromTriplets(entries.begin(), entries.end());
   return c;
@@ -68,7 +65,7 @@ MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValue
       if (band->reads_dphi)
         sums.band_stiffness += stiffness;
       else
-        sums.band_mass += match_share * stiffness / Dim;
+        sums.band_mass += match_factor * stiffness / Dim;
     } else if (std::holds_alternative<CellCode<Dim>>(term.code)) {
       sums.mass += weights[t];
       sums.stiffness += weights[t] * term.modulus(material);
@@ -83,7 +80,7 @@ Eigen::SparseMatrix<double> metric_matrix(const Octree<Dim>& grid, const Unknown
   const auto elements = unknowns.elements();
   Triplets entries;
   if (weights.stiffness > 0) {
-    ElementMatrix<Dim> unit = ElementMatrix<Dim>::Zero();  // of a cell of side 1
+    ElementMatrix<Dim> unit = ElementMatrix<Dim>::Zero();  // stiffness matrix of a cell of side 1
     for (const auto& q : ShapeTable<Dim>(2).points) unit += at_point<Dim>(q, 0, q.weight, 1);
     for (const Element<Dim>& e : elements) add<Dim>(e, weights.stiffness * std::pow(e.side, Dim - 2) * unit, entries);
   }

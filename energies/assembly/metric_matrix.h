@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Weighted H1 products of deformations, as sparse matrices for the metrics of the solvers.
+/// Sparse matrices of weighted H1 inner products, for the metrics of the solvers.
 
 #include "energies/assembly/matching_energy.h"
 #include "grid/octree/octree.h"
@@ -9,7 +9,8 @@
 
 namespace shellmatch {
 
-/// Weights of (u, v) = int (mass + band_mass eta_sigma(d1)) u v + (stiffness + band_stiffness eta_sigma(d1)) Du.Dv.
+/// Weights of the inner product (u, v) = int (mass + band_mass eta_sigma(d1)) u v + (stiffness + band_stiffness
+/// eta_sigma(d1)) Du.Dv.
 struct MetricWeights {
   double mass = 1, stiffness = 0;
   double band_mass = 0, band_stiffness = 0;
@@ -23,10 +24,10 @@ struct MetricWeights {
 template <int Dim>
 MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValues& weights);
 
-/// The matrix of the product on the unknown nodes, in the order of unknowns.nodes(), the same for every component;
-/// hanging nodes are constrained, fixed ones left out. The mass of the whole domain is lumped: without the other
-/// weights the matrix is that of the metric l2. The band's parts are integrated with the energy's own points.
-/// Symmetric, both triangles stored; definite for mass > 0.
+/// The matrix of the inner product on the unknown nodes, in the order of unknowns.nodes(), the same for every
+/// component, with constraints eliminated. The mass of the whole domain is lumped: if the other weights are 0, the
+/// matrix is that of the metric l2. The integrals over the band use the energy's quadrature points. The matrix is
+/// symmetric, with both triangles stored, and positive definite for mass > 0.
 template <int Dim>
 Eigen::SparseMatrix<double> metric_matrix(const Octree<Dim>& grid, const Unknowns<Dim>& unknowns,
                                           const MatchingEnergy<Dim>& energy, const MetricWeights& weights);

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 
-#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -10,73 +9,77 @@ namespace shellmatch {
 
 template <int Dim>
 CellBlocks<Dim>::CellBlocks(const Unknowns<Dim>& unknowns)
-    : unknowns_(&unknowns), n_together_(cells_per_block(unknowns.elements().size())) {
-  const std::size_t n_unknown = unknowns.nodes().size(), n_patches = n_chunks(unknowns.elements().size(), n_together_);
-  const auto patch_of = [&](const typename Unknowns<Dim>::Place& place) {
-    return static_cast<std::size_t>(place.element_corner) / n_corners<Dim> / n_together_;
-  };
-  // Places ascend by element: those in one patch are neighbours.
-  const auto for_each_row = [&](auto&& visit) {
-    for (std::size_t i = 0; i < n_unknown; ++i) {
-      std::size_t last = n_patches;
-      for (const auto& place : unknowns.places_of(i))
-        if (const std::size_t patch = patch_of(place); patch != std::exchange(last, patch))
-          visit(patch, Row{static_cast<Index>(i), false});
-    }
-  };
-  first_row_.assign(n_patches + 1, 0);
-  for_each_row([&](std::size_t patch, const Row&) { ++first_row_[patch + 1]; });
-  for (std::size_t p = 0; p < n_patches; ++p) first_row_[p + 1] += first_row_[p];
-  rows_.resize(first_row_.back());
-  std::vector<std::size_t> next(first_row_.begin(), first_row_.end() - 1);
-  for_each_row([&](std::size_t patch, const Row& row) { rows_[next[patch]++] = row; });
-
-  std::vector<Index> touched;
-  schedule_ = ColouredSchedule(n_patches, n_unknown, [&](std::size_t patch) -> std::span<const Index> {
-    touched.clear();
-    for (const Row& row : rows(patch)) touched.push_back(row.unknown);
-    return touched;
+    : unknowns_(&unknowns), cells_per_block_(cells_per_block(unknowns.elements().size())) {
+  find_local_unknowns();
+  const std::size_t n_unknowns = unknowns.nodes().size();
+  std::vector<Index> indices;
+  schedule_ = ColouredSchedule(size(), n_unknowns, [&](std::size_t block) -> std::span<const Index> {
+    indices.clear();
+    for (const LocalUnknown& local : local_unknowns(block)) indices.push_back(local.unknown);
+    return indices;
   });
-  std::vector<char> is_reached(n_unknown, 0);
-  for (const std::size_t patch : schedule_.pieces())
-    for (std::size_t r = first_row_[patch]; r < first_row_[patch + 1]; ++r) {
-      char& reached = is_reached[rows_[r].unknown];
-      rows_[r].is_first = !reached;
-      reached = 1;
-    }
-  find_rows_of_corners();
+  std::vector<char> is_assigned(n_unknowns, 0);
+  for (const std::size_t block : schedule_.tasks())
+    for (std::size_t i = unknowns_begin_[block]; i < unknowns_begin_[block + 1]; ++i)
+      local_unknowns_[i].is_first = !std::exchange(is_assigned[local_unknowns_[i].unknown], 1);
+  find_local_indices();
 }
 
 template <int Dim>
-void CellBlocks<Dim>::find_rows_of_corners() {
+void CellBlocks<Dim>::find_local_unknowns() {
   const auto elements = unknowns_->elements();
-  rows_of_corners_.resize(elements.size());
-  first_hanging_.assign(1, 0);
-  first_share_.assign(1, 0);
-  std::vector<std::uint16_t> row_of(unknowns_->nodes().size());  // of those of the patch at work
-  std::unordered_map<Index, std::uint16_t> hanging;              // of that patch, by node
-  for (std::size_t p = 0; p < size(); ++p) {
-    const auto of_block = rows(p);
-    for (std::size_t r = 0; r < of_block.size(); ++r) row_of[of_block[r].unknown] = static_cast<std::uint16_t>(r);
-    hanging.clear();
-    const std::size_t begin = p * n_together_, end = std::min(elements.size(), begin + n_together_);
-    for (std::size_t e = begin; e < end; ++e)
+  const std::size_t n_blocks = n_chunks(elements.size(), cells_per_block_);
+  std::vector<std::size_t> last_block(unknowns_->nodes().size(), n_blocks);  // by unknown: that depends on it
+  unknowns_begin_.assign(1, 0);
+  Index n_met = 0;  // Unknowns numbers unknown nodes as elements meet them: those of earlier blocks are [0, n_met)
+  for (std::size_t block = 0; block < n_blocks; ++block) {
+    const Chunk cells = cells_of(block);
+    Index n_met_now = n_met;
+    for (std::size_t e = cells.begin; e < cells.end; ++e)
+      for (const Index node : elements[e].nodes)
+        for (const auto& [unknown, weight] : unknowns_->constraint_entries(node)) {
+          if (unknown >= n_met) n_met_now = std::max(n_met_now, unknown + 1);
+          else if (std::exchange(last_block[unknown], block) != block) local_unknowns_.push_back({unknown, false});
+        }
+    std::sort(local_unknowns_.begin() + static_cast<std::ptrdiff_t>(unknowns_begin_.back()), local_unknowns_.end(),
+              [](const LocalUnknown& a, const LocalUnknown& b) { return a.unknown < b.unknown; });
+    for (; n_met < n_met_now; ++n_met) local_unknowns_.push_back({n_met, false});
+    unknowns_begin_.push_back(local_unknowns_.size());
+  }
+  local_unknowns_.shrink_to_fit();
+}
+
+template <int Dim>
+void CellBlocks<Dim>::find_local_indices() {
+  const auto elements = unknowns_->elements();
+  local_indices_.resize(elements.size());
+  constrained_begin_.assign(1, 0);
+  entries_begin_.assign(1, 0);
+  std::vector<std::uint16_t> local_index(unknowns_->nodes().size());  // by unknown of the current block
+  std::unordered_map<Index, std::uint16_t> constrained;  // local index by constrained node of the current block
+  for (std::size_t block = 0; block < size(); ++block) {
+    const auto of_block = local_unknowns(block);
+    for (std::size_t i = 0; i < of_block.size(); ++i) local_index[of_block[i].unknown] = static_cast<std::uint16_t>(i);
+    constrained.clear();
+    const Chunk cells = cells_of(block);
+    for (std::size_t e = cells.begin; e < cells.end; ++e)
       for (int c = 0; c < n_corners<Dim>; ++c) {
         const Index node = elements[e].nodes[c];
-        const auto carriers = unknowns_->carriers_of(node);
-        if (carriers.size() == 1 && carriers[0].weight == 1) {
-          rows_of_corners_[e][c] = row_of[carriers[0].unknown];
+        const auto entries = unknowns_->constraint_entries(node);
+        if (entries.size() == 1 && entries[0].weight == 1) {
+          local_indices_[e][c] = local_index[entries[0].unknown];
           continue;
         }
         const auto [found, is_new] =
-            hanging.try_emplace(node, static_cast<std::uint16_t>(of_block.size() + hanging.size()));
-        rows_of_corners_[e][c] = found->second;
+            constrained.try_emplace(node, static_cast<std::uint16_t>(of_block.size() + constrained.size()));
+        local_indices_[e][c] = found->second;
         if (!is_new) continue;
-        for (const auto& carrier : carriers) shares_.push_back({row_of[carrier.unknown], carrier.weight});
-        first_share_.push_back(shares_.size());
+        for (const ConstraintEntry& entry : entries)
+          local_entries_.push_back({local_index[entry.unknown], entry.weight});
+        entries_begin_.push_back(local_entries_.size());
       }
-    SHELLMATCH_CHECK(of_block.size() + hanging.size() < 1u << 16, "more rows than 16 bits can tell apart");
-    first_hanging_.push_back(first_hanging_.back() + hanging.size());
+    SHELLMATCH_CHECK(of_block.size() + constrained.size() < 1u << 16, "more local indices than 16 bits hold");
+    constrained_begin_.push_back(constrained_begin_.back() + constrained.size());
   }
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 /// \file
-/// CellBlocks of elements, and the sum of what elements give to the unknowns, patch by patch.
+/// Blocks of consecutive elements with a local numbering of their unknowns, and the assembly of element gradients
+/// block by block.
 
 #include "energies/autodiff/pack.h"
-#include "energies/elements/unknowns.h"
 #include "energies/elements/coloured_schedule.h"
+#include "energies/elements/unknowns.h"
 
 #include <algorithm>
 #include <array>
@@ -14,91 +15,103 @@
 
 namespace shellmatch {
 
-/// A patch is so many consecutive elements, which are neighbours for the most part: few enough for what is computed
-/// of them to stay in a core's cache, and many enough cell_blocks for several threads. A multiple of the lanes of a pack.
+/// Number of elements in a block, a multiple of the lanes of a pack. Blocks are small enough for their element
+/// gradients and matrices to stay in a core's second-level cache, and there are enough of them for several threads.
 inline std::size_t cells_per_block(std::size_t n_elements) {
   constexpr std::size_t lanes = autodiff::pack_size, least = 16 * lanes, most = 64 * lanes;
   return std::clamp(n_elements / 64 / lanes * lanes, least, most);
 }
 
-/// The cell_blocks of a grid's elements. What a patch computes is held for that patch alone, added to the unknowns it
-/// reaches, and forgotten: nothing is stored for every element.
+/// The elements of a grid in blocks. What is computed for the elements of a block is stored for that block alone and
+/// added to the unknowns at once, so that nothing is stored for all elements. Block p holds elements
+/// [p * cells_per_block, (p + 1) * cells_per_block), most of which are neighbours.
+///
+/// Within a block, local index i < n = local_unknowns(p).size() stands for an unknown, and local index n + h for the
+/// h-th constrained node of the block: one that hangs or is fixed.
 template <int Dim>
 class CellBlocks {
  public:
-  /// An unknown node that a patch reaches; they ascend.
-  struct Row {
-    Index unknown;
-    bool is_first;  ///< no other patch reaches it before: what is there is not yet of any meaning
+  /// An unknown node on which elements of a block depend.
+  struct LocalUnknown {
+    Index unknown;  ///< its index in the grid
+    bool is_first;  ///< no earlier block in the schedule depends on it: this one assigns its sum, later ones add theirs
   };
-
-  /// unknowns must outlive this object.
-  explicit CellBlocks(const Unknowns<Dim>& unknowns);
-
-  std::size_t size() const { return first_row_.size() - 1; }
-  std::span<const Row> rows(std::size_t patch) const {
-    return {rows_.data() + first_row_[patch], first_row_[patch + 1] - first_row_[patch]};
-  }
-
-  /// Calls body(patch) for all cell_blocks, elements [begin, end) with number index, in parallel where they share no
-  /// unknown. Bodies that add to the rows of their patch alone give the same bits whatever the number of threads.
-  template <class Body>
-  void for_each(Body&& body) const {
-    const std::size_t n = unknowns_->elements().size();
-    schedule_.run([&](std::size_t p) { body(Chunk{p * n_together_, std::min(n, (p + 1) * n_together_), p}); });
-  }
-
-  /// What a node that hangs gives one of the rows that carry it.
-  struct Share {
-    std::uint16_t row;
+  /// ConstraintEntry in a block's local numbering.
+  struct LocalEntry {
+    std::uint16_t local_index;  ///< of the unknown
     float weight;
   };
-  /// By the corners of an element: the row of its node in the patch, or what is left above the number of rows if it
-  /// hangs or is fixed: its number among such nodes of the patch.
-  const std::array<std::uint16_t, n_corners<Dim>>& rows_of_corners(std::size_t element) const {
-    return rows_of_corners_[element];
+  /// Local index by corner of an element.
+  using LocalIndices = std::array<std::uint16_t, n_corners<Dim>>;
+
+  /// `unknowns` must outlive this object.
+  explicit CellBlocks(const Unknowns<Dim>& unknowns);
+
+  /// Number of blocks.
+  std::size_t size() const { return unknowns_begin_.size() - 1; }
+  /// Ascending by unknown.
+  std::span<const LocalUnknown> local_unknowns(std::size_t block) const {
+    return {local_unknowns_.data() + unknowns_begin_[block], unknowns_begin_[block + 1] - unknowns_begin_[block]};
   }
-  /// Of a patch's node that hangs: none if it is fixed.
-  std::span<const Share> shares_of(std::size_t patch, std::size_t hanging) const {
-    const std::size_t h = first_hanging_[patch] + hanging;
-    return {shares_.data() + first_share_[h], first_share_[h + 1] - first_share_[h]};
+  const LocalIndices& local_indices(std::size_t element) const { return local_indices_[element]; }
+  /// Constraint entries of the block's h-th constrained node: none for a fixed one.
+  std::span<const LocalEntry> local_entries(std::size_t block, std::size_t h) const {
+    const std::size_t i = constrained_begin_[block] + h;
+    return {local_entries_.data() + entries_begin_[i], entries_begin_[i + 1] - entries_begin_[i]};
+  }
+  /// In all blocks together.
+  std::size_t n_local_entries() const { return local_entries_.size(); }
+
+  /// Calls body(cells) for all blocks, elements [cells.begin, cells.end) of block cells.index, in parallel where
+  /// blocks have no unknown in common. Bodies that write to the local unknowns of their block alone give the same
+  /// bits whatever the number of threads.
+  template <class Body>
+  void for_each(Body&& body) const {
+    schedule_.run([&](std::size_t block) { body(cells_of(block)); });
   }
 
-  std::size_t n_shares() const { return shares_.size(); }
-
-  /// Adds element gradients of a patch, element after element, corner after corner, Dim components each, to the
-  /// gradient by the unknowns, within for_each(): over all cell_blocks the transpose of Unknowns::expand(), whatever the
-  /// gradient held before.
+  /// Adds the element gradients of a block to the gradient by the unknowns: C^T g. Called for all blocks by
+  /// for_each(), it replaces the gradient by the sum over all elements, whatever the gradient was before.
+  /// \param element_gradients of the block: element after element, corner after corner, Dim components each
+  /// \pre gradient.size() == unknowns.size()
   void add(const Chunk& cells, const double* element_gradients, std::span<double> gradient) const {
-    const auto of_block = rows(cells.index);
-    const std::size_t n_rows = of_block.size(), n_hanging = first_hanging_[cells.index + 1] - first_hanging_[cells.index];
-    static thread_local std::vector<std::array<double, Dim>> sums;  // by row, then by hanging node
-    sums.assign(n_rows + n_hanging, {});
+    const auto of_block = local_unknowns(cells.index);
+    const std::size_t n = of_block.size(),
+                      n_constrained = constrained_begin_[cells.index + 1] - constrained_begin_[cells.index];
+    static thread_local std::vector<std::array<double, Dim>> sums;  // by local index
+    sums.assign(n + n_constrained, {});
     const double* g = element_gradients;
     for (std::size_t e = cells.begin; e < cells.end; ++e)
-      for (const std::uint16_t row : rows_of_corners_[e])
-        for (int k = 0; k < Dim; ++k) sums[row][k] += *g++;
-    for (std::size_t h = 0; h < n_hanging; ++h)
-      for (const Share& share : shares_of(cells.index, h))
-        for (int k = 0; k < Dim; ++k) sums[share.row][k] += static_cast<double>(share.weight) * sums[n_rows + h][k];
-    for (std::size_t r = 0; r < n_rows; ++r) {
-      double* to = gradient.data() + static_cast<std::size_t>(of_block[r].unknown) * Dim;
-      for (int k = 0; k < Dim; ++k) to[k] = of_block[r].is_first ? sums[r][k] : to[k] + sums[r][k];
+      for (const std::uint16_t i : local_indices_[e])
+        for (int k = 0; k < Dim; ++k) sums[i][k] += *g++;
+    for (std::size_t h = 0; h < n_constrained; ++h)
+      for (const LocalEntry& entry : local_entries(cells.index, h))
+        for (int k = 0; k < Dim; ++k) sums[entry.local_index][k] += static_cast<double>(entry.weight) * sums[n + h][k];
+    for (std::size_t i = 0; i < n; ++i) {
+      double* to = gradient.data() + static_cast<std::size_t>(of_block[i].unknown) * Dim;
+      for (int k = 0; k < Dim; ++k) to[k] = of_block[i].is_first ? sums[i][k] : to[k] + sums[i][k];
     }
   }
 
  private:
-  void find_rows_of_corners();
+  void find_local_unknowns();
+  void find_local_indices();
+  Chunk cells_of(std::size_t block) const {
+    return {block * cells_per_block_, std::min(unknowns_->elements().size(), (block + 1) * cells_per_block_), block};
+  }
 
   const Unknowns<Dim>* unknowns_;
-  std::size_t n_together_;              ///< elements of a patch
-  std::vector<std::size_t> first_row_;  ///< rows of patch p: [first_row_[p], first_row_[p + 1])
-  std::vector<Row> rows_;
-  std::vector<std::array<std::uint16_t, n_corners<Dim>>> rows_of_corners_;  ///< by element
-  std::vector<std::size_t> first_hanging_;  ///< hanging nodes of patch p: [first_hanging_[p], first_hanging_[p + 1])
-  std::vector<std::size_t> first_share_;    ///< the same by hanging node
-  std::vector<Share> shares_;
-  ColouredSchedule schedule_;
+  std::size_t cells_per_block_;
+  /// Local unknowns of block p: [unknowns_begin_[p], unknowns_begin_[p + 1]).
+  std::vector<std::size_t> unknowns_begin_;
+  std::vector<LocalUnknown> local_unknowns_;
+  std::vector<LocalIndices> local_indices_;  ///< by element
+  /// Constrained nodes of block p: [constrained_begin_[p], constrained_begin_[p + 1]).
+  std::vector<std::size_t> constrained_begin_;
+  /// Entries of constrained node i: [entries_begin_[i], entries_begin_[i + 1]).
+  std::vector<std::size_t> entries_begin_;
+  std::vector<LocalEntry> local_entries_;
+  ColouredSchedule schedule_;  ///< of the blocks
 };
 
 extern template class CellBlocks<2>;

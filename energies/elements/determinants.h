@@ -15,8 +15,8 @@ autodiff::Pack least_determinant(const ElementBatch<Dim>& batch);
 template <int Dim>
 autodiff::Pack determinant_bound(const ElementBatch<Dim>& batch);
 
-/// By how much a Bernstein coefficient of det Dphi can change on an element where the entries of Dphi are at
-/// most `largest` in size and change by at most `change`: a determinant is a sum of Dim! products.
+/// Upper bound of the change of the Bernstein coefficients of det Dphi on an element where the entries of Dphi have
+/// magnitudes of at most `largest` and change by at most `change`: a determinant is a sum of Dim! products.
 template <int Dim>
 autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
   const autodiff::Pack after = largest + change;

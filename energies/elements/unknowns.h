@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// Elements and unknowns of a grid as the energies use them, and shape functions at quadrature points.
+/// The unknowns of a grid, and the constraints that express its nodes by them.
 
 #include "energies/elements/boundary_condition.h"
+#include "energies/elements/shape_table.h"
 #include "grid/octree/octree.h"
-#include "grid/fields/quadrature.h"
 
 #include <array>
 #include <span>
@@ -12,73 +12,47 @@
 
 namespace shellmatch {
 
-/// Multilinear shape functions and their derivatives at the points of a tensor Gauss rule on the unit cell.
-template <int Dim>
-struct ShapeTable {
-  struct Point {
-    double weight;
-    Vec<Dim> xi;
-    std::array<double, n_corners<Dim>> n;
-    std::array<std::array<double, Dim>, n_corners<Dim>> dn;  ///< by the unit cell's coordinates
-  };
-  int points_per_direction;
-  std::vector<Point> points;  ///< the first direction runs fastest
-  explicit ShapeTable(int points_per_direction);
+/// One entry of the constraint matrix C, x_node = sum of weight * x_unknown (deal.II: AffineConstraints).
+struct ConstraintEntry {
+  Index unknown;  ///< index of an unknown node
+  float weight;   ///< 1, or 1/2 or 1/4 through a hanging node: exact in single precision
 };
 
-/// A leaf as an element: its corners and its side.
-template <int Dim>
-struct Element {
-  std::array<Index, n_corners<Dim>> nodes;
-  double side;
-  Vec<Dim> corner = Vec<Dim>::Zero();  ///< position of the lower one
-};
-
-/// The unknowns of a grid: Dim components for each node that neither hangs nor is fixed by the boundary
-/// condition. Unknown Dim*i + k is component k of node nodes()[i].
+/// The unknowns of a grid: Dim components for each node that neither hangs nor is fixed by the boundary condition.
+/// Unknown Dim*i + k is component k of node nodes()[i]. constraint_entries() is the one description of how the nodes
+/// of the elements depend on the unknowns; ElementUnknowns, CellBlocks, the pattern of NodeMatrix and the constraint
+/// matrix of the metrics are made from it.
 template <int Dim>
 class Unknowns {
  public:
+  /// The grid must outlive this object and must not be refined meanwhile.
   Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary);
 
   std::size_t size() const { return nodes_.size() * Dim; }
-  /// In the order in which the elements meet them, through hanging nodes too.
+  /// Node of each unknown node, numbered in the order in which the elements meet them, through hanging nodes too.
   std::span<const Index> nodes() const { return nodes_; }
   std::span<const Element<Dim>> elements() const { return elements_; }  ///< in the order of grid.leaves()
 
-  /// Where unknown node i counts: at a corner of an element, itself or through a hanging node.
-  struct Place {
-    Index element_corner;  ///< element number times corners, plus corner
-    float weight;          ///< 1, or 1/2, 1/4 through a hanging node: exact in float
-  };
-  std::span<const Place> places_of(std::size_t i) const {
-    return {places_.data() + first_[i], first_[i + 1] - first_[i]};
+  /// Row of C that belongs to a node of the grid: itself, with weight 1, for an unknown node, its parents for a hanging
+  /// one (the unknown ones among them), empty for a fixed one.
+  std::span<const ConstraintEntry> constraint_entries(Index node) const {
+    return {entries_.data() + entries_begin_[node], entries_begin_[node + 1] - entries_begin_[node]};
   }
 
-  /// The unknown nodes that carry a node of the grid: itself, the parents of a hanging one, none of a fixed
-  /// one.
-  struct Carrier {
-    Index unknown;
-    float weight;
-  };
-  std::span<const Carrier> carriers_of(Index node) const {
-    return {carriers_.data() + first_carrier_[node], first_carrier_[node + 1] - first_carrier_[node]};
-  }
-
-  /// Writes x into the nodal field and gives hanging nodes the mean of their parents; fixed nodes stay.
+  /// Writes x into the nodal field and interpolates hanging nodes. Fixed nodes keep their values, which enter the
+  /// hanging ones too: nodal = C x + the values of fixed parents.
+  /// \pre x.size() == size(), nodal.size() == grid.n_nodes()
   void expand(std::span<const double> x, std::vector<Vec<Dim>>& nodal) const;
 
-  /// The unknowns' values of a nodal field.
+  /// x = the values of the nodal field at the unknown nodes. \pre sizes as for expand()
   void restrict_to(const std::vector<Vec<Dim>>& nodal, std::span<double> x) const;
 
  private:
   const Octree<Dim>* grid_;
   std::vector<Index> nodes_;
   std::vector<Element<Dim>> elements_;
-  std::vector<std::size_t> first_;  ///< places of unknown node i: [first_[i], first_[i + 1])
-  std::vector<Place> places_;
-  std::vector<std::size_t> first_carrier_;  ///< the same by node of the grid
-  std::vector<Carrier> carriers_;
+  std::vector<std::size_t> entries_begin_;  ///< entries of a node: [entries_begin_[node], entries_begin_[node + 1])
+  std::vector<ConstraintEntry> entries_;
 };
 
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Symmetric matrices of elements, one block of Dim x Dim entries for each pair of corners.
+/// Symmetric element matrices: one block of Dim x Dim entries for each pair of corners.
 
 #include "grid/octree/octree.h"
 
@@ -10,30 +10,32 @@
 
 namespace shellmatch {
 
+/// The matrices of consecutive elements. Row and column i = c * Dim + k of a matrix is component k at corner c.
 template <int Dim>
 class ElementMatrices {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
   static constexpr int block_size = Dim * Dim;
+  /// Entries (i, j) with i <= j.
   static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
-  /// Blocks (c, d) with c <= d, row after row; by columns within a block. And some more, so that the last
-  /// block can be read as a whole register.
+  /// Blocks (c, d) with c <= d, row after row, each stored by columns. Padding at the end allows the last block to be
+  /// read as a whole register (WideBlock).
   static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size + 16 - block_size;
-  /// Single precision is ample for a model that is solved to a tenth.
+  /// Single precision suffices: Newton's equations are solved to a relative residual of about 0.1.
   using Matrix = std::array<float, n_entries>;
 
-  /// Where block (c, d) begins, c <= d.
+  /// Offset of block (c, d) in a matrix. \pre c <= d
   static constexpr int block(int c, int d) {
     return (c * n_corners<Dim> - c * (c - 1) / 2 + (d - c)) * block_size;
   }
-  /// Where entry (i, j) stands, i <= j; i = c * Dim + k is component k at corner c.
+  /// Offset of entry (i, j) in a matrix. \pre i <= j
   static constexpr int entry(int i, int j) { return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim; }
 
-  /// Room for so many; what it holds is of no meaning yet.
+  /// Allocates memory for n_elements matrices where there is less, and leaves their entries uninitialised.
   void resize(std::size_t n_elements) {
-    if (n_elements > room_) {
+    if (n_elements > capacity_) {
       matrices_ = std::make_unique_for_overwrite<Matrix[]>(n_elements);
-      room_ = n_elements;
+      capacity_ = n_elements;
     }
     size_ = n_elements;
   }
@@ -41,20 +43,22 @@ class ElementMatrices {
   Matrix& operator[](std::size_t e) { return matrices_[e]; }
   const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
 
-  /// Adds to all entries (i, j), i <= j, of element e: `x` row after row.
+  /// Adds x to the matrix of element e. x holds entries (i, j) with i <= j, row after row.
   void add(std::size_t e, const std::array<float, n_packed>& x) {
     Matrix& to = matrices_[e];
-    for (int at = 0; at < n_packed; ++at) to[places_[at]] += x[at];
+    for (int i = 0; i < n_packed; ++i) to[packed_to_entry_[i]] += x[i];
     for (int c = 0; c < n_corners<Dim>; ++c)
       for (int k = 0; k < Dim; ++k)
         for (int l = k + 1; l < Dim; ++l) to[block(c, c) + k * Dim + l] = to[block(c, c) + l * Dim + k];
   }
 
-  /// Adds x to entry (i, j), i <= j, of element e, and to its mirror image within a block on the diagonal.
+  /// Adds x to entry (i, j) of element e, and to entry (j, i) of a block on the diagonal, which is stored in full.
+  /// \pre i <= j
   void add(std::size_t e, int i, int j, float x) {
     matrices_[e][entry(i, j)] += x;
     if (i != j && i / Dim == j / Dim) matrices_[e][entry(j, i)] += x;
   }
+  /// The same for assignment.
   void set(std::size_t e, int i, int j, float x) {
     matrices_[e][entry(i, j)] = x;
     if (i / Dim == j / Dim) matrices_[e][entry(j, i)] = x;
@@ -67,15 +71,15 @@ class ElementMatrices {
   }
 
  private:
-  static constexpr auto places_ = [] {
-    std::array<int, n_packed> places{};
-    int at = 0;
+  static constexpr auto packed_to_entry_ = [] {
+    std::array<int, n_packed> entries{};
+    int n = 0;
     for (int i = 0; i < n_dofs; ++i)
-      for (int j = i; j < n_dofs; ++j) places[at++] = entry(i, j);
-    return places;
+      for (int j = i; j < n_dofs; ++j) entries[n++] = entry(i, j);
+    return entries;
   }();
   std::unique_ptr<Matrix[]> matrices_;
-  std::size_t size_ = 0, room_ = 0;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 }  // namespace shellmatch

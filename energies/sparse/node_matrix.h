@@ -1,15 +1,12 @@
 #pragma once
 /// \file
-/// The model's matrix by unknowns: one block of Dim x Dim entries for each pair of unknown nodes that share
-/// an element, hanging nodes eliminated. Summed from element matrices once, multiplied often: a row has about
-/// 27 blocks in space, while the eight elements around its node have 64 each. As it is symmetric, only blocks
-/// on and above the diagonal are stored: a product is bound by the memory that it reads.
+/// The sparse matrix of Newton's model by unknowns.
 
 #include "base/large_vector.h"
-#include "energies/sparse/element_matrices.h"
-#include "energies/elements/unknowns.h"
 #include "energies/elements/cell_blocks.h"
 #include "energies/elements/coloured_schedule.h"
+#include "energies/elements/unknowns.h"
+#include "energies/sparse/element_matrices.h"
 
 #include <array>
 #include <cstddef>
@@ -19,42 +16,55 @@
 
 namespace shellmatch {
 
+/// Symmetric matrix with a block of Dim x Dim entries for each pair of unknown nodes that share an element,
+/// constraints eliminated: the sum of C^T K C over the elements. It is assembled once and multiplied often: in space
+/// a row has about 27 blocks, whereas the matrices of the eight elements around a node have 64 each. A product is
+/// bound by memory bandwidth, so only blocks on and above the diagonal are stored, in single precision, in compressed
+/// rows.
 template <int Dim>
 class NodeMatrix {
  public:
   static constexpr int block_size = Dim * Dim;
 
-  /// The pattern for one grid. Unknowns must outlive this object.
+  /// Computes the sparsity pattern. `unknowns` must outlive this object.
   explicit NodeMatrix(const Unknowns<Dim>& unknowns);
 
-  /// Adds the element matrices of a block, within cell_blocks.for_each(): over all cell_blocks the sum, whatever was
-  /// there before. \pre `cell_blocks` are those of the unknowns
+  /// Adds the element matrices of a block. Called for all blocks by cell_blocks.for_each(), it replaces the matrix by
+  /// the sum over all elements, whatever the matrix was before. \pre `cell_blocks` are those of the same unknowns
   void add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells, const ElementMatrices<Dim>& of_block);
 
-  /// Adds factor * k[c][d] times the identity for all corners c, d of element e; k is symmetric. Not for
-  /// several threads.
+  /// Adds factor * k[c][d] times the identity for all corners c, d of element e. Not thread-safe. \pre k is symmetric
   void add_isotropic(std::size_t e, double factor,
                      const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& k);
 
-  /// y = A x: the same bits whatever the number of threads.
+  /// y = A x: the same bits whatever the number of threads. \pre both have the size of the unknowns
   void multiply(std::span<const double> x, std::span<double> y) const;
 
-  /// The block on the diagonal of unknown node i.
+  /// Block (i, i), of unknown node i.
   Mat<Dim> diagonal(std::size_t i) const;
 
+  /// Number of blocks that are stored.
+  std::size_t n_blocks() const { return row_begin_.back(); }
+  /// Number of blocks of all condensed element matrices, on and above their diagonals.
+  std::size_t n_element_blocks() const { return block_offsets_.size(); }
+
  private:
-  void find_places();
-  // What rows [begin, end) and their mirror evaluator give.
+  void find_pattern();
+  void find_block_offsets();
+  /// Adds the products of rows [begin, end) with x to y, and those of their transposes below the diagonal.
   void add_product(std::size_t begin, std::size_t end, std::span<const double> x, std::span<double> y) const;
 
   const Unknowns<Dim>* unknowns_;
-  std::size_t rows_per_slab_;  ///< that are multiplied by one thread in one go
-  ColouredSchedule schedule_;                ///< of slabs: those of one wave share no row or column
-  std::vector<std::size_t> first_;   ///< blocks of row i: [first_[i], first_[i + 1]), the diagonal's first
-  LargeVector<Index> columns_;       ///< ascending within a row; and some more, to be asked for early
-  std::vector<std::size_t> first_place_;  ///< places of element e: [first_place_[e], first_place_[e + 1])
-  LargeVector<std::uint8_t> places_;      ///< for each two unknowns that carry an element: of their block in its row
-  LargeVector<float> values_;        ///< blocks by columns; and some more, that the last can be read in one go
+  std::size_t rows_per_slab_;           ///< rows of one task of a product
+  ColouredSchedule schedule_;           ///< of slabs: those of one colour have no row or column in common
+  std::vector<std::size_t> row_begin_;  ///< blocks of row i: [row_begin_[i], row_begin_[i + 1]), the diagonal one first
+  LargeVector<Index> columns_;          ///< by block, ascending within a row; padded for prefetching
+  /// Blocks of element e's condensed matrix: [offsets_begin_[e], offsets_begin_[e + 1]).
+  std::vector<std::size_t> offsets_begin_;
+  /// By block (i, j), i <= j, of an element's condensed matrix: the offset within its row of the block it is added
+  /// to.
+  LargeVector<std::uint8_t> block_offsets_;
+  LargeVector<float> values_;  ///< by block, columns within; padded so that the last column can be read as a register
 };
 
 }  // namespace shellmatch

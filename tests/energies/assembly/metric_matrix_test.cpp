@@ -1,4 +1,4 @@
-// The matrices of the metrics: what they give for constants and linear functions, with hanging nodes.
+// The matrices of the metrics on constants and linear functions, with hanging nodes.
 #include "energies/assembly/metric_matrix.h"
 
 #include "grid/fields/mass.h"
@@ -39,7 +39,7 @@ TYPED_TEST(MetricMatrix, IntegratesGradientsOfLinearFunctionsExactly) {
   EXPECT_NEAR((stiffness * one).norm(), 0, 1e-12);
   EXPECT_NEAR((stiffness - Eigen::SparseMatrix<double>(stiffness.transpose())).norm(), 0, 1e-14);
 
-  // On the band: the integral of eta takes the place of the domain's volume.
+  // On the band the measure is the integral of eta.
   const double measure = p.energy.band().measure();
   ASSERT_GT(measure, 0.1);
   const auto band = matrix({.mass = 0, .band_mass = 5, .band_stiffness = 2});
@@ -70,16 +70,17 @@ TYPED_TEST(MetricMatrix, LeavesFixedNodesOut) {
   const auto part = metric_matrix<Dim>(grid, fixed.unknowns, fixed.energy, w);
   const auto all = metric_matrix<Dim>(grid, free.unknowns, free.energy, w);
   ASSERT_LT(part.rows(), all.rows());
-  // The rows and columns of what is left are those of the whole.
-  std::vector<Index> place;
+  // The matrix is the submatrix of the unknowns that are not fixed.
+  std::vector<Index> kept;
   for (Index i = 0, j = 0; j < static_cast<Index>(fixed.unknowns.nodes().size()); ++i)
-    if (free.unknowns.nodes()[i] == fixed.unknowns.nodes()[j]) place.push_back(i), ++j;
+    if (free.unknowns.nodes()[i] == fixed.unknowns.nodes()[j]) kept.push_back(i), ++j;
   for (Index j = 0; j < part.cols(); ++j)
     for (Index i = 0; i < part.rows(); ++i)
-      ASSERT_NEAR(part.coeff(i, j), all.coeff(place[i], place[j]), 1e-14);
+      ASSERT_NEAR(part.coeff(i, j), all.coeff(kept[i], kept[j]), 1e-14);
 }
 
-// The point of h1_band: along smooth fields it is of the size of the energy's second derivative at the identity.
+// The purpose of the metric h1_band: along smooth fields it approximates the energy's second derivative at the
+// identity.
 TYPED_TEST(MetricMatrix, OfTheEnergyBoundsItsVolumeTermFromAbove) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid = hanging_grid<Dim>(0.3);

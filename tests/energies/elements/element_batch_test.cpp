@@ -15,7 +15,7 @@ class ElementBatchOf : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ElementBatchOf, Dimensions);
 
-/// Elements of different sizes, all nodes moved at random.
+/// Elements of different sizes with random nodal positions.
 template <int Dim>
 struct Moved {
   ElementBatch<Dim> batch;
@@ -67,8 +67,7 @@ TYPED_TEST(ElementBatchOf, GivesPositionsAndTheirDerivativesByTheShapeFunctions)
   }
 }
 
-// By lane, sums over the points of <evaluate(u), a>, and <u, transpose(a)>: what is added twice counts twice, what was
-// there before clear_adjoint() does not.
+// In each lane <evaluate(u), a> = <u, transpose(a)>. Adjoints are added up, and clear_adjoint() discards them.
 template <int Dim, bool WithPosition>
 void check_transpose(int n_gauss) {
   Moved<Dim> m;
@@ -122,7 +121,7 @@ TYPED_TEST(ElementBatchOf, GivesEveryLaneItsGradient) {
       EXPECT_EQ(added[(n - 1 - lane) * n_dofs + i], 7 + m.batch.gradient[i][lane]);
     }
   for (int i = 0; i < n_dofs; ++i) {
-    EXPECT_EQ(stored[n * n_dofs + i], 7) << "of a lane that was not asked for";
+    EXPECT_EQ(stored[n * n_dofs + i], 7) << "beyond the first n lanes";
     EXPECT_EQ(added[n * n_dofs + i], 7);
   }
 }

@@ -1,4 +1,4 @@
-#include "energies/elements/unknowns.h"
+#include "energies/elements/element_unknowns.h"
 
 #include "grid/octree/constraints.h"
 #include "tests/energies/matching_problem.h"
@@ -7,6 +7,8 @@
 
 #include <numeric>
 #include <random>
+#include <set>
+#include <tuple>
 
 namespace shellmatch {
 namespace {
@@ -21,7 +23,7 @@ std::vector<double> random_numbers(std::size_t n, unsigned seed) {
   return x;
 }
 
-// <expand(x) at the elements' corners, g> = <x, sum of g>, the rest of the field being zero.
+// <expand(x) at the elements' corners, g> = <x, C^T g>, where the field is zero at fixed nodes.
 template <int Dim>
 void check_adjoint(BoundaryCondition boundary) {
   const Octree<Dim> grid = hanging_grid<Dim>(0.3);
@@ -85,9 +87,9 @@ void check_order() {
   Index n_met = 0;
   for (const Element<Dim>& element : unknowns.elements())
     for (const Index node : element.nodes)
-      for (const auto& carrier : unknowns.carriers_of(node)) {
-        EXPECT_LE(carrier.unknown, n_met) << "one that no element has met has a smaller number";
-        n_met = std::max(n_met, carrier.unknown + 1);
+      for (const ConstraintEntry& entry : unknowns.constraint_entries(node)) {
+        EXPECT_LE(entry.unknown, n_met) << "an unknown that elements meet later has a smaller number";
+        n_met = std::max(n_met, entry.unknown + 1);
       }
   EXPECT_EQ(static_cast<std::size_t>(n_met), unknowns.nodes().size());
 }
@@ -97,20 +99,54 @@ TEST(Unknowns, AreNumberedAsTheElementsMeetThem) {
   check_order<3>();
 }
 
-// The table is made of functions that sum to 1 and reproduce the point's own place.
-TEST(ShapeTable, ReproducesLinearFunctions) {
-  for (int order = 1; order <= 5; ++order)
-    for (const auto& q : ShapeTable<3>(order).points) {
-      Vec<3> place = Vec<3>::Zero();
-      Mat<3> slope = Mat<3>::Zero();
-      for (int c = 0; c < 8; ++c) {
-        const Vec<3> corner(c & 1, (c >> 1) & 1, (c >> 2) & 1);
-        place += q.n[c] * corner;
-        slope += corner * Vec<3>(q.dn[c][0], q.dn[c][1], q.dn[c][2]).transpose();
-      }
-      EXPECT_LT((place - q.xi).norm(), 1e-15);
-      EXPECT_LT((slope - Mat<3>::Identity()).norm(), 1e-15);
+// Where fixed nodes have value 0, a nodal field is C x.
+template <int Dim>
+void check_constraint_entries(BoundaryCondition boundary) {
+  const Octree<Dim> grid = hanging_grid<Dim>(0.45);
+  const Unknowns<Dim> unknowns(grid, boundary);
+  const auto x = random_numbers(unknowns.size(), 4);
+  std::vector<Vec<Dim>> nodal(grid.n_nodes(), Vec<Dim>::Zero());
+  unknowns.expand(x, nodal);
+  for (Index node = 0; node < grid.n_nodes(); ++node)
+    for (int k = 0; k < Dim; ++k) {
+      double sum = 0;
+      for (const ConstraintEntry& entry : unknowns.constraint_entries(node))
+        sum += entry.weight * x[entry.unknown * Dim + k];
+      EXPECT_NEAR(nodal[node][k], sum, 1e-15);
     }
+}
+
+TEST(Unknowns, ConstraintEntriesAreTheMatrixOfExpand) {
+  for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet}) {
+    check_constraint_entries<2>(boundary);
+    check_constraint_entries<3>(boundary);
+  }
+}
+
+// By corners or by unknowns, the entries of an element are the same.
+template <int Dim>
+void check_element_unknowns() {
+  const Octree<Dim> grid = hanging_grid<Dim>(0.45);
+  const Unknowns<Dim> unknowns(grid, BoundaryCondition::dirichlet);
+  for (std::size_t e = 0; e < unknowns.elements().size(); ++e) {
+    using Entry = std::tuple<int, Index, float>;  // corner, unknown, weight
+    std::multiset<Entry> expected, found;
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (const ConstraintEntry& entry : unknowns.constraint_entries(unknowns.elements()[e].nodes[c]))
+        expected.emplace(c, entry.unknown, entry.weight);
+    std::set<Index> distinct;
+    const auto of_element = element_unknowns(unknowns, e);
+    for (int i = 0; i < of_element.size(); ++i) {
+      EXPECT_TRUE(distinct.insert(of_element[i]).second);
+      for (const auto& [corner, weight] : of_element.corners_of(i)) found.emplace(corner, of_element[i], weight);
+    }
+    EXPECT_EQ(found, expected) << e;
+  }
+}
+
+TEST(ElementUnknowns, AreTheConstraintEntriesByUnknown) {
+  check_element_unknowns<2>();
+  check_element_unknowns<3>();
 }
 
 }  // namespace

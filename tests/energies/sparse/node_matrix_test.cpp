@@ -1,5 +1,4 @@
-// The model's matrix by unknowns against what it stands for: C^T K C with the elements' matrices K, one by
-// one.
+// The matrix by unknowns against its definition, the sum of C^T K C over the elements.
 
 #include "energies/sparse/node_matrix.h"
 
@@ -26,7 +25,7 @@ struct RandomMatrices {
   ElementMatrices<Dim> matrices;
 };
 
-// Patch by cells, as the model does it, and once more: what was there before does not count.
+// Assembled block by block as in EnergyHessian, and a second time: the sum replaces the previous matrix.
 template <int Dim>
 void assemble(NodeMatrix<Dim>& sum, const Unknowns<Dim>& unknowns, const ElementMatrices<Dim>& all) {
   const CellBlocks<Dim> cell_blocks(unknowns);
@@ -47,7 +46,7 @@ std::vector<double> random_vector(std::size_t n, unsigned seed) {
   return x;
 }
 
-// Element by element: the unknowns go out to the corners, the products come back.
+// The product element by element: C x at the corners, then C^T times the products with the element matrices.
 template <int Dim, class Entry>
 std::vector<double> product(const Octree<Dim>& grid, const Unknowns<Dim>& unknowns, std::span<const double> x,
                             Entry&& entry) {
@@ -83,7 +82,7 @@ void check_products(BoundaryCondition boundary) {
   };
   expect_near(y, product<Dim>(grid, unknowns, x, of_elements), 2e-5);
 
-  // Element 3 stiffened by a matrix of its own.
+  // Every third element gets an additional isotropic matrix.
   std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>> stiff;
   for (int c = 0; c < n_corners<Dim>; ++c)
     for (int d = 0; d < n_corners<Dim>; ++d) stiff[c][d] = 1.0 + c * d;
@@ -106,7 +105,7 @@ TEST(NodeMatrix, LeavesOutFixedNodes) {
   check_products<3>(BoundaryCondition::dirichlet);
 }
 
-// A hanging node's block reaches its parents' diagonals with the product of both weights.
+// Blocks of hanging nodes are added to the diagonal blocks of their parents with the product of both weights.
 TEST(NodeMatrix, DiagonalBlocksAreThoseOfProducts) {
   const Octree<3> grid = hanging_grid<3>(0.28);
   const Unknowns<3> unknowns(grid, BoundaryCondition::neumann);
@@ -122,6 +121,16 @@ TEST(NodeMatrix, DiagonalBlocksAreThoseOfProducts) {
         EXPECT_EQ(y[3 * i + m], sum.diagonal(i)(static_cast<int>(m), static_cast<int>(l)));
       x[3 * i + l] = 0;
     }
+}
+
+// On a uniform grid with m nodes per axis, 3 m - 2 ordered pairs of positions along an axis are neighbours or equal.
+TEST(NodeMatrix, StoresABlockForEachPairOfNeighbours) {
+  const Octree<3> grid(3);
+  const Unknowns<3> unknowns(grid, BoundaryCondition::neumann);
+  const NodeMatrix<3> matrix(unknowns);
+  constexpr std::size_t m = 9, pairs = 3 * m - 2;
+  EXPECT_EQ(matrix.n_blocks(), (pairs * pairs * pairs + m * m * m) / 2);
+  EXPECT_EQ(matrix.n_element_blocks(), 512u * 36);
 }
 
 TEST(NodeMatrix, GivesTheSameBitsWhateverTheThreads) {
