@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "energies/assembly/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/grid/test_grids.h"
 
@@ -109,9 +110,9 @@ int main() {
   // Newton's loop over the band runs whatever the weights are: the second problem has no band.
   Problem problem(2), bare(1e-6);
   TermValues band, volume, barrier;
-  band[Term::match] = band[Term::membrane] = band[Term::bending] = 1;
-  volume[Term::volume] = 1;
-  barrier[Term::barrier] = 1;
+  band["match"_term] = band["membrane"_term] = band["bending"_term] = 1;
+  volume["volume"_term] = 1;
+  barrier["barrier"_term] = 1;
   const std::size_t points = problem.energy.band().n_active_points(),
                     elements = problem.unknowns.elements().size();
   SHELLMATCH_CHECK(bare.energy.band().n_active_points() == 0, "there should be no band");
@@ -120,7 +121,7 @@ int main() {
   // One term at a time goes through the shell (interpolation, its transpose, sums) three times, all at once
   // once.
   OperationCount shell{};
-  for (const Term term : {Term::match, Term::membrane, Term::bending}) {
+  for (const Term term : {"match"_term, "membrane"_term, "bending"_term}) {
     TermValues alone;
     alone[term] = 1;
     shell = shell + problem.evaluate(alone, true);

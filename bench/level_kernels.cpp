@@ -12,6 +12,7 @@
 #include "bench/ceilings.h"
 #include "bench/traffic.h"
 #include "energies/assembly/element_oracle.h"
+#include "energies/terms/term_names.h"
 #include "matching/cascade/cascade.h"
 #include "matching/derivative_check/check_state.h"
 #include "matching/cascade/level_energy.h"
@@ -100,7 +101,7 @@ struct Kernel {
 /// The energy with the band terms alone: neither volume nor barrier, which every cell of the grid has.
 TermValues band_weights() {
   TermValues weights = kernels->weights;
-  weights[Term::volume] = weights[Term::barrier] = 0;
+  weights["volume"_term] = weights["barrier"_term] = 0;
   return weights;
 }
 

@@ -1,6 +1,7 @@
 // What the band report says of maps for which it is known.
 
 #include "energies/assembly/energy_report.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -25,7 +26,7 @@ BandReport means_of(const Problem<Dim>& p, const std::vector<Vec<Dim>>& phi, con
   BandSums sums;
   const bool is_possible = p.energy.report(phi, weights, values, sums);
   const BandReport means = sums.means();
-  EXPECT_EQ(is_possible, weights[Term::barrier] == 0 || means.folded_share == 0);
+  EXPECT_EQ(is_possible, weights["barrier"_term] == 0 || means.folded_share == 0);
   return means;
 }
 
@@ -55,7 +56,7 @@ TYPED_TEST(BandReports, IdenticalShapesHaveNoAngleAndARotationOfTheSphereNeither
 
 TYPED_TEST(BandReports, AMirrorImageIsFoldedThroughout) {
   constexpr int Dim = TypeParam::value;
-  for (const Term term : {Term::match, Term::barrier}) {  // told also where the energy cannot be evaluated
+  for (const Term term : {"match"_term, "barrier"_term}) {  // told also where the energy cannot be evaluated
     const auto mirror = [](const Vec<Dim>& x) {
       Vec<Dim> y = x;
       y[0] = 1 - x[0];
@@ -91,7 +92,7 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   const TermValues whole = *p.values(phi, weights);
   for (int t = 0; t < n_terms; ++t)
     EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
-  EXPECT_GT(whole[Term::match], 0);
+  EXPECT_GT(whole["match"_term], 0);
   const BandReport band = means_of(p, phi, {});
   EXPECT_NEAR(report.band.normal_angle, band.normal_angle, 1e-12);
   // Nothing is claimed of what cannot be evaluated: one cell turned inside out, in the last piece.

@@ -4,6 +4,7 @@
 
 #include "tests/energies/assembly/element_sums.h"
 #include "tests/energies/exact_shapes.h"
+#include "energies/terms/term_names.h"
 
 namespace shellmatch::test {
 
@@ -16,7 +17,7 @@ class ElementCosts : public ::testing::Test {
     o.energy.lambda = 0.7;
     o.energy.mu = 1.3;
     o.energy.volume = volume;
-    o.energy.fold_threshold = 0.9;
+    o.energy.terms.own("fold_threshold") = 0.9;
     return o;
   }
   template <class Add>
@@ -49,35 +50,35 @@ class ElementCosts : public ::testing::Test {
 /// The tests of one dimension, in a file of their own to keep compile times short.
 #define SHELLMATCH_ELEMENT_COST_TESTS(Dim)                                                                         \
   using ElementCosts##Dim##d = ::shellmatch::test::ElementCosts<Dim>;                                              \
-  TEST_F(ElementCosts##Dim##d, Match) { check(Term::match, [](auto& s) { s.template add_band<Match>(); }); }       \
+  TEST_F(ElementCosts##Dim##d, Match) { check("match"_term, [](auto& s) { s.template add_band<Match>(); }); }       \
   TEST_F(ElementCosts##Dim##d, Membrane) {                                                                         \
-    check(Term::membrane, [](auto& s) { s.template add_band<Membrane>(); });                                       \
+    check("membrane"_term, [](auto& s) { s.template add_band<Membrane>(); });                                       \
   }                                                                                                                \
-  TEST_F(ElementCosts##Dim##d, Bending) { check(Term::bending, [](auto& s) { s.template add_band<Bending>(); }); } \
+  TEST_F(ElementCosts##Dim##d, Bending) { check("bending"_term, [](auto& s) { s.template add_band<Bending>(); }); } \
   TEST_F(ElementCosts##Dim##d, MembraneWithoutP2) {                                                                \
-    check(Term::membrane, [](auto& s) { s.template add_band<MembraneWithoutP2>(); }, MembraneModel::no_p2,         \
+    check("membrane"_term, [](auto& s) { s.template add_band<MembraneWithoutP2>(); }, MembraneModel::no_p2,         \
           BendingModel::thin_shell);                                                                               \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, CauchyGreenMembrane) {                                                              \
-    check(Term::membrane, [](auto& s) { s.template add_band<CauchyGreenMembrane>(); }, MembraneModel::cauchy_green,\
+    check("membrane"_term, [](auto& s) { s.template add_band<CauchyGreenMembrane>(); }, MembraneModel::cauchy_green,\
           BendingModel::thin_shell);                                                                               \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, BendingWithoutP2) {                                                                 \
-    check(Term::bending, [](auto& s) { s.template add_band<BendingWithoutP2>(); }, MembraneModel::thin_shell,      \
+    check("bending"_term, [](auto& s) { s.template add_band<BendingWithoutP2>(); }, MembraneModel::thin_shell,      \
           BendingModel::no_p2);                                                                                    \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, QuadraticBending) {                                                                 \
-    check(Term::bending, [](auto& s) { s.template add_band<QuadraticBending>(); }, MembraneModel::thin_shell,      \
+    check("bending"_term, [](auto& s) { s.template add_band<QuadraticBending>(); }, MembraneModel::thin_shell,      \
           BendingModel::quadratic);                                                                                \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, SimplifiedVolume) {                                                                 \
-    check(Term::volume, [](auto& s) { s.template add_volume<SimplifiedVolume>(); }, VolumeDensity::simplified);    \
+    check("volume"_term, [](auto& s) { s.template add_volume<SimplifiedVolume>(); }, VolumeDensity::simplified);    \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, FullVolume) {                                                                       \
-    check(Term::volume, [](auto& s) { s.template add_volume<FullVolume>(); }, VolumeDensity::full);                \
+    check("volume"_term, [](auto& s) { s.template add_volume<FullVolume>(); }, VolumeDensity::full);                \
   }                                                                                                                \
   TEST_F(ElementCosts##Dim##d, SymmetricDirichletVolume) {                                                         \
-    check(Term::volume, [](auto& s) { s.template add_volume<SymmetricDirichletVolume>(); },                        \
+    check("volume"_term, [](auto& s) { s.template add_volume<SymmetricDirichletVolume>(); },                        \
           VolumeDensity::symmetric_dirichlet);                                                                     \
   }                                                                                                                \
-  TEST_F(ElementCosts##Dim##d, FoldBarrier) { check(Term::barrier, [](auto& s) { s.add_barrier(); }); }
+  TEST_F(ElementCosts##Dim##d, FoldBarrier) { check("barrier"_term, [](auto& s) { s.add_barrier(); }); }

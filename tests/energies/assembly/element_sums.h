@@ -51,7 +51,7 @@ struct ElementSum {
 
   void add_barrier() {
     for (const Element<Dim>& e : problem.unknowns.elements())
-      add(e, BarrierElementCost<Dim>(e.side, 1, problem.options.fold_threshold));
+      add(e, BarrierElementCost<Dim>(e.side, 1, problem.options.terms.own("fold_threshold")));
   }
 
   /// C^T of the derivative at the nodes, in the order of the grid's free nodes.

@@ -4,6 +4,7 @@
 #include "energies/assembly/energy_hessian.h"
 #include "energies/densities/stretch_hessian.h"
 #include "energies/densities/tangent_hessian.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -175,9 +176,9 @@ TEST(EnergyHessian, VolumePartIsTheSecondDerivative) {
   const Problem<3> p(grid, exact_fields<3>(grid, sphere<3>(0.28)), exact_fields<3>(grid, sphere<3>(0.28)));
   const auto phi = at_nodes<3>(grid, [](const Vec<3>& x) { return x; });
   EnergyOptions options;
-  options.volume = VolumeDensity::simplified;
+  options.terms.model("volume"_term) = "simplified";
   EnergyHessian<3> hessian(p.energy, p.unknowns, p.target, options);
-  const TermValues weights = only(Term::volume);
+  const TermValues weights = only("volume"_term);
   hessian.assemble(phi, weights);
   // u = t (x, 0, 0): W(I + t e1 e1^T) = t^2 (mu + lambda/2), so u.H u = 2 (mu + lambda/2) = 3 on the unit
   // cube.

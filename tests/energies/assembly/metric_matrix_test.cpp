@@ -1,5 +1,6 @@
 // The matrices of the metrics on constants and linear functions, with hanging nodes.
 #include "energies/assembly/metric_matrix.h"
+#include "energies/terms/term_names.h"
 
 #include "grid/fields/mass.h"
 #include "tests/energies/matching_problem.h"
@@ -88,13 +89,13 @@ TYPED_TEST(MetricMatrix, OfTheEnergyBoundsItsVolumeTermFromAbove) {
     ProblemOptions options;
     options.energy.volume = density;
     const Problem<Dim> p(grid, linear_fields(grid), linear_fields(grid), options);
-    const TermValues weights = only(Term::volume);
+    const TermValues weights = only("volume"_term);
     const auto m = metric_matrix<Dim>(grid, p.unknowns, p.energy, stiffness_of_energy<Dim>(options.energy, weights));
     const auto id = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
     for (unsigned seed = 1; seed < 4; ++seed) {
       const double t = 1e-4;
       const auto phi = deformed(grid, t, seed);
-      const double second = 2 * p.value(phi, Term::volume) / (t * t);
+      const double second = 2 * p.value(phi, "volume"_term) / (t * t);
       double norm = 0;
       for (int k = 0; k < Dim; ++k) {
         Vector u(m.rows());

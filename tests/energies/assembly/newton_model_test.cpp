@@ -2,6 +2,7 @@
 // would fold cells.
 
 #include "energies/assembly/energy_hessian.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -47,7 +48,7 @@ void check_band_part(Term term) {
 }
 template <int Dim>
 void check_band_parts() {
-  for (const Term term : {Term::match, Term::membrane, Term::bending}) check_band_part<Dim>(term);
+  for (const Term term : {"match"_term, "membrane"_term, "bending"_term}) check_band_part<Dim>(term);
 }
 
 TEST(NewtonModel, IsTheSecondDerivativeWithoutStress) {
@@ -61,10 +62,10 @@ void check_restraint() {
   const Octree<Dim> grid(3);
   const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.28)));
   const auto identity = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
-  TermValues weights = only(Term::volume);
-  weights[Term::barrier] = 1;
+  TermValues weights = only("volume"_term);
+  weights["barrier"_term] = 1;
   EnergyOptions options;
-  options.fold_barrier = 1;
+  options.terms.factor("barrier"_term) = 1;
   EnergyHessian<Dim> hessian(p.energy, p.unknowns, p.target, options);
   hessian.assemble(identity, weights);
   std::vector<double> fold(p.unknowns.size(), 0.0), shift(fold.size(), 0.0), small(fold.size(), 0.0), product(fold.size());
@@ -95,7 +96,7 @@ void check_restraint() {
   for (int i = 0; i < 80; ++i) hessian.assemble(identity, weights);
   EXPECT_NEAR(energy_of(fold), fold_before, 1e-6 * fold_before);
   // Where folds cost nothing, nothing is to be restrained.
-  hessian.assemble(identity, only(Term::volume));
+  hessian.assemble(identity, only("volume"_term));
   EXPECT_FALSE(hessian.restrain(identity, fold));
 }
 TEST(NewtonModel, RestrainsStepsThatFold) {

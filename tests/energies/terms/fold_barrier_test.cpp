@@ -2,6 +2,7 @@
 #include "energies/elements/element_batch.h"
 
 #include "energies/autodiff/jet.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 #include "tests/support/taylor.h"
@@ -74,14 +75,14 @@ TYPED_TEST(FoldBarrier, CostsNothingAwayFromFoldsAndGrowsTowardsThem) {
     return at_nodes<Dim>(
         b.grid, [=](const Vec<Dim>& x) { return Vec<Dim>(x + (to - 1) * x[0] * Vec<Dim>::Unit(0)); });
   };
-  EXPECT_EQ(b.problem.value(deformed<Dim>(b.grid, 0.03, 1), Term::barrier), 0);
-  for (const double g : b.problem.gradient(squeezed(0.11), only(Term::barrier))) EXPECT_EQ(g, 0);
+  EXPECT_EQ(b.problem.value(deformed<Dim>(b.grid, 0.03, 1), "barrier"_term), 0);
+  for (const double g : b.problem.gradient(squeezed(0.11), only("barrier"_term))) EXPECT_EQ(g, 0);
   // Uniform compression: the mean of B over the whole domain is B itself, whatever the cells' sizes.
   for (const double to : {0.02, 0.05, 0.09}) {
     const double x = to / 0.1;
-    EXPECT_NEAR(b.problem.value(squeezed(to), Term::barrier), std::pow(1 - x, 3) / x, 1e-10 / x);
+    EXPECT_NEAR(b.problem.value(squeezed(to), "barrier"_term), std::pow(1 - x, 3) / x, 1e-10 / x);
   }
-  EXPECT_TRUE(std::isnan(b.problem.value(squeezed(-0.01), Term::barrier)));
+  EXPECT_TRUE(std::isnan(b.problem.value(squeezed(-0.01), "barrier"_term)));
 }
 
 // The barrier is stricter than the volume densities: it sees folds between the quadrature points.
@@ -89,13 +90,13 @@ TYPED_TEST(FoldBarrier, SeesWhatQuadraturePointsMiss) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid(1);
   const auto fields = exact_fields<Dim>(grid, sphere<Dim>(0.3));
-  ProblemOptions o{.energy = {.volume = VolumeDensity::full}};
+  ProblemOptions o{.energy = {.terms.model("volume"_term) = "full"}};
   const Problem<Dim> p(grid, fields, fields, o);
   auto phi = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
   for (Index node = 0; node < grid.n_nodes(); ++node)
     if (grid.node_position(node).norm() < 1e-9) phi[node] += Vec<Dim>::Constant(Dim == 2 ? 0.28 : 0.23);
-  EXPECT_TRUE(p.values(phi, only(Term::volume)).has_value());
-  EXPECT_FALSE(p.values(phi, only(Term::barrier)).has_value());
+  EXPECT_TRUE(p.values(phi, only("volume"_term)).has_value());
+  EXPECT_FALSE(p.values(phi, only("barrier"_term)).has_value());
 }
 
 // det Dphi itself, not that by the unit cell's coordinates.

@@ -2,6 +2,7 @@
 // the plane and in space, on grids with hanging nodes; and the same check catches wrong gradients.
 
 #include "energies/assembly/element_cost.h"
+#include "energies/terms/term_names.h"
 #include "tests/energies/assembly/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
@@ -72,7 +73,7 @@ struct Gradient : ::testing::Test {
         o.energy.lambda = 0.7;
         o.energy.volume = volume;
         o.energy.boundary = boundary;
-        o.energy.fold_threshold = 0.9;
+        o.energy.terms.own("fold_threshold") = 0.9;
         for_each_term_of(o, target, amplitude, body);
       }
       // The terms to compare with, one of each at a time.
@@ -95,12 +96,12 @@ struct Gradient : ::testing::Test {
     const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
     for (int t = 0; t < n_terms; ++t) {
       const Term term = static_cast<Term>(t);
-      if (compares && term != Term::membrane && term != Term::bending) continue;
-      if (!compares && term != Term::volume && o.energy.volume != VolumeDensity::simplified) continue;
+      if (compares && term != "membrane"_term && term != "bending"_term) continue;
+      if (!compares && term != "volume"_term && o.energy.volume != VolumeDensity::simplified) continue;
       SCOPED_TRACE(fmt::format("{}, {}, volume {}, membrane {}, bending {}", term_names[t], enum_name(o.energy.boundary),
                                enum_name(o.energy.volume), enum_name(o.energy.membrane), enum_name(o.energy.bending)));
       // Far enough for the barrier to act.
-      const double size = term == Term::barrier ? 3 * amplitude : amplitude;
+      const double size = term == "barrier"_term ? 3 * amplitude : amplitude;
       body(problem, deformed<Dim>(grid, size, 5, fixed), term);
     }
   }
@@ -125,7 +126,7 @@ TYPED_TEST(Gradient, RemainderIsOfSecondOrderBetweenKinksOfACurvedTarget) {
   const auto target = exact_fields<D>(this->grid, ellipsoid<D>(Vec<D>::LinSpaced(0.33, 0.24)));
   this->for_each_term(target, 0.1 * this->grid.finest_side(), [](const auto& problem, const auto& phi, Term term) {
     // Nothing is near folding there; the barrier has had its turn above.
-    if (term == Term::barrier) return;
+    if (term == "barrier"_term) return;
     Along<D> line(problem, phi, only(term), 3);
     EXPECT_TRUE(has_derivative(line, line.derivative(), {.largest = 1e-3, .decades = 3}));
   });
@@ -141,7 +142,7 @@ TYPED_TEST(Gradient, RemainderIsOfSecondOrderAcrossCellsOfASmoothTarget) {
       linear(this->grid, reference_fields, target);
   const double to_face = -smooth.energy.shape().points[0].xi[0] * this->grid.finest_side();
   const auto on_faces = at_nodes<D>(this->grid, [&](const Vec<D>& x) { return Vec<D>(x + to_face * Vec<D>::Unit(0)); });
-  for (const Term term : {Term::match, Term::membrane, Term::bending}) {
+  for (const Term term : {"match"_term, "membrane"_term, "bending"_term}) {
     SCOPED_TRACE(term_names[static_cast<int>(term)]);
     Along<D> line(smooth, deformed<D>(this->grid, 0.02, 5), only(term), 2);
     EXPECT_TRUE(has_derivative(line, line.derivative()));
@@ -206,12 +207,12 @@ TYPED_TEST(Gradient, AForgottenDerivativeOfTheLookUpIsCaught) {
       const auto& element = elements[band.batches()[b].element[lane]];
       sum.add(element, FrozenMembrane<D>(problem, b, lane, element.side));
     }
-  EXPECT_NEAR(sum.value, problem.value(phi, Term::membrane), 1e-12);
-  Along<D> line(problem, phi, only(Term::membrane), 1);
+  EXPECT_NEAR(sum.value, problem.value(phi, "membrane"_term), 1e-12);
+  Along<D> line(problem, phi, only("membrane"_term), 1);
   EXPECT_TRUE(has_derivative(line, line.derivative()));
   EXPECT_FALSE(has_derivative(line, line.derivative(sum.gradient())));
   // Match depends on phi by the look-up alone: forgetting it leaves no derivative.
-  Along<D> match(problem, phi, only(Term::match), 1);
+  Along<D> match(problem, phi, only("match"_term), 1);
   EXPECT_FALSE(has_derivative(match, 0.0));
 }
 

@@ -2,6 +2,7 @@
 
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
+#include "energies/terms/term_names.h"
 
 #include <gtest/gtest.h>
 
@@ -34,15 +35,15 @@ TYPED_TEST(Limits, PositionsOutsideAreProjected) {
   const Problem<Dim> p(s.grid, s.reference, s.target);
   // All of the domain lies beyond the face x = 1: the target is read on that face, however far away.
   const auto phi = s.shifted(1.5);
-  EXPECT_EQ(p.value(phi, Term::match), p.value(s.shifted(7), Term::match));
-  const auto gradient = p.gradient(phi, only(Term::match));
+  EXPECT_EQ(p.value(phi, "match"_term), p.value(s.shifted(7), "match"_term));
+  const auto gradient = p.gradient(phi, only("match"_term));
   double along = 0, across = 0;
   for (std::size_t i = 0; i < gradient.size(); ++i) (i % Dim == 0 ? along : across) += std::abs(gradient[i]);
   EXPECT_EQ(along, 0);
   EXPECT_GT(across, 1e-3);
   // Some positions cross the face: nothing jumps. Gauss points of this grid leave it at multiples of no such shift.
   for (const double shift : {0.2, 0.3, 0.35, 0.5})
-    EXPECT_NEAR(p.value(s.shifted(shift - 1e-9), Term::match), p.value(s.shifted(shift + 1e-9), Term::match), 1e-7);
+    EXPECT_NEAR(p.value(s.shifted(shift - 1e-9), "match"_term), p.value(s.shifted(shift + 1e-9), "match"_term), 1e-7);
 }
 
 TYPED_TEST(Limits, WhatIsNotFiniteCannotBeEvaluated) {
@@ -60,7 +61,7 @@ TYPED_TEST(Limits, WhatIsNotFiniteCannotBeEvaluated) {
       EXPECT_FALSE(p.energy.evaluate(phi, weights, values, {}));
       EXPECT_FALSE(p.energy.evaluate(phi, weights, values, gradient));
       // Nor where it is out of reach of every term that has a weight.
-      EXPECT_FALSE(p.energy.evaluate(phi, only(Term::match), values, {}));
+      EXPECT_FALSE(p.energy.evaluate(phi, only("match"_term), values, {}));
     }
   // Finite positions whose energy is not.
   auto phi = s.shifted(0);
@@ -87,14 +88,14 @@ TYPED_TEST(Limits, FoldsCannotBeEvaluatedUnderDensitiesThatForbidThem) {
       o.energy.volume = volume;
       const Problem<Dim> p(s.grid, s.reference, s.target, o);
       const bool allowed = volume == VolumeDensity::simplified;
-      EXPECT_EQ(p.values(phi, only(Term::volume)).has_value(), allowed) << enum_name(volume);
+      EXPECT_EQ(p.values(phi, only("volume"_term)).has_value(), allowed) << enum_name(volume);
       TermValues values;
       std::vector<double> gradient(p.unknowns.size());
-      EXPECT_EQ(p.energy.evaluate(phi, only(Term::volume), values, gradient), allowed) << enum_name(volume);
+      EXPECT_EQ(p.energy.evaluate(phi, only("volume"_term), values, gradient), allowed) << enum_name(volume);
       // Band terms alone ask for no orientation, and a weight of 0 switches the density off.
-      EXPECT_TRUE(p.values(phi, only(Term::membrane)).has_value());
-      EXPECT_FALSE(p.values(phi, only(Term::barrier)).has_value());
-      EXPECT_FALSE(p.energy.evaluate(phi, only(Term::barrier), values, gradient));
+      EXPECT_TRUE(p.values(phi, only("membrane"_term)).has_value());
+      EXPECT_FALSE(p.values(phi, only("barrier"_term)).has_value());
+      EXPECT_FALSE(p.energy.evaluate(phi, only("barrier"_term), values, gradient));
     }
 }
 
@@ -111,7 +112,7 @@ TYPED_TEST(Limits, VolumeIsThatOfTheDomainForEveryQuadrature) {
     ProblemOptions o;
     o.points_per_direction = n;
     const Problem<Dim> p(s.grid, s.reference, s.target, o);
-    const double value = p.value(phi, Term::volume);
+    const double value = p.value(phi, "volume"_term);
     if (n == 1) first = value;
     EXPECT_GT(value, 1e-3);
     EXPECT_NEAR(value, first, 1e-13) << n;
@@ -123,10 +124,10 @@ TYPED_TEST(Limits, TermsAddUp) {
   constexpr int Dim = TypeParam::value;
   const Shapes<Dim> s;
   ProblemOptions o;
-  o.energy.fold_threshold = 0.9;
+  o.energy.terms.own("fold_threshold") = 0.9;
   o.energy.delta = 0.5;
-  o.energy.bending_weight = 3;
-  o.energy.fold_barrier = 0.7;
+  o.energy.terms.factor("bending"_term) = 3;
+  o.energy.terms.factor("barrier"_term) = 0.7;
   const Problem<Dim> p(s.grid, s.reference, s.target, o);
   const auto phi = deformed<Dim>(s.grid, 0.04, 3);
   const TermValues weights = term_weights(o.energy, 0.01, 0.2);

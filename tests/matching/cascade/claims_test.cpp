@@ -3,6 +3,7 @@
 
 #include "matching/cascade/cascade.h"
 #include "matching/experiment/shape_source.h"
+#include "energies/terms/term_names.h"
 
 #include <gtest/gtest.h>
 
@@ -40,15 +41,15 @@ ExperimentOptions first_order(int min_level, int max_level) {
 TEST(Claims, SmallerNuGivesSmallerMismatchAndEnergiesConverge) {
   ExperimentOptions o = first_order(6, 6);
   o.cascade.volume = 0.1;
-  o.energy.volume = VolumeDensity::full;
+  o.energy.terms.model("volume"_term) = "full";
   o.energy.boundary = BoundaryCondition::dirichlet;
-  o.energy.fold_barrier = 0;
+  o.energy.terms.factor("barrier"_term) = 0;
   std::vector<double> mismatch, rest, total;
   for (const double nu : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
     o.cascade.nu = nu;
     const TermValues e = run("circle/large", "ellipse/long", o).levels.back().minimised;
-    mismatch.push_back(e[Term::match] * nu);
-    rest.push_back(e.sum() - e[Term::match]);
+    mismatch.push_back(e["match"_term] * nu);
+    rest.push_back(e.sum() - e["match"_term]);
     total.push_back(e.sum());
   }
   for (std::size_t i = 1; i < total.size(); ++i) {
@@ -64,9 +65,9 @@ TEST(Claims, SmallerNuGivesSmallerMismatchAndEnergiesConverge) {
 // A circle onto one of two thirds its radius: the Cauchy-Green membrane buckles, the model compresses.
 TEST(Claims, TheCauchyGreenMembraneOscillatesUnderCompression) {
   ExperimentOptions o = first_order(4, 5);
-  o.energy.bending_weight = 0;
+  o.energy.terms.factor("bending"_term) = 0;
   const BandReport ours = run("circle/large", "circle/small", o).levels.back().band;
-  o.energy.membrane = MembraneModel::cauchy_green;
+  o.energy.terms.model("membrane"_term) = "cauchy_green";
   const BandReport naive = run("circle/large", "circle/small", o).levels.back().band;
   EXPECT_LT(ours.normal_angle, 4);
   EXPECT_GT(naive.normal_angle, 5 * ours.normal_angle);

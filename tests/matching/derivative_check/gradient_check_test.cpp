@@ -6,6 +6,7 @@
 #include "matching/cascade/shape_fields.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
+#include "energies/terms/term_names.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,7 +21,7 @@ using namespace test;
 ExperimentOptions experiment(BoundaryCondition boundary = BoundaryCondition::neumann) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.energy.boundary = boundary;
-  o.energy.fold_threshold = 0.9;
+  o.energy.terms.own("fold_threshold") = 0.9;
   return o;
 }
 
@@ -155,9 +156,9 @@ TYPED_TEST(GradientCheck, PassesTheEnergiesToCompareWith) {
     o.energy.membrane = membrane;
     o.energy.bending = bending;
     Setting<D> s(o);
-    s.weights[Term::match] = s.weights[Term::volume] = s.weights[Term::barrier] = 0;
+    s.weights["match"_term] = s.weights["volume"_term] = s.weights["barrier"_term] = 0;
     const GradientReport report = s.check(CheckedEnergy<D>(s.level));
-    for (const Term t : {Term::membrane, Term::bending}) {
+    for (const Term t : {"membrane"_term, "bending"_term}) {
       const TermCheck& check = report.terms[static_cast<std::size_t>(t)];
       EXPECT_EQ(check.state, TermCheck::State::passed) << told(report);
       EXPECT_FALSE(check.hessian.has_value());
@@ -169,16 +170,16 @@ TYPED_TEST(GradientCheck, PassesTheEnergiesToCompareWith) {
 TYPED_TEST(GradientCheck, SaysWhereItCannotTell) {
   constexpr int D = TypeParam::value;
   ExperimentOptions o = experiment();
-  o.energy.fold_threshold = 0.1;
+  o.energy.terms.own("fold_threshold") = 0.1;
   Setting<D> s(o, 0.0);
-  s.weights[Term::bending] = 0;
+  s.weights["bending"_term] = 0;
   const GradientReport report = s.check(CheckedEnergy<D>(s.level));
   EXPECT_TRUE(report.passed()) << told(report);
   const auto state = [&](Term t) { return report.terms[static_cast<std::size_t>(t)].state; };
-  EXPECT_EQ(state(Term::match), TermCheck::State::passed);
-  EXPECT_EQ(state(Term::bending), TermCheck::State::off);
-  EXPECT_EQ(state(Term::volume), TermCheck::State::vanishing) << told(report);
-  EXPECT_EQ(state(Term::barrier), TermCheck::State::inactive);
+  EXPECT_EQ(state("match"_term), TermCheck::State::passed);
+  EXPECT_EQ(state("bending"_term), TermCheck::State::off);
+  EXPECT_EQ(state("volume"_term), TermCheck::State::vanishing) << told(report);
+  EXPECT_EQ(state("barrier"_term), TermCheck::State::inactive);
 }
 
 TEST(GradientCheckReport, AFoldIsAnInputError) {
@@ -189,7 +190,7 @@ TEST(GradientCheckReport, AFoldIsAnInputError) {
 
 TEST(GradientCheckReport, JsonSaysWhatTheTextSays) {
   Setting<2> s;
-  const GradientReport report = s.check(Planted<2>(s.level, Term::membrane, Fault::one_element));
+  const GradientReport report = s.check(Planted<2>(s.level, "membrane"_term, Fault::one_element));
   const auto json = nlohmann::json::parse(gradient_report_json(report));
   EXPECT_EQ(json["passed"], false);
   ASSERT_EQ(json["terms"].size(), 6u);
