@@ -77,6 +77,7 @@ const std::vector<Door>& door_table() {
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
       {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp"}},
+      {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},
       {"CLI11", {"CLI/"}, {"apps/*.cpp"}},
