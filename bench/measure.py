@@ -38,6 +38,7 @@ class Programs:
         self.shellmatch = self.folder / "apps/shellmatch"
         self.level_kernels = self.folder / "bench/level_kernels"
         self.count_flops = self.folder / "bench/count_flops"
+        self.plot_series = self.folder / "scripts/plot/plot_series"
 
     def build(self, name, jobs, kernels=True, more=()):
         cached = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []

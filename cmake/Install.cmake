@@ -26,7 +26,8 @@ endif()
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY configs studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
+install(DIRECTORY studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies)
 
 configure_package_config_file(cmake/ShellmatchConfig.cmake.in ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake
   INSTALL_DESTINATION ${shellmatch_package_dir})

@@ -47,7 +47,7 @@ SplineSpace<Dim>::SplineSpace(const Octree<Dim>& grid)
       },
       256);
   for (const Index cell : grid.leaves()) ask_for_neighbours(number_of(cell));
-  others_ = {};
+  others_ = decltype(others_)();  // as in forget_grid()
 }
 
 template <int Dim>
@@ -95,8 +95,9 @@ Index SplineSpace<Dim>::coefficient_at(int level, const Coord& corner) {
   }
   Index first = group_in_grid(level, parent);
   if (first == no_index) {
-    first = others_.insert(key_of<Dim>(level, parent), n_coefficients_);
-    if (first == n_coefficients_) {
+    const auto [entry, is_new] = others_.try_emplace(key_of<Dim>(level, parent), n_coefficients_);
+    first = entry->second;
+    if (is_new) {
       n_coefficients_ += n_siblings;
       made_.resize(static_cast<std::size_t>(n_coefficients_), Made::no);
     }

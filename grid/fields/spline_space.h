@@ -5,13 +5,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "grid/octree/cell_locator.h"
-#include "grid/octree/key_map.h"
 #include "grid/octree/octree.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <unordered_map>
 #include <vector>
 
 namespace shellmatch {
@@ -124,7 +124,7 @@ class SplineSpace {
   Index n_of_cells_, n_coefficients_;
   std::vector<Made> made_;        ///< by coefficient
   std::vector<Derived> derived_;  ///< none before its sources
-  KeyMap others_;                 ///< first coefficients of groups that are not of the grid
+  std::unordered_map<std::uint64_t, Index> others_;  ///< by key_of(): first coefficients of groups that are not of the grid
 };
 
 /// Where the neighbours of each sibling are: number of the group around, and number in it.

@@ -29,14 +29,14 @@ To give the run up, delete this folder.
 )";
 
 template <class T>
-std::uint64_t add_bytes(const std::vector<T>& values, std::uint64_t sum) {
+std::string_view bytes_of(const std::vector<T>& values) {
   static_assert(std::is_same_v<T, Vec<2>> || std::is_same_v<T, Vec<3>> || std::is_trivially_copyable_v<T>);
-  return text_checksum({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}, sum);
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
 template <int Dim>
 std::string surface_checksum(const Surface<Dim>& surface) {
-  return checksum_text(add_bytes(surface.facets, add_bytes(surface.vertices, text_checksum(""))));
+  return Checksum().add(bytes_of(surface.vertices)).add(bytes_of(surface.facets)).text();
 }
 
 // Sources are told by what is in them; true positions are looked at when the run ends.
@@ -86,7 +86,7 @@ RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& r
                          const Surface<Dim>& template_shape) {
   return {with_absolute_paths(options), surface_checksum(reference), surface_checksum(template_shape),
           fmt::format("{}, {}, {}", program_version(), compiler_name(),
-                      fs::exists(executable) ? checksum_text(file_checksum(executable)) : "unknown")};
+                      fs::exists(executable) ? file_checksum(executable) : "unknown")};
 }
 
 std::string changed_option(const ExperimentOptions& before, const ExperimentOptions& now) {
@@ -114,11 +114,13 @@ std::string LevelKeeper::obstacle() const {
   const fs::path folder = path_;
   const auto manifest = read_manifest(folder / manifest_name);
   if (!manifest) return fmt::format("its {} is damaged", manifest_name);
+  constexpr const char* other_program = "another build of the program has written it";
+  if (manifest->format != KeptManifest().format) return other_program;
   try {
     for (const KeptManifest::File& file : manifest->files)
-      if (checksum_text(file_checksum(folder / file.name)) != file.checksum)
+      if (file_checksum(folder / file.name) != file.checksum)
         return fmt::format("its {} is damaged", file.name);
-    if (manifest->program != identity_.program) return "another build of the program has written it";
+    if (manifest->program != identity_.program) return other_program;
     const std::string change = changed_option(read_experiment(folder / "config.yaml"), identity_.options);
     if (!change.empty()) return fmt::format("the configuration has changed ({})", change);
   } catch (const InputError& damage) {
@@ -156,7 +158,7 @@ void LevelKeeper::keep(const LevelsSoFar<Dim>& levels, const std::string& pictur
   const fs::path place = fs::path(manifest_file).parent_path();
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place))
     if (entry.is_regular_file())
-      manifest.files.push_back({fs::relative(entry.path(), place).string(), checksum_text(file_checksum(entry.path()))});
+      manifest.files.push_back({fs::relative(entry.path(), place).string(), file_checksum(entry.path())});
   write_file(manifest_file, manifest_json(manifest));
   folder.commit();
 }

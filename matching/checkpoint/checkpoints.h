@@ -86,7 +86,7 @@ class LevelKeeper {
 
 /// Contents of the file that tells a kept state from any other folder.
 struct KeptManifest {
-  int format = 1;
+  int format = 2;  ///< 1 had other checksums
   int level = 0;  ///< the last finished one
   std::string program, reference, template_shape;
   struct File {
@@ -96,7 +96,7 @@ struct KeptManifest {
 };
 
 std::string manifest_json(const KeptManifest& manifest);
-/// Nothing where the file is missing, damaged or of another format.
+/// Nothing where the file is missing or damaged. It may be of another format.
 std::optional<KeptManifest> read_manifest(const std::string& path);
 
 /// "cascade.nu: 0.0002, now 0.001" of the first option that differs between both and on which a run's levels depend;

@@ -24,7 +24,7 @@ std::optional<KeptManifest> read_manifest(const std::string& path) {
   try {
     KeptManifest manifest;
     set_from_json(Json::parse(in), manifest);
-    if (manifest.format == KeptManifest().format) return manifest;
+    return manifest;
   } catch (const Json::exception&) {
     // As good as none.
   }

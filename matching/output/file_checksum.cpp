@@ -12,33 +12,46 @@ namespace shellmatch {
 
 namespace {
 
-std::string seal_text(std::uint64_t sum) {
-  return fmt::format("\n<!-- shellmatch checksum {} -->\n", checksum_text(sum));
+constexpr std::string_view earlier_begin = "\n<!-- shellmatch checksum ", line_end = " -->\n";
+
+std::string checksum_line(const std::string& sum) { return fmt::format("\n<!-- shellmatch xxh3 {}{}", sum, line_end); }
+
+// The last n bytes; nothing of a shorter file.
+std::string end_of(std::ifstream& in, std::uintmax_t size, std::size_t n) {
+  if (size < n) return "";
+  std::string end(n, '\0');
+  in.seekg(static_cast<std::streamoff>(size - n));
+  in.read(end.data(), static_cast<std::streamsize>(n));
+  return end;
 }
 
 }  // namespace
 
-void seal_file(const std::string& path) {
+void append_checksum(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   const auto sum = error ? std::nullopt : stream_checksum(in, size);
   std::ofstream out(path, std::ios::binary | std::ios::app);
-  if (sum) out << seal_text(*sum);
+  if (sum) out << checksum_line(*sum);
   out.close();
   if (!sum || !out)
     throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
 }
 
-bool is_sealed(const std::string& path) {
+FileChecksum verify_checksum(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error), seal = seal_text(0).size();
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!in || error) throw_input_error("{}: cannot be read; does the file exist, and may you read it?", path);
-  if (size < seal) return false;
-  const auto sum = stream_checksum(in, size - seal);
-  std::string found(seal, '\0');
-  return sum && in.read(found.data(), static_cast<std::streamsize>(seal)) && found == seal_text(*sum);
+  constexpr std::size_t n_digits = 16;
+  const std::string earlier = end_of(in, size, earlier_begin.size() + n_digits + line_end.size());
+  if (earlier.starts_with(earlier_begin) && earlier.ends_with(line_end)) return FileChecksum::earlier;
+  const std::string found = end_of(in, size, checksum_line(std::string(n_digits, '0')).size());
+  if (found.empty()) return FileChecksum::differs;
+  in.seekg(0);
+  const auto sum = stream_checksum(in, size - found.size());
+  return sum && found == checksum_line(*sum) ? FileChecksum::matches : FileChecksum::differs;
 }
 
 }  // namespace shellmatch

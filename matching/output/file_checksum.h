@@ -6,12 +6,17 @@
 
 namespace shellmatch {
 
-/// Appends a line with a checksum of all that is in the file, in the form of an XML comment.
-/// \throws EnvironmentError if the file cannot be read or written
-void seal_file(const std::string& path);
+enum class FileChecksum {
+  matches,
+  differs,  ///< or is missing: the file is cut off, changed, or append_checksum() has never seen it
+  earlier   ///< a checksum in the form of an earlier version (FNV-1a, to version 0.1.0), which is not verified
+};
 
-/// Does the file end with the seal of its contents? A file that is cut off or of which a byte was changed
-/// does not; neither does one that seal_file() has never seen. \throws InputError if it cannot be read
-bool is_sealed(const std::string& path);
+/// Appends a line with a checksum of all that is in the file, in the form of an XML comment that names its kind.
+/// \throws EnvironmentError if the file cannot be read or written
+void append_checksum(const std::string& path);
+
+/// Does the file end with the checksum of its contents? \throws InputError if it cannot be read
+FileChecksum verify_checksum(const std::string& path);
 
 }  // namespace shellmatch

@@ -41,7 +41,8 @@ FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind
 }
 
 FileLock::~FileLock() {
-  if (state_ == State::held && kind_ == Kind::exclusive) unlink(path_.c_str());
+  // Where somebody has removed the file, the name may stand for the lock of another process by now.
+  if (state_ == State::held && kind_ == Kind::exclusive && is_file_at(file_, path_)) unlink(path_.c_str());
   close(file_);
 }
 

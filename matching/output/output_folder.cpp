@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -93,11 +94,21 @@ void check_place(const fs::path& path, bool force) {
                       path.string(), name);
 }
 
+constexpr std::string_view lock_ending = ".lock", partial_infix = ".partial-";
+
 std::string lock_of(const fs::path& place) {
-  return (place.parent_path() / fmt::format(".{}.lock", place.filename().string())).string();
+  return (place.parent_path() / fmt::format(".{}{}", place.filename().string(), lock_ending)).string();
 }
 
-std::string partial_prefix(const fs::path& place) { return fmt::format(".{}.partial-", place.filename().string()); }
+std::string partial_prefix(const fs::path& place) { return fmt::format(".{}{}", place.filename().string(), partial_infix); }
+
+// The output folder to which a lock or a hidden folder belongs; empty for any other name.
+std::string name_of_output(std::string_view hidden) {
+  if (!hidden.starts_with('.')) return "";
+  std::size_t end = hidden.rfind(partial_infix);
+  if (end == hidden.npos && hidden.ends_with(lock_ending)) end = hidden.size() - lock_ending.size();
+  return end == hidden.npos || end < 2 ? "" : std::string(hidden.substr(1, end - 1));
+}
 
 constexpr std::string_view set_aside = ".old";  // ends the name of an output folder that is being replaced
 
@@ -226,23 +237,6 @@ void OutputFolder::commit() {
   lock_.reset();
 }
 
-bool OutputFolder::keep_partial() {
-  std::error_code error;
-  bool any = false;
-  std::vector<fs::path> empty;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
-    if (!entry.is_regular_file()) continue;
-    if (entry.file_size() == 0)
-      empty.push_back(entry.path());
-    else
-      any = true;
-  }
-  if (error) cannot_write(partial_, error.value());
-  for (const fs::path& path : empty) fs::remove(path, error);
-  if (any) commit();
-  return any;
-}
-
 std::string partial_folder_name(const std::string& path) {
   const fs::path place = path;
   return (place.parent_path() / fmt::format("{}{}", partial_prefix(place), ::getpid())).string();
@@ -251,6 +245,18 @@ std::string partial_folder_name(const std::string& path) {
 void remove_leftovers(const std::string& path) {
   const FileLock lock(lock_of(path), FileLock::Kind::exclusive);
   if (lock.state() == FileLock::State::held) remove_partial_folders(path);
+}
+
+void remove_leftovers_in(const std::string& parent) {
+  std::set<std::string> outputs;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error))
+    if (std::string name = name_of_output(entry.path().filename().string()); !name.empty()) outputs.insert(std::move(name));
+  for (const std::string& name : outputs) try {
+      remove_leftovers((fs::path(parent) / name).string());
+    } catch (const EnvironmentError&) {
+      // Of another user, perhaps. A run of that name will say so.
+    }
 }
 
 void write_file(const std::string& path, std::string_view contents) {

@@ -39,10 +39,6 @@ class OutputFolder {
   /// does not take it; the destructor then cleans up. InputError if somebody else filled the place meanwhile.
   void commit();
 
-  /// For a run that was interrupted: if anything has been written it is committed, files that are empty left
-  /// out; returns whether there was anything. The caller sees to it that each file is whole.
-  bool keep_partial();
-
  private:
   void remove_created_parents() noexcept;
 
@@ -58,6 +54,10 @@ std::string partial_folder_name(const std::string& path);
 /// Removes what killed runs have left of the output folder `path`, hidden beside it, unless a run is at work there.
 /// \throws EnvironmentError if nothing can be written beside it
 void remove_leftovers(const std::string& path);
+
+/// The same for every output folder in `parent`, by the names of the locks and hidden folders that are there. A lock
+/// is held for a moment while it is looked at, so nobody may be about to start a run in `parent`. What cannot be removed stays.
+void remove_leftovers_in(const std::string& parent);
 
 /// Writes a whole file. \throws EnvironmentError naming the file: disk full, no permission.
 void write_file(const std::string& path, std::string_view contents);

@@ -133,7 +133,10 @@ std::string file_in(const std::string& path) {
 
 // VTK trusts what it reads: whatever is cut off, changed or not ours is kept from it.
 vtkNew<vtkUnstructuredGrid> read_grid(const std::string& path) {
-  if (!is_sealed(path)) damaged(path, "the checksum at its end is missing or wrong");
+  const FileChecksum checksum = verify_checksum(path);
+  if (checksum == FileChecksum::earlier)
+    throw_input_error("{}: written by an earlier version of this program, whose checksums this one does not verify; match the shapes again", path);
+  if (checksum != FileChecksum::matches) damaged(path, "the checksum at its end is missing or wrong");
   const Messages messages;
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(path.c_str());
@@ -248,7 +251,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
-  seal_file(path);
+  append_checksum(path);
 }
 
 template <int Dim>

@@ -7,7 +7,7 @@ import subprocess
 from paper.claims import judged
 from paper.experiments import bending_pairs, built_in_pairs, data_pairs, experiments, papers_table, root
 from paper.numbers import level_of, seconds, table, text
-from paper.plots import write_oscillations, write_penalty_plot
+from paper.plots import write_oscillations, write_penalty_plots
 
 
 def ended_by(level):
@@ -35,8 +35,9 @@ def papers_level(name):
 class Page:
     """docs/paper.md from the summaries."""
 
-    def __init__(self, results, path):
+    def __init__(self, results, path, plots):
         self.results = results
+        self.plots = plots  # the program that draws
         self.path = path
         self.pictures = path.parent / "pictures/paper"
         self.parts = []
@@ -211,8 +212,8 @@ class Page:
     def oscillations(self):
         self.add("### fig:oscillation", "The curves [eq:varphik] for R = 0.95 and k = 6, 20, 50, each with the start radius for which it closes, and the",
                  "circle that they tend to. What the two membranes charge for them is in `tests/energies/terms/oscillation_test.cpp`.")
-        write_oscillations(self.own_picture("oscillation.svg"))
-        self.add("![oscillating curves of unit speed](pictures/paper/oscillation.svg)")
+        write_oscillations(self.own_picture("oscillation.png"), self.plots)
+        self.add("![oscillating curves of unit speed](pictures/paper/oscillation.png)")
         self.add("### fig:Dtt and fig:detDtt", "Drawings of definitions. The numbers in them, det(Dtg id + n2 n1^T) = 0 and < 0, are in",
                  "`tests/energies/densities/theory_test.cpp`: in the plane that determinant is n1 . n2.")
 
@@ -229,8 +230,8 @@ class Page:
         self.add("The total can only rise as nu falls, and stays below the energy of any map that takes one shape onto the other",
                  "exactly; mismatch / nu, the match term, goes to zero, and what is left settles. No map on the grid matches exactly: where",
                  "mismatch / nu begins to rise again, nu has become too small for this grid.")
-        write_penalty_plot(rows, self.own_picture("penalty.svg"))
-        self.add("![mismatch and energies as nu is lowered](pictures/paper/penalty.svg)")
+        write_penalty_plots(rows, self.own_picture("penalty_mismatch.png"), self.own_picture("penalty_energies.png"), self.plots)
+        self.add("![mismatch over nu](pictures/paper/penalty_mismatch.png)", "![energies over nu](pictures/paper/penalty_energies.png)")
 
     def data(self):
         rows, at_once = [], False

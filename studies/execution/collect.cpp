@@ -20,7 +20,7 @@ namespace {
 // `write` gets the name of a file in the same folder, with the same ending.
 void replace(const fs::path& place, const std::function<void(const std::string&)>& write) {
   const fs::path beside =
-      place.parent_path() / fmt::format(".partial-{}-{}", ::getpid(), place.filename().string());
+      place.parent_path() / fmt::format("{}{}-{}", partial_file_prefix, ::getpid(), place.filename().string());
   std::error_code error;
   try {
     write(beside.string());
@@ -51,6 +51,7 @@ void collect_study(const Study& study, const std::vector<StudyRun>& runs, const 
       replace(plots / (plot.name + ".png"),
               [&](const std::string& beside) { write_plot(plot.plot, beside); });
   replace_file(folder.path() + "/summary.md", study_report(study, table));
+  folder.remove_leftovers();  // of whoever has ended since this study began
 }
 
 }  // namespace shellmatch

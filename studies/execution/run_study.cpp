@@ -156,11 +156,24 @@ std::string prepared(const std::string& path) {
 
 StudyFolder::StudyFolder(const std::string& path, bool whole_study)
     : path_(prepared(path)),
+      whole_study_(whole_study),
       lock_(path_ + "/.lock", whole_study ? FileLock::Kind::exclusive : FileLock::Kind::shared) {
   if (lock_.state() == FileLock::State::taken)
     throw_input_error(
         "{}: another process works on a study there; wait for its end or choose another folder with -o",
         path);
+  remove_leftovers();
+}
+
+void StudyFolder::remove_leftovers() const {
+  if (!whole_study_ || lock_.state() != FileLock::State::held) return;
+  remove_leftovers_in(path_ + "/runs");
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const std::string& place : {path_, path_ + "/plots"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
+      if (entry.path().filename().string().starts_with(partial_file_prefix)) found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove(path, error);
 }
 
 RunResult StudyFolder::result_of(const StudyRun& run) const {
@@ -180,8 +193,11 @@ bool run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
     if (observer.stop_requested()) return false;
     while (next < runs.size() && active.size() < static_cast<std::size_t>(settings.jobs)) {
       const StudyRun& run = runs[next++];
-      if (!is_due(folder.result_of(run), limits, settings.retry)) continue;
       const fs::path place = folder.run_folder(run);
+      if (!is_due(folder.result_of(run), limits, settings.retry)) {
+        if (!folder.is_whole()) remove_leftovers(place.string());
+        continue;
+      }
       std::error_code error;
       fs::remove_all(place, error);  // the result of another configuration, or a folder without one
       RunResult result;

@@ -7,6 +7,7 @@
 #include "studies/study.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shellmatch {
@@ -28,6 +29,9 @@ class StudyObserver {
   virtual bool stop_requested() { return false; }
 };
 
+/// Begins the name of a file of a study that is being written, beside its place.
+inline constexpr std::string_view partial_file_prefix = ".partial-";
+
 /// A folder that studies are written to. It holds study.yaml and runs/NAME/ with config.yaml, log.txt,
 /// output/ and result.json; collect() adds the tables.
 class StudyFolder {
@@ -36,18 +40,24 @@ class StudyFolder {
   /// work on single runs of one study, but only one on the whole of it. \throws InputError if it holds
   /// anything else or if another process works there, EnvironmentError if it
   ///   cannot be written
+  /// \param whole_study removes what killed processes have left in the folder, as remove_leftovers()
   StudyFolder(const std::string& path, bool whole_study);
   StudyFolder(const StudyFolder&) = delete;
   StudyFolder& operator=(const StudyFolder&) = delete;
 
   const std::string& path() const { return path_; }
+  bool is_whole() const { return whole_study_; }
   std::string run_folder(const StudyRun& run) const { return path_ + "/runs/" + run.name; }
 
   /// The result of that run; not_run where there is none or where it is that of another configuration.
   RunResult result_of(const StudyRun& run) const;
 
+  /// Removes locks that nobody holds, and half-written runs and tables; nothing where other processes may be at work.
+  void remove_leftovers() const;
+
  private:
   std::string path_;
+  bool whole_study_;
   FileLock lock_;
 };
 

@@ -31,7 +31,7 @@ class InputContents {
       if (is_generated_source(source))
         check_generated_source(source);
       else
-        entry->second = checksum_text(file_checksum(source));
+        entry->second = file_checksum(source);
     } catch (const InputError& error) {
       known_.erase(entry);
       throw_input_error("{}: {}", where, error.what());
@@ -66,7 +66,7 @@ std::string energy_key_of(ExperimentOptions o, const std::string& inputs) {
   c.nu_substeps = 1;
   c.negligible_rise = 0;
   c.intermediate_decrease = 0;
-  return checksum_text(text_checksum(portable_yaml(o) + inputs));
+  return text_checksum(portable_yaml(o) + inputs);
 }
 
 class Product {
@@ -128,7 +128,7 @@ class Product {
     for (const std::string* source :
          {&run.options.input.reference, &run.options.input.template_file, &run.options.input.correspondence})
       inputs += "\n" + inputs_.of(*source, where);
-    run.fingerprint = checksum_text(text_checksum(portable_yaml(run.options) + inputs));
+    run.fingerprint = text_checksum(portable_yaml(run.options) + inputs);
     run.energy_key = energy_key_of(run.options, inputs);
 
     std::string name = run.problem + "-" + run.solver;

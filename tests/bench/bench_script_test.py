@@ -27,6 +27,7 @@ import comparison  # noqa: E402
 import machine  # noqa: E402
 import measure  # noqa: E402
 import paired  # noqa: E402
+import plotting  # noqa: E402
 import roofline  # noqa: E402
 import scaling  # noqa: E402
 
@@ -144,17 +145,35 @@ for i, line in enumerate(sys.stdin):
 
     def test_the_plot_has_every_series(self):
         rows = [{"level": level, "nodes": 10**level, "free_nodes": 6 * 10 ** (level - 1), "steps": 9,
-                 **{key: 1e-4 * 10.0 ** (level - 3) for _, key, _ in scaling.series}, "bytes": 7e3 * 10**level}
+                 **{key: 1e-4 * 10.0 ** (level - 3) for _, key in scaling.series}, "bytes": 7e3 * 10**level}
                 for level in (3, 4, 5)]
-        drawn = xml.etree.ElementTree.fromstring(scaling.plot(rows))
-        lines = drawn.findall("{http://www.w3.org/2000/svg}polyline")
-        self.assertEqual(len(lines), len(scaling.series))
-        for line in lines:
-            self.assertEqual(len(line.get("points").split()), len(rows))
-            for point in line.get("points").split():
-                x, y = map(float, point.split(","))
-                self.assertTrue(0 < x < float(drawn.get("width")) and 0 < y < float(drawn.get("height")), point)
+        plot = scaling.plot(rows)
+        named = [series for series in plot["series"] if "name" in series]
+        self.assertEqual([series["name"].split(":")[0].split(", GB")[0] for series in named], [name for name, _ in scaling.series])
+        for series in named:
+            self.assertEqual(series["x"], [1000, 10000, 100000])
+            self.assertEqual(len(series["y"]), len(rows))
+            self.assertIn("1.00", series["name"])
+        self.assertEqual(named[-1]["y"][0], 7e3 * 1000 * 1e-9)
+        dotted = [series for series in plot["series"] if "name" not in series]
+        self.assertGreater(len(dotted), 2)
+        for series in dotted:
+            self.assertAlmostEqual(scaling.exponent(series["x"], series["y"])[0], 1)
+        picture = self.folder / "plot.svg"
+        plotting.draw(plot, picture, build / "scripts/plot/plot_series")
+        drawn = xml.etree.ElementTree.parse(picture).getroot()
+        self.assertEqual(drawn.get("viewBox").split()[2:], ["960", "520"])
+        self.assertGreater(len(list(drawn.iter("{http://www.w3.org/2000/svg}path"))), len(plot["series"]))
         self.assertIn("**1.00**", scaling.table(rows))
+
+    def test_what_cannot_be_drawn_is_told(self):
+        program = build / "scripts/plot/plot_series"
+        for plot, words in (({"titel": "a"}, "there is no 'titel'"), ({"series": [{"colour": 1}]}, "there is no 'colour'"),
+                            ({"series": [{"name": "a", "x": [1], "y": []}]}, "series 'a' has 1 x and 0 y")):
+            with self.assertRaisesRegex(RuntimeError, words):
+                plotting.draw(plot, self.folder / "plot.png", program)
+        with self.assertRaisesRegex(RuntimeError, "scripts/build release plot_series"):
+            plotting.draw({}, self.folder / "plot.png", self.folder / "no_program")
 
     def test_kernels_are_held_against_the_lower_ceiling(self):
         counts = {name: {"flops": flops} for name, flops in
@@ -346,7 +365,7 @@ class Kernels(Folder):
         for row in rows:
             self.assertEqual(row["run_free_nodes"], row["free_nodes"])
         self.assertIn("exponent by free nodes", output.read_text())
-        self.assertTrue(output.with_suffix(".svg").exists())
+        self.assertTrue(output.with_suffix(".png").exists())
 
 
 if __name__ == "__main__":

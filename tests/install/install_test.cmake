@@ -18,7 +18,8 @@ file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/made-here)
 file(RENAME ${WORK_DIR}/made-here ${WORK_DIR}/prefix)
 
-foreach(file bin/shellmatch include/shellmatch/base/error.h include/shellmatch/matching/options.h)
+foreach(file bin/shellmatch include/shellmatch/base/error.h include/shellmatch/matching/experiment/options.h
+        share/shellmatch/configs/hand.yaml share/shellmatch/studies/workflow/Snakefile)
   if(NOT EXISTS ${WORK_DIR}/prefix/${file})
     message(FATAL_ERROR "${file} was not installed")
   endif()

@@ -1,7 +1,6 @@
 #include "grid/fields/spline_space.h"
 
 #include "grid/fields/interpolation.h"
-#include "grid/octree/key_map.h"
 #include "tests/grid/test_grids.h"
 
 #include <gtest/gtest.h>
@@ -164,15 +163,6 @@ TYPED_TEST(Splines, AreOfThirdOrder) {
   EXPECT_GT(std::log2(coarse[0] / fine[0]), 2.8);
   EXPECT_NEAR(std::log2(coarse[1] / fine[1]), 2, 0.15);
   EXPECT_LT(fine[0], 0.2 * fine[1]);
-}
-
-TEST(KeyMap, FindsWhatWasStoredAndNothingElse) {
-  KeyMap map;
-  for (Index i = 0; i < 10000; ++i) EXPECT_EQ(map.insert(static_cast<std::uint64_t>(i) << 20, i), i);
-  EXPECT_EQ(map.insert(0, 5), 0) << "the first value stays";
-  EXPECT_EQ(map.size(), 10000u);
-  for (Index i = 0; i < 10000; ++i) ASSERT_EQ(map.find(static_cast<std::uint64_t>(i) << 20), i);
-  EXPECT_EQ(map.find(1), no_index);
 }
 
 }  // namespace

@@ -251,10 +251,26 @@ TEST(Resume, AStateThatCannotBeReadBeginsAnew) {
   put(history, "rubbish\n");
   KeptManifest manifest = read_manifest(state).value();
   for (KeptManifest::File& file : manifest.files)
-    if (file.name == "history.csv") file.checksum = checksum_text(file_checksum(history));
+    if (file.name == "history.csv") file.checksum = file_checksum(history);
   put(state, manifest_json(manifest));
   const Watcher anew = run(o, tmp / "out");
   EXPECT_NE(anew.notes.find("it cannot be read"), std::string::npos) << anew.notes;
+  EXPECT_EQ(anew.levels.front(), 3);
+  EXPECT_FALSE(fs::exists(tmp / "out.unfinished"));
+}
+
+// Whose checksums this version does not know.
+TEST(Resume, AStateOfAnEarlierFormatBeginsAnewAndSaysSo) {
+  const TemporaryFolder tmp;
+  const ExperimentOptions o = experiment();
+  stop_at(4, o, tmp / "out");
+  const std::string state = tmp / "out.unfinished/state.json";
+  KeptManifest manifest = read_manifest(state).value();
+  manifest.format = 1;
+  for (KeptManifest::File& file : manifest.files) file.checksum = "0123456789abcdef";
+  put(state, manifest_json(manifest));
+  const Watcher anew = run(o, tmp / "out");
+  EXPECT_NE(anew.notes.find("another build of the program has written it"), std::string::npos) << anew.notes;
   EXPECT_EQ(anew.levels.front(), 3);
   EXPECT_FALSE(fs::exists(tmp / "out.unfinished"));
 }

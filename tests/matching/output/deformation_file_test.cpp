@@ -161,6 +161,18 @@ TEST(DeformationFileTest, ForeignFilesAreInputErrorsThatNameThem) {
   }
 }
 
+TEST(DeformationFileTest, AFileOfAnEarlierVersionSaysSo) {
+  const TemporaryFolder tmp;
+  write_deformation(tmp / "d.vtu", some_deformation<2>());
+  const std::string now = contents_of(tmp / "d.vtu");
+  put(tmp / "d.vtu", now.substr(0, now.rfind("\n<!--")) + "\n<!-- shellmatch checksum 0123456789abcdef -->\n");
+  for (const std::string& message : {message_of<InputError>([&] { read_deformation<2>(tmp / "d.vtu"); }),
+                                     message_of<InputError>([&] { deformation_dimension(tmp / "d.vtu"); })}) {
+    EXPECT_NE(message.find("d.vtu: written by an earlier version of this program"), std::string::npos) << message;
+    EXPECT_EQ(message.find("damaged"), std::string::npos) << message;
+  }
+}
+
 TEST(DeformationFileTest, AFullDiskIsAnEnvironmentError) {
   const TemporaryFolder tmp;
   rlimit before{};

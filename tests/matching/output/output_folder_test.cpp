@@ -162,6 +162,45 @@ TEST(OutputFolderTest, LeftoversOfKilledRunsGoAndThoseOfLivingOnesStay) {
   EXPECT_EQ(tmp.entries(), (Names{".runner.partial-1", "run", "run/a"}));
 }
 
+TEST(OutputFolderTest, LeftoversGoForAllNamesInAFolder) {
+  const TemporaryFolder tmp;
+  put(tmp / ".a.lock", "");
+  put(tmp / ".b.c.lock", "");
+  std::filesystem::create_directories(tmp / ".b.c.partial-12");
+  std::filesystem::create_directories(tmp / ".d.lock.partial-12");
+  std::filesystem::create_directories(tmp / ".e.partial-3");
+  for (const char* other : {".lock", ".partial-1", ".hidden", "f.lock", "g.partial-1"}) put(tmp / other, "");
+  const Names others{".hidden", ".lock", ".partial-1", "f.lock", "g.partial-1"};
+  {
+    OutputFolder living(tmp / "e", false);
+    put(tmp / ".e.partial-3", "of a run that is at work");
+    remove_leftovers_in(tmp / "");
+    for (const char* name : {".e.lock", ".e.partial-3"}) EXPECT_TRUE(std::filesystem::exists(tmp / name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(tmp / ".a.lock"));
+  }
+  remove_leftovers_in(tmp / "");
+  EXPECT_EQ(tmp.entries(), others);
+  remove_leftovers_in(tmp / "nowhere");
+}
+
+// The file of a lock can be removed by anybody, and the next process then makes another one.
+TEST(OutputFolderTest, ALockLeavesTheFileOfItsSuccessor) {
+  const TemporaryFolder tmp;
+  {
+    const FileLock first(tmp / "lock", FileLock::Kind::exclusive);
+    std::filesystem::remove(tmp / "lock");
+    std::optional<FileLock> second(std::in_place, tmp / "lock", FileLock::Kind::exclusive);
+    EXPECT_EQ(second->state(), FileLock::State::held);
+    {
+      const FileLock third(tmp / "lock", FileLock::Kind::exclusive);
+      EXPECT_EQ(third.state(), FileLock::State::taken);
+    }
+    second.reset();
+    put(tmp / "lock", "");
+  }
+  EXPECT_EQ(tmp.entries(), Names{"lock"});
+}
+
 TEST(OutputFolderTest, PlacesThatCannotBeWrittenAreEnvironmentErrors) {
   const TemporaryFolder tmp;
   put(tmp / "file", "x");
@@ -177,22 +216,6 @@ TEST(OutputFolderTest, AFullDiskIsAnEnvironmentErrorThatSaysSo) {
   const std::string message =
       message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
   EXPECT_NE(message.find("make room"), std::string::npos) << message;
-}
-
-TEST(OutputFolderTest, PartialResultsAreKeptWithoutEmptyFiles) {
-  const TemporaryFolder tmp;
-  {
-    OutputFolder out(tmp / "run", false);
-    write_file(out.path_of("history.csv"), "level\n");
-    write_file(out.path_of("summary.json"), "");
-    EXPECT_TRUE(out.keep_partial());
-  }
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/history.csv"}));
-  {
-    OutputFolder out(tmp / "nothing", false);
-    EXPECT_FALSE(out.keep_partial());
-  }
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/history.csv"}));
 }
 
 }  // namespace

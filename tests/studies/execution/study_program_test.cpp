@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "matching/output/file_lock.h"
 #include "tests/studies/execution/study_harness.h"
 
 namespace shellmatch {
@@ -52,6 +53,75 @@ TEST_F(StudyProgram, KilledAtRandomAndResumedGivesTheSameTable) {
   EXPECT_EQ(lasting_table(folder_ / "torn"), whole);
   for (const auto& entry : fs::directory_iterator(folder_ / "torn" / "runs"))
     EXPECT_NE(entry.path().filename().string().front(), '.') << "left behind: " << entry.path();
+}
+
+// A kill after a run's folder is in its place and before its lock is removed leaves the lock of a finished run.
+TEST_F(StudyProgram, LeftoversThatNobodyHoldsGoWhenAStudyGoesOn) {
+  const std::string study = write("study.yaml", R"(version: 1
+set:
+  threads: 1
+  pictures: none
+  input: {reference: generate:leaf/deep, template: generate:leaf/shallow, placement: as-is}
+  cascade: {min_level: 3, max_level: 3}
+problems: {leaf: {set: {energy: {delta: 1}}}}
+solvers: [newton, lbfgs]
+)");
+  const auto go_on = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"study", study, "-o", path("out"), "-q"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  };
+  const auto hidden = [&] {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out"))
+      if (entry.path().filename().string().front() == '.')
+        names.push_back(fs::relative(entry.path(), folder_ / "out").string());
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  go_on({});
+  EXPECT_EQ(hidden(), Names{});
+
+  // All of one run, or of one that the study does not have any more, and of a table that was being written.
+  const auto leave = [&] {
+    write("out/runs/.leaf-newton-r1.lock", "");
+    write("out/runs/.leaf-lbfgs-r1.lock", "");
+    fs::create_directories(folder_ / "out/runs/.leaf-lbfgs-r1.partial-1/output");
+    write("out/runs/.gone-r1.lock", "");
+    fs::create_directories(folder_ / "out/runs/.gone-r2.partial-1");
+    write("out/.partial-1-table.csv", "half");
+    write("out/plots/.partial-1-final_gap.png", "half");
+  };
+  const Names left{".partial-1-table.csv", "plots/.partial-1-final_gap.png", "runs/.gone-r1.lock",
+                   "runs/.gone-r2.partial-1", "runs/.leaf-lbfgs-r1.lock", "runs/.leaf-lbfgs-r1.partial-1",
+                   "runs/.leaf-newton-r1.lock"};
+  leave();
+  ASSERT_EQ(hidden(), left);
+  go_on({});
+  EXPECT_EQ(hidden(), Names{});
+  leave();
+  go_on({"--collect"});
+  EXPECT_EQ(hidden(), Names{});
+  {
+    // What this process holds stays, and with it what its owner is writing.
+    const FileLock held(path("out/runs/.leaf-lbfgs-r1.lock"), FileLock::Kind::exclusive);
+    ASSERT_EQ(held.state(), FileLock::State::held);
+    leave();
+    go_on({});
+    EXPECT_EQ(hidden(), (Names{"runs/.leaf-lbfgs-r1.lock", "runs/.leaf-lbfgs-r1.partial-1"}));
+    go_on({"--collect"});
+    EXPECT_EQ(hidden(), (Names{"runs/.leaf-lbfgs-r1.lock", "runs/.leaf-lbfgs-r1.partial-1"}));
+  }
+  go_on({});
+  leave();
+  // Others may be at work on the other runs.
+  go_on({"--only", "leaf-lbfgs-r1"});
+  const Names after = hidden();
+  EXPECT_EQ(std::count(after.begin(), after.end(), "runs/.leaf-lbfgs-r1.lock"), 0);
+  EXPECT_EQ(std::count(after.begin(), after.end(), "runs/.leaf-lbfgs-r1.partial-1"), 0);
+  EXPECT_EQ(std::count(after.begin(), after.end(), "runs/.leaf-newton-r1.lock"), 1);
 }
 
 TEST_F(StudyProgram, CtrlCStopsAndTheSameCommandGoesOn) {
