@@ -14,12 +14,13 @@
 
 namespace shellmatch {
 
-/// The inner products in which gradients can be taken (docs/solvers.md).
-enum class Metric { euclidean, l2, h1, h1_band };
+/// The inner products in which gradients can be taken (docs/solvers.md): Euclidean, the lumped mass matrix, and two
+/// matrices that couple the nodes. The objective supplies all but the first (Objective::metric_matrix).
+enum class Metric { euclidean, l2, h1, weighted_h1 };
 template <>
 struct EnumNames<Metric> {
   static constexpr std::pair<Metric, std::string_view> names[] = {
-      {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::h1_band, "h1_band"}};
+      {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::weighted_h1, "h1_band"}};
 };
 
 /// A function of n real unknowns, a sum of named terms.
@@ -45,7 +46,7 @@ class Objective {
   /// that the problem has none and the metric is Euclidean.
   virtual std::span<const double> lumped_mass() const { return {}; }
 
-  /// Matrix of the metric h1 or h1_band: symmetric positive definite with both triangles stored, one row for each
+  /// Matrix of the metric h1 or weighted_h1: symmetric positive definite with both triangles stored, one row for each
   /// node; unknown n_components * i + k is component k of node i, and size() is n_components times the rows. An
   /// empty matrix means that the problem has none.
   virtual Eigen::SparseMatrix<double> metric_matrix(Metric /*metric*/) const { return {}; }

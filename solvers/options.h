@@ -3,9 +3,8 @@
 /// Which minimiser, and how it is set. Symbols and equations: Nocedal & Wright, Numerical Optimization, 2nd
 /// edition (2006).
 
-#include "base/level_overrides.h"
 #include "base/options.h"
-#include "solvers/libraries/library_options.h"
+#include "solvers/library_options.h"
 #include "solvers/minimizer.h"
 
 #include <memory>
@@ -127,11 +126,10 @@ struct SolverOptions {
   NewtonOptions newton;
   CeresOptions ceres;
   NloptOptions nlopt;
-  LevelOverrides levels;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("name", self.name, {.meaning = "the method: fletcher_reeves (the paper's), lbfgs, newton, ceres_steepest_descent, ceres_ncg, ceres_bfgs, ceres_lbfgs, nlopt_lbfgs, nlopt_tnewton, nlopt_var1, nlopt_var2, nlopt_mma, nlopt_ccsaq or nlopt_slsqp"});
-    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken: euclidean, l2 (lumped mass), h1 (mass + h1_length^2 stiffness), h1_band (the stiffness of the energy's own terms, that of the band included); newton brings its own"});
+    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken: euclidean, l2 (lumped mass), h1 (mass + h1_length^2 stiffness), h1_band (a second weighted metric, given by the objective: in matching the stiffness of the energy's own terms); newton brings its own"});
     visit("h1_length", self.h1_length, {.unit = "side of the domain", .min = 0, .max = 10, .meaning = "length over which metric h1 smooths gradients"});
     visit("fallback", self.fallback, {.meaning = "methods that go on, in this order, where one gives up without having converged; auto: lbfgs after newton, none after others; [] for none"});
     visit("stop", self.stop, {.meaning = "when a minimisation ends"});
@@ -140,7 +138,6 @@ struct SolverOptions {
     visit("newton", self.newton, {.meaning = "options of Newton's method"});
     visit("ceres", self.ceres, {.meaning = "options of the methods ceres_*, under Ceres' own names"});
     visit("nlopt", self.nlopt, {.meaning = "options of the methods nlopt_*"});
-    visit("levels", self.levels, {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
   }
 };
 

@@ -1,6 +1,6 @@
 #include "geometry/generate/beet.h"
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #include "geometry/generate/face.h"
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 namespace shellmatch {
 

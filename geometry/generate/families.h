@@ -3,9 +3,12 @@
 /// The table behind generate_shape: every kind of shape with its options, variants and builder.
 
 #include "geometry/generate/body.h"
-#include "geometry/generate/generate_shape.h"
+#include "geometry/generate/generator_info.h"
 
 #include <functional>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 namespace shellmatch {
 

@@ -3,42 +3,15 @@
 /// The shapes that ship with the program, made on demand: closed, oriented outward, free of
 /// self-intersections and inside [0.1, 0.9]^Dim with their own parameters; the same bits on every call.
 
-#include "base/options.h"
+#include "geometry/generate/generator_info.h"
 #include "geometry/surface/surface.h"
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace shellmatch {
-
-/// Values of parameters by name; integers are given as whole numbers.
-using GeneratorParameters = std::map<std::string, double>;
-
-struct GeneratorParameter {
-  std::string name;
-  double default_value;  ///< of the first variant
-  bool whole_number;
-  OptionInfo info;  ///< unit, range, meaning
-};
-
-/// A named set of parameters: a pose or an individual.
-struct GeneratorVariant {
-  std::string name, meaning;
-  GeneratorParameters values;  ///< every parameter
-};
-
-/// What is known of one kind of shape.
-struct GeneratorInfo {
-  std::string name, meaning;
-  int dimension;                           ///< 2 or 3
-  int genus;                               ///< 0, or 1 for the torus; 0 in the plane
-  double edge_length;                      ///< default length of edges, in sides of the domain
-  std::vector<GeneratorVariant> variants;  ///< the first is the default
-  std::vector<GeneratorParameter> parameters;
-};
 
 /// All kinds of shapes, solids first.
 std::vector<GeneratorInfo> generator_catalogue();

@@ -1,5 +1,7 @@
 #include "geometry/generate/hand.h"
 
+#include "geometry/implicit/mesh_implicit.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -5,7 +5,7 @@
 
 #include "base/options.h"
 #include "geometry/generate/body.h"
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/implicit_function.h"
 
 #include <array>
 #include <optional>

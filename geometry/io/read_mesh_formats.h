@@ -29,8 +29,8 @@ MeshFile read_ply(const std::string& path, std::string_view bytes);
 /// Triangles become a mesh: corners with equal coordinates are one vertex.
 MeshFile read_stl(const std::string& path, std::string_view bytes);
 
-/// Where in a file something stands: "hand.off, line 12".
-struct Place {
+/// A position in a file, for messages: "hand.off, line 12".
+struct FilePosition {
   const std::string& path;
   std::string_view unit;  ///< "line", or what a binary file counts: "face"
   std::size_t number;
@@ -38,10 +38,10 @@ struct Place {
 };
 
 /// Adds a vertex. \throws InputError naming the place and the vertex (counted from 0) where it is not finite.
-void add_vertex(const Place& place, const Vec<3>& x, OriginalShape<3>& shape);
+void add_vertex(const FilePosition& place, const Vec<3>& x, OriginalShape<3>& shape);
 
 /// Checks a corner of a polygon against the number of vertices and adds it.
-void add_corner(const Place& place, std::int64_t index, std::size_t n_vertices, std::vector<Index>& polygon);
+void add_corner(const FilePosition& place, std::int64_t index, std::size_t n_vertices, std::vector<Index>& polygon);
 
 /// Adds `polygon` unless it has fewer than three corners; counts in `n_ignored` where it has.
 void add_polygon(std::vector<Index> polygon, OriginalShape<3>& shape, std::size_t& n_ignored);

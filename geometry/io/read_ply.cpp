@@ -68,7 +68,7 @@ class PlyBody {
       lines_.fail("more values than the header declares for a {}", element_->name);
   }
 
-  Place place() const {
+  FilePosition place() const {
     if (form_ == PlyForm::text) return {lines_.path(), "line", lines_.number()};
     return {lines_.path(), element_->name, item_};
   }

@@ -27,7 +27,7 @@ struct BitHash {
 class Welder {
  public:
   explicit Welder(OriginalShape<3>& shape) : shape_(shape) {}
-  Index vertex(const Place& place, Vec<3> x) {
+  Index vertex(const FilePosition& place, Vec<3> x) {
     x.array() += 0.0;  // -0 and 0 are one place
     const auto [entry, is_new] =
         vertices_.try_emplace({x.x(), x.y(), x.z()}, static_cast<Index>(shape_.vertices.size()));

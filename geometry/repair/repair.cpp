@@ -1,8 +1,8 @@
 #include "geometry/repair/repair.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "geometry/surface/self_intersections.h"
-#include "geometry/io/read_text.h"
 #include "geometry/repair/repair_steps.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 #include "geometry/repair/repair.h"
 #include "geometry/repair/repair_crossings.h"
 

@@ -1,7 +1,7 @@
 #include "geometry/repair/repair_steps.h"
 
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <numeric>

@@ -59,7 +59,7 @@ class SplineSpace {
     locator_.locate(x, leaf);
     for (Index& i : leaf) i = number_of(i);
   }
-  /// Asks for what the next three read, early.
+  /// Prefetches into the cache what the next three functions read.
   void prefetch(Index leaf) const {
     const char* record = reinterpret_cast<const char*>(&siblings_of(leaf));
     for (std::size_t line = 0; line < sizeof(Siblings); line += 64) __builtin_prefetch(record + line);
@@ -68,15 +68,15 @@ class SplineSpace {
   Coord corner_of(Index leaf) const;  ///< in units of its side
   Local coefficients_of(Index leaf) const;
 
-  /// Coefficients of functions from their values at the nodes, hanging ones included: means over the corners
-  /// of cells. The first `n_sharp` components are sharpened so that quadratic polynomials are reproduced away
-  /// from coarser neighbours and from the boundary, linear ones everywhere: error of third order. The others
-  /// are not, so that they stay within the range of the values around, which keeps matrices positive
-  /// definite: error of second order. nodal(n, i): component i at node n. at(c, i): refers to that of
-  /// coefficient c, which must be 0 before.
+  /// Coefficients of functions from their values at the nodes, hanging ones included. The first `n_quasi_interpolated` components
+  /// are those of the quasi-interpolant, which reproduces quadratic polynomials away from coarser neighbours and from
+  /// the boundary and linear ones everywhere: error of third order. The others are the means over the corners of the
+  /// cells, which stay within the range of the values around and so keep matrices positive definite: error of second
+  /// order. nodal(n, i) is component i at node n; at(c, i) is a reference to component i of coefficient c, which the
+  /// caller has set to 0.
   /// \pre forget_grid() has not been called
   template <class Nodal, class At>
-  void coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal, const At& at) const;
+  void coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal, const At& at) const;
 
  private:
   static constexpr int n_siblings = n_corners<Dim>;
@@ -93,7 +93,7 @@ class SplineSpace {
   };
   struct Derived {
     Index coefficient;
-    bool outside;  ///< of the domain: 2 source[0] - source[1], or source[0] if not sharp
+    bool outside;  ///< of the domain: 2 source[0] - source[1], or source[0] where not quasi-interpolated
     std::array<Index, n_corners<Dim>> source;  ///< else of larger cells: bit k says which are on the far side
   };
   enum class Made : char { no, sampled, derived };
@@ -201,7 +201,7 @@ inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index 
 
 template <int Dim>
 template <class Nodal, class At>
-void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal,
+void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal,
                                     const At& at) const {
   SHELLMATCH_CHECK(grid_ != nullptr, "the grid of the splines is forgotten");
   // Two components at a time, so that means take little memory.
@@ -225,9 +225,9 @@ void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_shar
       for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) {
         const Index below = neighbour(c, n_local / 2 - stride), above = neighbour(c, n_local / 2 + stride);
         if (!is_of_cell(below) || !is_of_cell(above)) continue;  // continued linearly
-        combine(row, 0.5, mean[cell], n_sharp);
-        combine(row, -0.25, mean[cell_of(below)], n_sharp);
-        combine(row, -0.25, mean[cell_of(above)], n_sharp);
+        combine(row, 0.5, mean[cell], n_quasi_interpolated);
+        combine(row, -0.25, mean[cell_of(below)], n_quasi_interpolated);
+        combine(row, -0.25, mean[cell_of(above)], n_quasi_interpolated);
       }
       for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = row[i];
     });
@@ -236,7 +236,7 @@ void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_shar
     if (d.outside) {
       for (std::size_t i = 0; i < n_components; ++i) {
         const double first = at(d.source[0], i);
-        at(d.coefficient, i) = i < n_sharp ? first + first - at(d.source[1], i) : first;
+        at(d.coefficient, i) = i < n_quasi_interpolated ? first + first - at(d.source[1], i) : first;
       }
       continue;
     }

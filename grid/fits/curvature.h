@@ -6,7 +6,7 @@
 #include "grid/fits/classification.h"
 #include "grid/fits/hierarchical_fit.h"
 #include "grid/fits/local_fit.h"
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 #include "grid/octree/octree.h"
 #include "grid/options.h"
 

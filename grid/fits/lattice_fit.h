@@ -3,7 +3,7 @@
 /// The least squares of grid/fits/local_fit.h where the grid is uniform: there the neighbourhood is a ball of a
 /// lattice, and second derivatives are the same combination of its values at every node.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 #include "grid/octree/octree.h"
 
 #include <array>

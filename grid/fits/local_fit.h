@@ -2,7 +2,7 @@
 /// \file
 /// Second derivatives of a nodal field by local least squares.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 #include "grid/octree/octree.h"
 #include "grid/options.h"
 

@@ -2,7 +2,7 @@
 /// \file
 /// The small least squares problem behind grid/fits/local_fit.h.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 /// hanging one. Fields are doubles, `n_components` per node (see components_of). All loops are parallel and
 /// give the same bits whatever the number of threads.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 #include "grid/octree/octree.h"
 
 #include <span>

@@ -2,9 +2,11 @@
 /// \file
 /// Colour and light at a point of a surface.
 
-#include "render/surfaces/surfaces.h"
+#include "render/surfaces/camera.h"
+#include "render/surfaces/render_surface.h"
 
 #include <array>
+#include <vector>
 
 namespace shellmatch {
 

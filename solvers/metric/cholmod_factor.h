@@ -2,7 +2,7 @@
 /// \file
 /// The factor of a metric that couples nodes, by SuiteSparse's CHOLMOD.
 
-#include "solvers/metric/metric.h"
+#include "solvers/metric/metric_factor.h"
 
 #include <Eigen/SparseCore>
 

@@ -2,7 +2,8 @@
 /// \file
 /// Crude triangulation of a zero level on the body-centred cubic lattice, the first stage of mesh_implicit.
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/implicit_function.h"
+#include "geometry/surface/surface.h"
 
 namespace shellmatch {
 

@@ -1,4 +1,4 @@
-#include "geometry/generate/mesh_quality.h"
+#include "geometry/implicit/mesh_quality.h"
 
 #include "base/parallel.h"
 

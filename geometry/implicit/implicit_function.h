@@ -1,16 +1,13 @@
 #pragma once
 /// \file
-/// Smooth bodies from signed functions (negative inside, gradient of length about 1), and the mesher that
-/// turns such a function into a closed surface of well-shaped triangles.
+/// Signed functions of smooth bodies: negative inside, with a gradient of length about 1 near the zero level.
 
 #include "base/types.h"
-#include "geometry/surface/surface.h"
 
 #include <Eigen/Geometry>
 
 #include <functional>
 #include <span>
-#include <string_view>
 
 namespace shellmatch {
 
@@ -45,11 +42,5 @@ Vec<3> implicit_gradient(const ImplicitFunction& f, const Vec<3>& x);
 
 /// Moves x along the gradient until |f| < 1e-12 or ten Newton steps are done.
 Vec<3> project_to_zero(const ImplicitFunction& f, Vec<3> x);
-
-/// The zero level of f within [0.04, 0.96]^3 as a closed, outward oriented, two-manifold triangle surface
-/// with edges of about `edge_length` (in sides of the domain), its vertices on the zero level to rounding.
-/// The same bits for the same input, whatever the number of threads. \throws InputError naming `name` where
-/// edge_length is too coarse for the body's details or where the body leaves [0.05, 0.95]^3.
-Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name);
 
 }  // namespace shellmatch

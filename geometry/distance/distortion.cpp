@@ -1,4 +1,4 @@
-#include "geometry/surface/distortion.h"
+#include "geometry/distance/distortion.h"
 
 #include "base/error.h"
 #include "base/parallel.h"

@@ -1,8 +1,8 @@
-#include "geometry/generate/lattice.h"
+#include "geometry/implicit/lattice.h"
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/generate/lattice_link.h"
+#include "geometry/implicit/lattice_link.h"
 
 #include <algorithm>
 #include <array>

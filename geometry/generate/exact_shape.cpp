@@ -1,4 +1,4 @@
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 
 #include "geometry/generate/families.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/generate/lattice_link.h"
+#include "geometry/implicit/lattice_link.h"
 
 namespace shellmatch {
 

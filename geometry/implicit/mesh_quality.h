@@ -2,7 +2,8 @@
 /// \file
 /// Making a triangulation of a zero level better without changing its topology, and checking what came out.
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/implicit_function.h"
+#include "geometry/surface/surface.h"
 
 namespace shellmatch {
 
