@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Which minimiser, and how it is set. Symbols and equations: Nocedal & Wright, Numerical Optimization, 2nd
-/// edition (2006).
+/// Options of the minimisers. Symbols and equations are those of Nocedal & Wright, Numerical Optimization,
+/// 2nd edition (2006).
 
 #include "base/options.h"
 #include "solvers/library_options.h"
@@ -13,7 +13,7 @@
 
 namespace shellmatch {
 
-/// How a step that was too long is shortened.
+/// Interpolation by which a step that was too long is shortened.
 enum class Interpolation { halving, quadratic, cubic };
 template <>
 struct EnumNames<Interpolation> {
@@ -21,7 +21,7 @@ struct EnumNames<Interpolation> {
       {Interpolation::halving, "halving"}, {Interpolation::quadratic, "quadratic"}, {Interpolation::cubic, "cubic"}};
 };
 
-/// The first trial of a line search of conjugate gradients, from what the step before has taught.
+/// Choice of the first trial of a line search of conjugate gradients, from the previous step.
 enum class InitialStep { memory, slope, decrease, curvature };
 template <>
 struct EnumNames<InitialStep> {
@@ -40,8 +40,9 @@ struct EnumNames<ConjugateUpdate> {
       {ConjugateUpdate::bounded_polak_ribiere, "bounded_polak_ribiere"}};
 };
 
-/// The paper's method, solvers/methods/fletcher_reeves.h. Its letter is interpolation = halving, initial_step = memory,
-/// step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality = 0, least_cosine = 0.
+/// The paper's method, solvers/methods/fletcher_reeves.h. Exactly as in the paper it is interpolation =
+/// halving, initial_step = memory, step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality =
+/// 0, least_cosine = 0.
 struct FletcherReevesOptions {
   double armijo = 1e-4;
   double curvature = 0;
@@ -74,7 +75,7 @@ struct FletcherReevesOptions {
   }
 };
 
-/// Our limited-memory BFGS, solvers/methods/lbfgs.h.
+/// Limited-memory BFGS, solvers/methods/lbfgs.h.
 struct LbfgsOptions {
   int memory = 12;
   double armijo = 1e-4;
@@ -141,11 +142,11 @@ struct SolverOptions {
   }
 };
 
-/// Names of all minimisers, in the order of documentation.
+/// Names of all minimisers, in the order of the documentation.
 std::vector<std::string> minimizer_names();
 
-/// The minimiser of that name. \throws InputError for a name that is not among minimizer_names(), for an option
-/// out of its range, and for options that do not go together.
+/// The minimiser options.name. \throws InputError for a name that is not among minimizer_names(), for an
+/// option out of its range, and for inconsistent options.
 std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options);
 
 }  // namespace shellmatch

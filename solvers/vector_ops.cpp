@@ -6,8 +6,8 @@ namespace shellmatch {
 
 namespace {
 
-// Adds term(i, j) for i in [begin, end) on eight running sums, which the compiler turns into vector
-// registers; the order of additions depends on the piece alone, not on where the data lie in memory.
+// Adds term(i, j) for i in [begin, end) in eight partial sums, which the compiler keeps in vector registers.
+// The order of the additions depends on the chunk alone, not on the alignment of the data.
 template <class Term>
 double lane_sum(std::size_t begin, std::size_t end, const Term& term) {
   constexpr std::size_t n_lanes = 8;
@@ -62,7 +62,7 @@ DirectionSize conjugate_direction(std::span<const double> g, double beta, std::s
   const double* p = g.data();
   double* q = d.data();
   const auto sums = chunked_sums<2>(g.size(), [&](std::size_t b, std::size_t e, auto& part) {
-    // A direction that holds an infinity must not survive a restart as 0 * infinity.
+    // For beta = 0, 0 * infinity must not enter the new direction.
     for (std::size_t i = b; i < e; ++i) q[i] = beta == 0 ? -p[i] : beta * q[i] - p[i];
     part[0] = lane_sum(b, e, [=](std::size_t i) { return p[i] * q[i]; });
     part[1] = lane_sum(b, e, [=](std::size_t i) { return q[i] * q[i]; });
