@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Pictures of surfaces in space, by ray casting: no display is needed.
+/// Pictures of surfaces in space by ray casting, without a display.
 
 #include "render/canvas/image.h"
 #include "render/surfaces/camera.h"
@@ -13,12 +13,12 @@ namespace shellmatch {
 struct RenderOptions {
   int width = 640, height = 640;  ///< pixels
   int samples = 4;                ///< along each side of a pixel
-  bool ambient_occlusion = true;  ///< soft shade in hollows
+  bool ambient_occlusion = true;  ///< darkens concave parts
   Color background = white;
 };
 
-/// The surfaces as the camera sees them: smooth shading, key light from the upper left, fill light, no cast
-/// shadows. The same bits whatever the number of threads.
+/// Renders the surfaces as seen by the camera: smooth shading, key light from the upper left, fill light, no
+/// cast shadows. The result does not depend on the number of threads.
 /// \pre scalars and origins are empty or have one entry for each vertex.
 Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera,
                       const RenderOptions& options = {});
