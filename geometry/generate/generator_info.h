@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is known of a kind of shape: its parameters, variants and defaults.
+/// Description of a kind of shape: its parameters, variants and defaults.
 
 #include "base/options.h"
 
@@ -10,7 +10,7 @@
 
 namespace shellmatch {
 
-/// Values of parameters by name; integers are given as whole numbers.
+/// Values of parameters by name; values of integer parameters are whole numbers.
 using GeneratorParameters = std::map<std::string, double>;
 
 struct GeneratorParameter {
@@ -23,10 +23,10 @@ struct GeneratorParameter {
 /// A named set of parameters: a pose or an individual.
 struct GeneratorVariant {
   std::string name, meaning;
-  GeneratorParameters values;  ///< every parameter
+  GeneratorParameters values;  ///< of all parameters
 };
 
-/// What is known of one kind of shape.
+/// Description of one kind of shape.
 struct GeneratorInfo {
   std::string name, meaning;
   int dimension;                           ///< 2 or 3

@@ -31,7 +31,7 @@ double rounded_box(const Vec<3>& x, const Vec<3>& half_sides, double radius) {
 double ellipsoid_function(const Vec<3>& x, const Vec<3>& semi_axes) {
   const double level = x.cwiseQuotient(semi_axes).norm();
   const double slope = x.cwiseQuotient(semi_axes.cwiseAbs2()).norm();
-  // Near the centre the quotient has no limit; any value below -(smallest semi-axis)/2 serves there.
+  // The quotient has no limit at the centre; any value below -(smallest semi-axis)/2 is valid there.
   if (level < 1e-3) return -0.999 * semi_axes.minCoeff();
   return level * (level - 1) / slope;
 }

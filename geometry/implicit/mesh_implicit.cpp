@@ -8,8 +8,8 @@
 namespace shellmatch {
 
 Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name) {
-  // The lattice yields edges of 0.78 times its spacing on average. Where two sheets of the surface come
-  // close, an unlucky lattice may glue them together: a slightly finer one is tried then.
+  // The average edge is 0.78 times the spacing of the lattice. Where two sheets of the surface are close, the
+  // lattice may connect them; slightly finer lattices are then tried.
   Surface<3> surface;
   for (const double finer : {1.0, 0.93, 0.86, 0.8}) {
     surface = triangulate_on_lattice(f, finer * edge_length / 0.78);
