@@ -14,9 +14,8 @@
 
 namespace shellmatch {
 
-/// The inner products in which gradients can be taken (docs/solvers.md): Euclidean, the lumped mass matrix,
-/// and two matrices that couple the nodes. The objective supplies all but the first
-/// (Objective::metric_matrix).
+/// The inner products in which gradients can be taken (docs/solvers.md): Euclidean, the lumped mass matrix
+/// (Objective::lumped_mass), and two matrices that couple the nodes (Objective::metric_matrix).
 enum class Metric { euclidean, l2, h1, weighted_h1 };
 template <>
 struct EnumNames<Metric> {
