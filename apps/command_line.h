@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The one door to CLI11: from the words of the command line to a command.
+/// The adapter of CLI11: from the words of the command line to a command.
 
 #include "apps/commands.h"
 

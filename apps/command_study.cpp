@@ -4,7 +4,7 @@
 #include "apps/interrupt.h"
 #include "base/error.h"
 #include "base/stop.h"
-#include "studies/execution/collect.h"
+#include "studies/report/collect.h"
 
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The three kinds of failure. A programming error is an `assert`. A broken invariant that must stop even a
-/// release build is a `SHELLMATCH_CHECK`. Bad input or a hostile environment is an exception whose text
-/// names the file, key or element and says what to do; the program turns it into an exit code.
+/// The three kinds of failure. A programming error is an `assert`. A violated invariant that must stop a
+/// release build as well is a `SHELLMATCH_CHECK`. Bad input and a lack of resources are exceptions, whose
+/// text names the file, key or element and says what to do; the program converts them to exit codes.
 
 #include <fmt/core.h>
 
@@ -12,13 +12,13 @@
 
 namespace shellmatch {
 
-/// What the user gave cannot be used: exit code 2.
+/// The user's input cannot be used: exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The machine does not give what is needed (disk, memory, permission): exit code 3.
+/// The machine lacks a resource or permission (disk, memory, access): exit code 3.
 class EnvironmentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -36,12 +36,12 @@ template <class... Args>
   throw EnvironmentError(fmt::format(text, std::forward<Args>(args)...));
 }
 
-/// Reports a broken invariant with its place and throws std::logic_error (exit code 70).
+/// Throws std::logic_error with the violated invariant and its file and line (exit code 70).
 [[noreturn]] void invariant_failed(const char* condition, const char* file, int line, std::string_view what);
 
 }  // namespace shellmatch
 
-/// Stops, in every build, where `condition` does not hold.
+/// Throws, in every build, unless `condition` holds.
 #define SHELLMATCH_CHECK(condition, what)                                              \
   do {                                                                                 \
     if (!(condition)) ::shellmatch::invariant_failed(#condition, __FILE__, __LINE__, what); \

@@ -8,7 +8,7 @@ namespace shellmatch {
 
 void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  // A wish: memory without large pages is as good, so whether it is granted does not matter.
+  // The result is ignored: memory without large pages works as well.
   static_cast<void>(::madvise(memory, bytes, MADV_HUGEPAGE));
 #endif
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Vectors for what is read all over, again and again: on large pages, where the machine has them.
+/// Vectors on large memory pages, for large arrays with scattered accesses.
 
 #include <cstddef>
 #include <new>
@@ -10,12 +10,13 @@
 
 namespace shellmatch {
 
-/// Asks the operating system, if it knows of such, for large pages for this memory, which nothing has touched yet.
-/// Without effect where there are none.
+/// Requests large pages from the operating system for this memory, which must not have been accessed yet. Has
+/// no effect on systems without large pages.
 void prefer_large_pages(void* memory, std::size_t bytes);
 
-/// Asks for large pages for large arrays, so that finding the address of a number costs less; what is small comes
-/// as from std::allocator. Numbers that are given no value get none: the threads that write them touch them first.
+/// An allocator that requests large pages for large arrays, which reduces the cost of address translation.
+/// Small arrays are allocated as by std::allocator. Default construction leaves numbers uninitialised, so
+/// that the threads that write them are the first to touch their pages.
 template <class T>
 class LargePageAllocator {
  public:

@@ -12,7 +12,7 @@ namespace shellmatch {
 
 namespace {
 
-// Damerau-Levenshtein with adjacent swaps: "simga" is one slip away from "sigma".
+// Damerau-Levenshtein distance, in which a swap of adjacent letters counts 1: "simga" for "sigma".
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;

@@ -1,23 +1,23 @@
 #pragma once
 /// \file
-/// Options described once. An option struct has in-class defaults and one static template `describe`, which
-/// names every member with its unit, range and meaning:
+/// Option structs that describe themselves. An option struct has in-class defaults and one static function
+/// template `describe`, which gives the name, unit, range and meaning of every member:
 ///
-///     struct RefinementOptions {
-///       int min_level = 3;
+///     struct SmoothingOptions {
+///       int n_sweeps = 3;
 ///       double margin = 0.1;
 ///       template <class Self, class Visitor>
 ///       static void describe(Self& self, Visitor& visit) {
-///         visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 15,
-///                                             .meaning = "level of the uniform grid the cascade starts from"});
+///         visit("n_sweeps", self.n_sweeps, {.unit = "sweeps", .min = 1, .max = 15,
+///                                           .meaning = "sweeps over all vertices"});
 ///         visit("margin", self.margin, {.unit = "side of the domain", .min = 0, .max = 0.4, .meaning = "..."});
 ///       }
 ///     };
 ///
-/// `Self` is const for those who print and not const for those who read. The visitor is a template over the
-/// member's type: bool, int, double, std::string, a described enum or a Choice (below), std::vector of the first five, or another
-/// described struct, which becomes a YAML section. YAML, `shellmatch config`, error messages and
-/// docs/options.md are all made from this one description.
+/// `Self` is const for visitors that print and not const for visitors that assign. A visitor is a template
+/// over the member's type: bool, int, double, std::string, an enum with EnumNames or a Choice (below),
+/// std::vector of the first five, or another option struct, which becomes a YAML section. YAML, `shellmatch config`, error messages
+/// and docs/options.md are generated from this description.
 
 #include <limits>
 #include <string>
@@ -27,17 +27,17 @@
 
 namespace shellmatch {
 
-/// What is known of one option besides its name, type and default.
+/// Description of one option: all but its name, type and default.
 struct OptionInfo {
-  std::string_view unit = "";  ///< "", or for example "length", "level", "seconds"
+  std::string_view unit = "";  ///< "", or for example "length", "seconds"
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_excluded = false;  ///< true where the value must be greater than `min`
   std::string_view meaning = "";
 };
 
-/// Names of an enum's values: specialise as
-/// `template <> struct EnumNames<Kind> { static constexpr std::pair<Kind, std::string_view> names[] = {...}; };`
+/// Names of an enum's values. Specialise as `template <> struct EnumNames<Kind> {
+/// static constexpr std::pair<Kind, std::string_view> names[] = {...}; };`
 template <class Enum>
 struct EnumNames;
 
@@ -66,13 +66,14 @@ class Choice {
   std::size_t index_ = 0;
 };
 
-/// The word of `candidates` nearest to `word` by edit distance, for "did you mean"; empty if none is near.
+/// The word of `candidates` with the least edit distance to `word`, for "did you mean"; empty if none is
+/// close.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "0 < x <= 1", "x >= 3", "any": the range in words that messages and documentation use.
+/// The range as messages and documentation state it: "0 < x <= 1", "x >= 3", "any".
 std::string range_text(const OptionInfo& info);
 
-/// Does the number lie in the range? NaN does not.
+/// True if the number lies in the range. NaN does not.
 bool in_range(double value, const OptionInfo& info);
 
 }  // namespace shellmatch

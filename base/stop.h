@@ -1,22 +1,22 @@
 #pragma once
 /// \file
-/// A request to stop that reaches into long computations: whoever is asked to stop says so, and the parallel loops
-/// (base/parallel.h), which all long work goes through, end with an exception.
+/// Cancellation of long computations. The parallel loops (base/parallel.h), which all long computations use,
+/// poll a predicate and throw an exception once it holds.
 
 #include <stdexcept>
 
 namespace shellmatch {
 
-/// The work was stopped because somebody asked for it; no failure.
+/// The computation was cancelled on request. This is not a failure.
 class Stopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// From now on every parallel loop asks `wanted` before each of its chunks, on any thread. Null: none asks.
+/// Sets the predicate that every parallel loop calls before each of its chunks, on any thread; null for none.
 void stop_loops_when(bool (*wanted)());
 
-/// Where a stop is wanted, throws Stopped with a text that says that nothing was written.
+/// Throws Stopped if the predicate holds. Its text says that nothing was written.
 void stop_if_wanted();
 
 }  // namespace shellmatch

@@ -11,7 +11,7 @@ double order_between(double x_coarse, double y_coarse, double x_fine, double y_f
 }
 
 bool TaylorRemainder::is_second_order(double tolerance) const {
-  // Not `> tolerance`: an order that is no number is none.
+  // Written so that NaN fails.
   return !orders.empty() &&
          std::all_of(orders.begin(), orders.end(), [&](double o) { return std::abs(o - 2) <= tolerance; });
 }
@@ -40,8 +40,9 @@ TaylorScale taylor_scale(const std::function<double(double)>& f, double reach) {
   const double at_zero = f(0.0);
   TaylorScale scale;
   scale.rounding = std::numeric_limits<double>::epsilon() * std::abs(at_zero);
-  // At these steps a smooth function is straight, so that the second difference is rounding alone. To one side: the
-  // arguments round alike to both, and the difference between them would cancel.
+  // At these steps a smooth function is linear up to rounding, so the second difference measures the
+  // rounding. The differences are one-sided: symmetric arguments are rounded symmetrically, and their errors
+  // would cancel.
   for (const double share : {1e-8, 1.7e-8, 2.3e-8, 3.1e-8, 4.3e-8, 5.9e-8}) {
     const double t = share * reach;
     scale.rounding = std::max(scale.rounding, std::abs(f(2 * t) - 2 * f(t) + at_zero));

@@ -1,18 +1,18 @@
 #pragma once
 /// \file
-/// Does a derivative belong to its function? Not by closeness at one step, but by the order of what is left over:
-/// |f(t) - f(0) - t f'(0)| falls with t^2 if f' is right and with t if it is not.
+/// Verification of a derivative by the order of the Taylor remainder: |f(t) - f(0) - t f'(0)| is O(t^2) if
+/// f'(0) is right and only O(t) if it is not.
 
 #include <functional>
 #include <vector>
 
 namespace shellmatch {
 
-/// Slope of log y over log x between two measured pairs.
+/// Order of convergence between two measured pairs: the slope of log y over log x.
 double order_between(double x_coarse, double y_coarse, double x_fine, double y_fine);
 
-/// Steps at which the remainder is measured: from `largest` down by `decades` powers of ten. `largest` has to be
-/// small enough for the third order not to show and the smallest large enough for rounding not to.
+/// Steps at which the remainder is measured: from `largest` down by `decades` powers of ten. `largest` must
+/// be so small that terms of third order are negligible, and the smallest step so large that rounding is.
 struct TaylorSteps {
   double largest = 1e-3;
   int decades = 3;
@@ -23,26 +23,26 @@ struct TaylorRemainder {
   std::vector<double> steps, remainders;  ///< decades + 1 of each, from the largest step down
   std::vector<double> orders;             ///< one for each decade
 
-  /// Is the order 2 in every decade?
+  /// True if the order is 2, up to the tolerance, in every decade.
   bool is_second_order(double tolerance = 0.1) const;
 };
 
 TaylorRemainder taylor_remainder(const std::function<double(double)>& f, double derivative, const TaylorSteps& steps = {});
 
-/// Where three decades fit between rounding and the third order: what is known of f near 0.
+/// Scales of f near 0, from which the steps of the measurement follow.
 struct TaylorScale {
-  double rounding = 0;   ///< what f wavers by when its argument hardly moves
-  double curvature = 0;  ///< f''(0), roughly
-  double smallest = 0;   ///< step from which on the remainder stands out from rounding a hundredfold; 0 if none does
+  double rounding = 0;   ///< error of f by rounding
+  double curvature = 0;  ///< estimate of f''(0)
+  double smallest = 0;   ///< least step whose remainder is 100 times the rounding; 0 if none
 
-  /// Do `decades` decades from `smallest` up end within the reach?
+  /// True if `decades` decades from `smallest` upwards end within `reach`.
   bool fits(double reach, int decades) const;
-  /// Those decades. \pre fits()
+  /// The steps of these decades. \pre fits()
   TaylorSteps steps(int decades) const;
 };
 
-/// Looks at f within [-reach, reach]; does not use a derivative. Curvature and steps are 0 where f cannot be evaluated
-/// there (not finite) or is straight but for rounding.
+/// Estimates the scales from values of f in [-reach, reach]; uses no derivative. `curvature` and `smallest`
+/// are 0 where f is not finite there or is linear up to rounding.
 TaylorScale taylor_scale(const std::function<double(double)>& f, double reach);
 
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Vectors, matrices and indices that every folder shares.
+/// Types of vectors, matrices and indices used everywhere.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -19,7 +19,8 @@ using Mat = Eigen::Matrix<double, Dim, Dim>;
 using Index = std::int32_t;
 inline constexpr Index no_index = -1;
 
-/// Corners of a cell: 4 or 8. Bit k of a corner's number says on which side of the cell it lies along axis k.
+/// Number of corners of a cell: 4 or 8. Bit k of a corner's number is its side along axis k: 0 lower, 1
+/// upper.
 template <int Dim>
 inline constexpr int n_corners = 1 << Dim;
 

@@ -3,10 +3,10 @@
 //
 // Usage: distance_methods [FINEST_LEVEL]        4 to 8; 7 if not given, as level 8 takes 6 GB and minutes
 
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 #include "geometry/generate/generate_shape.h"
 #include "geometry/distance/signed_distance.h"
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 #include "grid/fields/fast_marching.h"
 #include "grid/fields/sample.h"
 

@@ -1,4 +1,4 @@
-# Every third-party package, found once. Each has one door in the sources (docs/conventions.md).
+# Every third-party package, found once. Each has one adapter in the sources (docs/conventions.md).
 # Their headers are SYSTEM headers, so that our warning flags judge our own code only.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

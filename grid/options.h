@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What can be chosen of the geometric coefficients on the grid.
+/// Options of the geometric coefficients on the grid.
 
 #include "base/options.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// One minimisation under way: what all methods share, so that their records can be compared.
+/// State of one minimisation that all methods share, so that their records are comparable.
 
 #include "solvers/minimizer.h"
 #include "solvers/stop_monitor.h"
@@ -13,48 +13,48 @@ namespace shellmatch {
 
 /// Outcome of one evaluation.
 struct Evaluation {
-  bool feasible = false;  ///< false: cannot be evaluated here, or value or gradient not finite
+  bool feasible = false;  ///< false where the function cannot be evaluated, or value or gradient are not finite
   double value = 0;
-  double gradient_norm = 0;  ///< Euclidean; only where the gradient was asked for
-  double l2_gradient_norm = 0;  ///< as Objective::l2_gradient_norm; only there too
+  double gradient_norm = 0;  ///< Euclidean; only if the gradient was requested
+  double l2_gradient_norm = 0;  ///< as Objective::l2_gradient_norm; only if the gradient was requested
 };
 
-/// Counts evaluations, keeps the record, applies the stop rules and calls the caller back. A method evaluates
-/// through it, reports every accepted step to it, and leaves off once `over()`.
+/// Counts evaluations, keeps the records, applies the stop rules and invokes the callback. A method evaluates
+/// the objective through it, reports every accepted step to it, and stops once over() returns true.
 class MinimizationRun {
  public:
-  /// Keeps references: objective and callback must outlive it. The clock starts here.
+  /// Keeps references to the objective and the callback, which must outlive it. Starts the clock.
   MinimizationRun(Objective& objective, const StopOptions& stop, const IterationCallback& callback);
 
   std::size_t size() const { return objective_.size(); }
 
-  /// Evaluates the start with its gradient and records it. False where the run is over already: the start
-  /// cannot be evaluated, the gradient is zero, there are no unknowns, or a stop rule holds.
+  /// Evaluates and records the initial point with its gradient. Returns false if the run is over: the point
+  /// cannot be evaluated, the gradient is zero, there are no unknowns, or a stop rule applies.
   bool start(std::span<const double> x, std::span<double> gradient);
 
-  /// Value at x, and the gradient where its span is not empty.
+  /// Value at x, and the gradient if its span is not empty.
   Evaluation evaluate(std::span<const double> x, std::span<double> gradient);
 
-  /// Weighted terms at the last point evaluated.
+  /// Weighted terms at the point evaluated last.
   std::vector<double> term_values() const { return objective_.term_values(); }
 
-  /// Records a step that was accepted; `step` is its norm. False where the run is over by it.
+  /// Records an accepted step; `step` is its norm. Returns false if the run is over.
   bool accept(const Evaluation& at, double step, std::vector<double> terms);
   bool accept(const Evaluation& at, double step) { return accept(at, step, term_values()); }
 
-  /// True once a reason to stop is known. Long inner loops ask also `out_of_time()`.
+  /// True once there is a reason to stop. Long inner loops check out_of_time() as well.
   bool over() const { return over_; }
   bool out_of_time() const { return monitor_.out_of_time(); }
 
-  /// Ends the run for a reason of the method's; does nothing where it is over already. An empty message is
-  /// replaced by the reason in words; where time has run out, that is the reason.
+  /// Ends the run for a reason of the method; has no effect if the run is over. An empty message is replaced
+  /// by the description of the reason. If the time limit has been reached, that is the reason.
   void finish(StopReason reason, std::string message = {});
 
   double start_value() const { return summary_.initial_value; }
   double start_gradient_norm() const { return start_.gradient_norm; }
   const Evaluation& start_evaluation() const { return start_; }
 
-  /// The account of the whole, to be taken at the end.
+  /// The summary of the run, once it is over.
   MinimizerSummary summary() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The one interface of all minimisers, the record they keep and the rules by which they stop.
+/// The interface of all minimisers, their records and their stop rules.
 
 #include "base/options.h"
 #include "solvers/objective.h"
@@ -13,7 +13,7 @@
 
 namespace shellmatch {
 
-/// When a minimiser stops. The same rules, measured in the same way, for every method.
+/// The stop rules. They are the same, and measured in the same way, for every method.
 struct StopOptions {
   int max_iterations = 1000;
   double relative_decrease = 1e-6;
@@ -33,18 +33,18 @@ struct StopOptions {
   }
 };
 
-/// One accepted step, the same record for every method.
+/// Record of one accepted step, the same for every method.
 struct IterationRecord {
-  int iteration = 0;               ///< 0 is the start
+  int iteration = 0;               ///< 0 is the initial point
   double value = 0;
   std::vector<double> terms;       ///< as Objective::term_values
   double gradient_norm = 0;        ///< in the metric of the minimisation
-  double l2_gradient_norm = 0;     ///< in L2, whatever the metric, so that all methods compare
+  double l2_gradient_norm = 0;     ///< in L2 for every metric, so that methods are comparable
   double step = 0;                 ///< norm of the step in that metric
-  long value_evaluations = 0;      ///< so far, those with gradient included
+  long value_evaluations = 0;      ///< so far, including those with gradient
   long gradient_evaluations = 0;   ///< so far
   double seconds = 0;              ///< since the start of this minimisation
-  std::string solver;              ///< the method, where several may take turns (solvers/methods/fallback.h)
+  std::string solver;              ///< name of the method (solvers/methods/fallback.h)
 };
 
 enum class StopReason {
@@ -61,30 +61,31 @@ struct EnumNames<StopReason> {
 
 struct MinimizerSummary {
   StopReason reason = StopReason::max_iterations;
-  std::string message;             ///< the method's own words, in one line
+  std::string message;             ///< of the method, one line
   double initial_value = 0, final_value = 0;
   double initial_gradient_norm = 0, final_gradient_norm = 0;  ///< in the metric of the minimisation
   int iterations = 0;
   long value_evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;
-  std::string solver;                  ///< the method that ended it
-  std::vector<std::string> fallbacks;  ///< one line for every method that gave up before it
+  std::string solver;                  ///< name of the last method
+  std::vector<std::string> fallbacks;  ///< one line for every method that failed before it
 };
 
-/// Called after every accepted step and at the start; return false to stop (StopReason::interrupted).
+/// Called for the initial point and after every accepted step; return false to stop
+/// (StopReason::interrupted).
 using IterationCallback = std::function<bool(const IterationRecord&)>;
 
-/// A method of minimisation. Holds options only: one object may serve many problems, one after the other.
+/// A method of minimisation. It holds options only, so one object can solve several problems in turn.
 class Minimizer {
  public:
   virtual ~Minimizer() = default;
   virtual std::string name() const = 0;
 
-  /// Does the method depend on the metric? Newton's does not: it brings its own.
+  /// True if the method depends on the metric. Newton's method does not.
   virtual bool uses_metric() const { return true; }
 
-  /// Minimises from x and leaves the best point found there. Never throws for want of convergence: the
-  /// summary says why it stopped.
+  /// Minimises from the initial point x and sets x to the best point found. A lack of convergence is not an
+  /// exception: the summary states why the method stopped.
   virtual MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback = {}) const = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a solver sees of a problem, whatever the problem is.
+/// The interface of a problem to the solvers.
 
 #include "base/options.h"
 
@@ -14,12 +14,13 @@
 
 namespace shellmatch {
 
-/// The inner products in which gradients can be taken (docs/solvers.md).
-enum class Metric { euclidean, l2, h1, h1_band };
+/// The inner products in which gradients can be taken (docs/solvers.md): Euclidean, the lumped mass matrix
+/// (Objective::lumped_mass), and two matrices that couple the nodes (Objective::metric_matrix).
+enum class Metric { euclidean, l2, h1, weighted_h1 };
 template <>
 struct EnumNames<Metric> {
   static constexpr std::pair<Metric, std::string_view> names[] = {
-      {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::h1_band, "h1_band"}};
+      {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::weighted_h1, "h1_band"}};
 };
 
 /// A function of n real unknowns, a sum of named terms.
@@ -30,9 +31,9 @@ class Objective {
   /// Number of unknowns.
   virtual std::size_t size() const = 0;
 
-  /// Value at x, and where `gradient` is not empty (then its size is size()) the Euclidean gradient.
-  /// Returns false where the function cannot be evaluated (a fold under a barrier, anything not finite);
-  /// value and gradient are then meaningless and the solver has to come nearer to where it was.
+  /// Value at x, and the Euclidean gradient if `gradient` is not empty (its size is then size()). Returns
+  /// false where the function cannot be evaluated (a fold under a barrier, anything not finite); value and
+  /// gradient are then undefined and the solver must shorten its step.
   virtual bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) = 0;
 
   /// Names of the terms whose sum is the value; may be empty.
@@ -41,17 +42,18 @@ class Objective {
   /// Weighted values of the terms at the last point that was evaluated, in the order of term_names().
   virtual std::vector<double> term_values() const { return {}; }
 
-  /// Diagonal of the lumped mass matrix, one positive number for each unknown: the L2 metric. Empty means
-  /// that the problem has none and the metric is Euclidean.
+  /// Diagonal of the lumped mass matrix, one positive number for each unknown: the L2 metric. Empty if the
+  /// problem has none; the L2 metric is then Euclidean.
   virtual std::span<const double> lumped_mass() const { return {}; }
 
-  /// Matrix of the metric h1 or h1_band: symmetric positive definite with both triangles stored, one row for each
-  /// node; unknown n_components * i + k is component k of node i, and size() is n_components times the rows. An
-  /// empty matrix means that the problem has none.
+  /// Matrix of the metric h1 or weighted_h1: symmetric positive definite with both triangles stored, one row
+  /// for each node. Unknown n_components * i + k is component k of node i, and size() is n_components times
+  /// the number of rows. Empty if the problem has none. The weights of weighted_h1 are the objective's
+  /// choice.
   virtual Eigen::SparseMatrix<double> metric_matrix(Metric /*metric*/) const { return {}; }
 
-  /// Norm in L2 of the L2 gradient (Euclidean where there is no mass), for the Euclidean `gradient` that evaluate()
-  /// returned last: what the record states for every method and metric alike.
+  /// L2 norm of the L2 gradient (Euclidean if there is no mass) for the Euclidean `gradient` that evaluate()
+  /// returned last. The records contain it for every method and metric.
   virtual double l2_gradient_norm(std::span<const double> gradient) const;
 };
 
@@ -70,7 +72,7 @@ class SecondOrderObjective : public Objective {
   virtual void prepare_second_derivative(std::span<const double> x, std::span<const float> damping) = 0;
   /// y = H x with the H prepared last.
   virtual void apply_second_derivative(std::span<const double> x, std::span<double> y) const = 0;
-  /// z = B^{-1} r, with B symmetric positive definite and spectrally near to H.
+  /// z = B^{-1} r, where B is symmetric positive definite and spectrally close to H.
   virtual void precondition(std::span<const double> r, std::span<double> z) const = 0;
 
   /// Number of regions that can be damped; 0: none.

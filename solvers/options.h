@@ -1,11 +1,10 @@
 #pragma once
 /// \file
-/// Which minimiser, and how it is set. Symbols and equations: Nocedal & Wright, Numerical Optimization, 2nd
-/// edition (2006).
+/// Options of the minimisers. Symbols and equations are those of Nocedal & Wright, Numerical Optimization,
+/// 2nd edition (2006).
 
-#include "base/level_overrides.h"
 #include "base/options.h"
-#include "solvers/libraries/library_options.h"
+#include "solvers/library_options.h"
 #include "solvers/minimizer.h"
 
 #include <memory>
@@ -14,7 +13,7 @@
 
 namespace shellmatch {
 
-/// How a step that was too long is shortened.
+/// Interpolation by which a step that was too long is shortened.
 enum class Interpolation { halving, quadratic, cubic };
 template <>
 struct EnumNames<Interpolation> {
@@ -22,7 +21,7 @@ struct EnumNames<Interpolation> {
       {Interpolation::halving, "halving"}, {Interpolation::quadratic, "quadratic"}, {Interpolation::cubic, "cubic"}};
 };
 
-/// The first trial of a line search of conjugate gradients, from what the step before has taught.
+/// Choice of the first trial of a line search of conjugate gradients, from the previous step.
 enum class InitialStep { memory, slope, decrease, curvature };
 template <>
 struct EnumNames<InitialStep> {
@@ -41,8 +40,9 @@ struct EnumNames<ConjugateUpdate> {
       {ConjugateUpdate::bounded_polak_ribiere, "bounded_polak_ribiere"}};
 };
 
-/// The paper's method, solvers/methods/fletcher_reeves.h. Its letter is interpolation = halving, initial_step = memory,
-/// step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality = 0, least_cosine = 0.
+/// The paper's method, solvers/methods/fletcher_reeves.h. Exactly as in the paper it is interpolation =
+/// halving, initial_step = memory, step_growth = 1, update = fletcher_reeves, curvature = 0, orthogonality =
+/// 0, least_cosine = 0.
 struct FletcherReevesOptions {
   double armijo = 1e-4;
   double curvature = 0;
@@ -75,7 +75,7 @@ struct FletcherReevesOptions {
   }
 };
 
-/// Our limited-memory BFGS, solvers/methods/lbfgs.h.
+/// Limited-memory BFGS, solvers/methods/lbfgs.h.
 struct LbfgsOptions {
   int memory = 12;
   double armijo = 1e-4;
@@ -130,11 +130,10 @@ struct SolverOptions {
   NewtonOptions newton;
   CeresOptions ceres;
   NloptOptions nlopt;
-  LevelOverrides levels;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("name", self.name, {.meaning = "the method: fletcher_reeves (the paper's), lbfgs, newton, ceres_steepest_descent, ceres_ncg, ceres_bfgs, ceres_lbfgs, nlopt_lbfgs, nlopt_tnewton, nlopt_var1, nlopt_var2, nlopt_mma, nlopt_ccsaq or nlopt_slsqp"});
-    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken: euclidean, l2 (lumped mass), h1 (mass + h1_length^2 stiffness), h1_band (the stiffness of the energy's own terms, that of the band included); newton brings its own"});
+    visit("metric", self.metric, {.meaning = "the inner product in which gradients are taken: euclidean, l2 (lumped mass), h1 (mass + h1_length^2 stiffness), h1_band (a second weighted metric, given by the objective: in matching the stiffness of the energy's own terms); newton brings its own"});
     visit("h1_length", self.h1_length, {.unit = "side of the domain", .min = 0, .max = 10, .meaning = "length over which metric h1 smooths gradients"});
     visit("fallback", self.fallback, {.meaning = "methods that go on, in this order, where one gives up without having converged; auto: lbfgs after newton, none after others; [] for none"});
     visit("stop", self.stop, {.meaning = "when a minimisation ends"});
@@ -143,15 +142,14 @@ struct SolverOptions {
     visit("newton", self.newton, {.meaning = "options of Newton's method"});
     visit("ceres", self.ceres, {.meaning = "options of the methods ceres_*, under Ceres' own names"});
     visit("nlopt", self.nlopt, {.meaning = "options of the methods nlopt_*"});
-    visit("levels", self.levels, {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
   }
 };
 
-/// Names of all minimisers, in the order of documentation.
+/// Names of all minimisers, in the order of the documentation.
 std::vector<std::string> minimizer_names();
 
-/// The minimiser of that name. \throws InputError for a name that is not among minimizer_names(), for an option
-/// out of its range, and for options that do not go together.
+/// The minimiser options.name. \throws InputError for a name that is not among minimizer_names(), for an
+/// option out of its range, and for inconsistent options.
 std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options);
 
 }  // namespace shellmatch

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Vector operations of the minimisers: parallel, without allocation, and the same bits whatever the number
-/// of threads. All vectors of one call have the same length; outputs may not overlap inputs unless said so.
+/// Vector operations of the minimisers. They are parallel, allocate no memory, and their results do not
+/// depend on the number of threads. All vectors of one call have the same length. Outputs must not overlap
+/// inputs unless stated.
 
 #include "base/parallel.h"
 
@@ -13,28 +14,28 @@
 
 namespace shellmatch {
 
-/// Length of the pieces in which vectors of n entries are worked off. It depends on n alone, so sums are
-/// reproducible, and gives at most `max_pieces` pieces, so their parts fit on the stack.
-inline constexpr std::size_t max_pieces = 256;
-inline std::size_t piece_length(std::size_t n) {
-  return std::max<std::size_t>(8192, (n + max_pieces - 1) / max_pieces);
+/// Length of the chunks of a vector of n entries. It depends on n alone, so sums are reproducible, and yields
+/// at most `max_chunks` chunks, so their partial sums fit on the stack.
+inline constexpr std::size_t max_chunks = 256;
+inline std::size_t chunk_length(std::size_t n) {
+  return std::max<std::size_t>(8192, (n + max_chunks - 1) / max_chunks);
 }
 
-/// Calls body(begin, end) on pieces of [0, n), in parallel.
+/// Calls body(begin, end) for chunks of [0, n), in parallel.
 template <class Body>
-void for_pieces(std::size_t n, const Body& body) {
+void for_chunks(std::size_t n, const Body& body) {
   const auto run = [&body](const Chunk& c) { body(c.begin, c.end); };
-  parallel_chunks(n, piece_length(n), std::ref(run));  // by reference: std::function then allocates nothing
+  parallel_chunks(n, chunk_length(n), std::ref(run));  // by reference: std::function then allocates nothing
 }
 
-/// Adds up the K numbers of body(begin, end, sums) over pieces of [0, n), in the order of the pieces.
+/// Sums the K numbers of body(begin, end, sums) over chunks of [0, n), in the order of the chunks.
 template <std::size_t K, class Body>
-std::array<double, K> piecewise_sums(std::size_t n, const Body& body) {
-  std::array<std::array<double, K>, max_pieces> parts{};
+std::array<double, K> chunked_sums(std::size_t n, const Body& body) {
+  std::array<std::array<double, K>, max_chunks> parts{};
   const auto run = [&](const Chunk& c) { body(c.begin, c.end, parts[c.index]); };
-  parallel_chunks(n, piece_length(n), std::ref(run));
+  parallel_chunks(n, chunk_length(n), std::ref(run));
   std::array<double, K> sums{};
-  for (std::size_t p = 0; p < n_chunks(n, piece_length(n)); ++p)
+  for (std::size_t p = 0; p < n_chunks(n, chunk_length(n)); ++p)
     for (std::size_t k = 0; k < K; ++k) sums[k] += parts[p][k];
   return sums;
 }
@@ -60,13 +61,13 @@ struct DirectionSize {
   double slope, length;
 };
 
-/// d = -g + beta d; beta = 0 overwrites d whatever it held.
+/// d = -g + beta d. For beta = 0 the previous d is ignored, even if it is not finite.
 DirectionSize conjugate_direction(std::span<const double> g, double beta, std::span<double> d);
 
 /// g.d and |d|
 DirectionSize direction_size(std::span<const double> g, std::span<const double> d);
 
-/// s = x1 - x0 and y = g1 - g0.
+/// Inner products of s = x1 - x0 and y = g1 - g0.
 struct PairProducts {
   double s_y, s_s, y_y;
 };

@@ -12,7 +12,7 @@ namespace shellmatch {
 
 namespace {
 
-// Next and previous vertex along the ring; no_index where there is none or more than one.
+// Next and previous vertex along the ring; no_index where it does not exist or is not unique.
 struct Neighbours {
   std::vector<Index> next, previous;
   explicit Neighbours(const Surface<2>& curve)
@@ -28,7 +28,7 @@ struct Neighbours {
   }
 };
 
-// Second derivative of the parabola through the points (s, z), with s = 0 in their midst, over (1 + slope^2)^(3/2).
+// Curvature at s = 0 of the parabola fitted to the points (s, z): second derivative over (1 + slope^2)^(3/2).
 double parabola_curvature(const std::vector<Vec<2>>& points) {
   Mat<3> matrix = Mat<3>::Zero();
   Vec<3> right_side = Vec<3>::Zero();

@@ -22,11 +22,11 @@ struct VertexCurvature {
 struct CurvatureOptions {
   int degree =
       2;  ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
-  int n_rings = 2;  ///< of neighbours the polynomial is fitted to, >= 1; more where they are too few
+  int n_rings = 2;  ///< of neighbours for the fit, >= 1; more where these are too few
 };
 
-/// One for each vertex. All entries NaN where the whole connected part has fewer vertices than the polynomial
-/// has coefficients, or the vertex has no facet.
+/// The curvatures at each vertex. All entries are NaN where the connected part has fewer vertices than the
+/// polynomial has coefficients, or the vertex has no facet.
 std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface,
                                                const CurvatureOptions& options = {});
 

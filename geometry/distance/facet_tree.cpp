@@ -12,7 +12,7 @@ namespace shellmatch {
 
 namespace {
 
-/// The numbers of the next box face beyond x, downward and upward, by at least a part in 10^6 of `scale`.
+/// Single precision bounds below and above x, by a margin of at least 1e-6 of `scale`.
 float below(double x, double scale) {
   return std::nextafter(static_cast<float>(x - 1e-6 * scale), -std::numeric_limits<float>::infinity());
 }
@@ -22,12 +22,12 @@ double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
 
 }  // namespace
 
-/// Sorts the facets into the tree from the root down.
+/// Builds the tree from the root downwards.
 template <int Dim>
 struct FacetTree<Dim>::Builder {
   const Surface<Dim>& surface;
   FacetTree& tree;
-  std::vector<Index> order;           // facets, so that those of a subtree stand side by side
+  std::vector<Index> order;           // facets, those of a subtree consecutively
   std::vector<Vec<Dim>> centre = {};  // of the facets' boxes, times two
   double scale = 0;                   // largest extent of the surface
 
@@ -40,7 +40,7 @@ struct FacetTree<Dim>::Builder {
     return box;
   }
 
-  /// Cuts a range in two where the box of the centres is longest. The first part fills whole leaves.
+  /// Splits a range along the longest side of the box of the centres. The first part fills complete leaves.
   std::array<Range, 2> split(Range facets) const {
     Box<Dim> box;
     for (const Index f : facets) box.add(centre[f]);
@@ -100,7 +100,7 @@ struct FacetTree<Dim>::Builder {
       const bool filled = static_cast<std::size_t>(i) < parts.size();
       const Index child = filled ? add(parts[i]) : 0;
       const Box<Dim> b = filled ? box(parts[i]) : Box<Dim>{};
-      Node& node = tree.nodes_[index];  // add() moves the nodes
+      Node& node = tree.nodes_[index];  // not earlier: add() may reallocate the nodes
       node.child[i] = child;
       for (int k = 0; k < Dim; ++k) {
         node.min[k][i] = filled ? below(b.min[k], scale) : std::numeric_limits<float>::infinity();
@@ -137,7 +137,7 @@ void FacetTree<Dim>::squared_distances(const Node& node, const Vec<Dim>& x, Lane
   result = sum;
 }
 
-// The same decisions as in closest_point_on_facet, made by selection.
+// The case distinctions of closest_point_on_facet(), made by selection.
 template <int Dim>
 void FacetTree<Dim>::squared_distances(const Leaf& leaf, const Vec<Dim>& x, Lanes& result) {
   const Lanes zero{}, one = zero + 1;
@@ -180,7 +180,7 @@ void FacetTree<Dim>::squared_distances(const Leaf& leaf, const Vec<Dim>& x, Lane
       const Lanes difference = w[k] - beta * e1[k] - gamma * e2[k];
       other += difference * difference;
     }
-    // A facet without area has the weights 0 and counts as its edges.
+    // A facet without area has weights 0 and is treated as the union of its edges.
     const Lanes alpha = one - (beta + gamma);
     Lanes smallest = beta < gamma ? beta : gamma;
     smallest = alpha < smallest ? alpha : smallest;
@@ -195,7 +195,8 @@ Index FacetTree<Dim>::nearest(const Vec<Dim>& x) const {
     double distance2;
     Index child;
   };
-  // A balanced tree of 32-bit facets has at most eleven levels, each of which leaves seven entries behind.
+  // A balanced tree over 32-bit facet numbers has at most eleven levels, and each leaves at most seven
+  // entries.
   std::array<Entry, 96> stack;
   int n_entries = 0;
   stack[n_entries++] = {0, 0};

@@ -1,10 +1,9 @@
 #pragma once
 /// \file
-/// Tree of bounding boxes over the facets of a surface that finds the facet nearest to a point.
+/// A bounding volume hierarchy over the facets of a surface, for nearest facet queries.
 ///
-/// It is shallow and wide: a node has eight children whose boxes lie side by side, a leaf eight facets. The
-/// distances to all eight are computed at once by vector instructions.
-/// The tree is balanced, its leaves are full, and everything lies in two flat arrays.
+/// The hierarchy is wide: a node has eight children, a leaf eight facets, and vector instructions compute the
+/// distances to all eight at once. It is balanced, its leaves are full, and it is stored in two flat arrays.
 
 #include "base/types.h"
 #include "geometry/surface/surface.h"
@@ -21,28 +20,28 @@ class FacetTree {
   /// \pre the surface has facets and its coordinates are finite.
   explicit FacetTree(const Surface<Dim>& surface);
 
-  /// The facet nearest to x; of several at the same distance the one with the lowest index.
-  /// no_index where x is not finite or so far away that the square of its distance is not.
+  /// The facet nearest to x; of several at the same distance, the one with the lowest index. no_index where
+  /// the squared distance is not finite.
   Index nearest(const Vec<Dim>& x) const;
 
  private:
   static constexpr int width = 8;
-  // Vectors of the compiler: one register, two or four, whatever the machine has.
+  // A vector type of the compiler: one, two or four registers, depending on the machine.
   typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
   typedef float FloatLanes __attribute__((vector_size(width * sizeof(float))));
 
-  /// Facets as the distance needs them; empty places repeat the first facet.
+  /// The data of eight facets for the distance; unused entries repeat the first facet.
   struct Leaf {
     Lanes corner[Dim];                        ///< coordinates of the first corner
-    Lanes edge[Dim - 1][Dim];                 ///< vectors from there to the others
+    Lanes edge[Dim - 1][Dim];                 ///< vectors from it to the others
     Lanes inverse_length2[Dim == 2 ? 1 : 3];  ///< of the edges; 0 for an edge without length
-    Lanes inverse_normal2;  ///< in space: of the product of the edges; 0 for a facet without area
+    Lanes inverse_normal2;  ///< in space, of the cross product of the edges; 0 for a facet without area
     std::array<Index, width> facet;
   };
   /// Boxes in single precision, rounded outward by more than the error of the distances.
   struct Node {
     FloatLanes min[Dim], max[Dim];
-    std::array<Index, width> child;  ///< a node, or ~ a leaf. Empty places have a box at infinity.
+    std::array<Index, width> child;  ///< index of a node, or ~index of a leaf; unused: box at infinity
   };
   struct Builder;
 

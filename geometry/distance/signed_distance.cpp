@@ -21,7 +21,7 @@ struct SignedDistance<Dim>::Tree {
   FacetTree<Dim> facets;
   Pseudonormals<Dim> normals;
   double
-      rounding;  // below this distance the direction from the surface to a point is not known to four digits
+      rounding;  // below this distance, rounding spoils the direction from the surface to a point
 };
 
 template <int Dim>
@@ -50,8 +50,8 @@ ClosestPoint<Dim> SignedDistance<Dim>::closest(const Vec<Dim>& x) const {
   const Vec<Dim>& pseudonormal = tree_->normals(tree_->surface, facet, feature);
   const Vec<Dim> difference = x - point;
   const double distance = std::copysign(difference.norm(), difference.dot(pseudonormal));
-  // Above the inside of a facet its normal is the gradient; elsewhere rounding must not decide on the
-  // direction.
+  // Over the interior of a facet the gradient is its normal. Elsewhere the pseudonormal replaces a direction
+  // that consists of rounding errors.
   const bool take_pseudonormal = feature == inside_facet<Dim> || std::abs(distance) <= tree_->rounding;
   return {distance, point, take_pseudonormal ? pseudonormal : Vec<Dim>(difference / distance), facet};
 }

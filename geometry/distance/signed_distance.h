@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Exact signed distance to a closed oriented surface, from one bounding volume tree.
+/// Exact signed distance to a closed oriented surface.
 
 #include "base/types.h"
 #include "geometry/surface/surface.h"
@@ -9,7 +9,7 @@
 
 namespace shellmatch {
 
-/// What the tree knows of a query point x.
+/// Result of a closest point query at x.
 template <int Dim>
 struct ClosestPoint {
   double signed_distance;  ///< negative inside
@@ -32,7 +32,7 @@ class SignedDistance {
   SignedDistance(SignedDistance&&) noexcept;
   SignedDistance& operator=(SignedDistance&&) noexcept;
 
-  /// Of facets at the same distance the one with the lowest index counts. \pre x is finite (checked).
+  /// Of facets at the same distance, the one with the lowest index is used. \pre x is finite (checked).
   ClosestPoint<Dim> closest(const Vec<Dim>& x) const;
   double operator()(const Vec<Dim>& x) const { return closest(x).signed_distance; }
   const Surface<Dim>& surface() const;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How far apart two surfaces are: distances of the vertices of each to the other one.
+/// Distances between two surfaces: of the vertices of each to the other one.
 
 #include "geometry/distance/signed_distance.h"
 
@@ -8,13 +8,13 @@
 
 namespace shellmatch {
 
-/// Summary of distances; unit: that of the distances. NaN where there are none.
+/// Statistics of distances, in their unit. NaN for an empty set.
 struct DistanceStatistics {
-  double mean, p95, max;  ///< p95: 95 of 100 distances are not larger
+  double mean, p95, max;  ///< p95: the 95 % quantile
 };
 
-/// The q-quantile of the values, the element at place q (n - 1), rounded, of the sorted list; NaN where there
-/// is none. \pre 0 <= q <= 1; no value is NaN.
+/// The q-quantile of n values: the element q (n - 1), rounded, of the sorted list; NaN for n = 0.
+/// \pre 0 <= q <= 1; no value is NaN.
 double quantile(std::vector<double> values, double q);
 
 DistanceStatistics statistics(std::vector<double> values);
@@ -23,14 +23,14 @@ DistanceStatistics statistics(std::vector<double> values);
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface);
 
-/// What a matching has reached: both statistics are divided by the diagonal of the template's bounding box.
+/// Accuracy of a matching. Both statistics are divided by the diagonal of the template's bounding box.
 template <int Dim>
 struct MatchQuality {
   DistanceStatistics deformed_to_template;  ///< vertices of the deformed reference to the template's surface
   DistanceStatistics template_to_deformed;  ///< vertices of the template to the deformed reference's surface
 };
 
-/// Two-sided distances. Vertices that no facet uses do not count. \pre neither surface is empty.
+/// Two-sided distances. Vertices without a facet are ignored. \pre neither surface is empty.
 template <int Dim>
 MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 

@@ -1,6 +1,6 @@
 #include "geometry/generate/beet.h"
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 #include <random>
 
@@ -13,8 +13,8 @@ struct Wave {
   double phase;
 };
 
-// Sixteen plane waves of random direction and of 2 to 6 periods per side of the domain. The generator's raw
-// output is fixed by the language standard, so that every machine grows the same beets.
+// Sixteen plane waves of random direction and of 2 to 6 periods per side of the domain. The language standard
+// fixes the raw output of the random generator, so the result is the same on every machine.
 std::vector<Wave> skin_waves(int individual) {
   std::mt19937 generator(static_cast<std::uint32_t>(individual));
   const auto uniform = [&](double min, double max) {
@@ -43,7 +43,8 @@ Body<3> beet_body(const BeetOptions& options, double edge_length) {
     double d = rounded_cone(x, at(0.8 - r), at(0.34), r, 0.42 * r);
     d = smooth_union(d, rounded_cone(x, at(0.34), at(bottom), 0.42 * r, 0.016), 0.08);
     d = smooth_union(d, rounded_cone(x, at(0.76 - 0.4 * r), at(top - 0.3 * r), 0.42 * r, 0.3 * r), 0.05);
-    // The two grooves lie where the turned cross axis vanishes; they fade out towards axis, crown and tip.
+    // The two grooves lie where the rotated cross coordinate vanishes; they fade out towards axis, crown and
+    // tip.
     const double angle = radians(options.groove_turn) * height;
     const double across = std::cos(angle) * x.x() + std::sin(angle) * x.y();
     const double rho = std::hypot(x.x(), x.y()), width = 0.22 * (rho + 0.02);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A body like a sugar beet: a conical root with a crown, two spiralling grooves and an uneven skin.
+/// A sugar beet: a conical root with a crown, two spiralling grooves and an uneven skin.
 
 #include "base/options.h"
 #include "geometry/generate/body.h"

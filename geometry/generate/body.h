@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A generated body apart from its pose: the tessellation at rest and the map that carries it into the
-/// domain. Two bodies with the same rest shape correspond point by point through their poses.
+/// A generated body: the triangulation of its rest shape, and the pose, which maps the rest shape into the
+/// domain. The poses of two bodies with the same rest shape define their correspondence point by point.
 
 #include "geometry/surface/surface.h"
 
@@ -10,15 +10,15 @@
 
 namespace shellmatch {
 
-/// `pose` is defined on the rest shape at least; where it is a map of a neighbourhood of it, orientation is
-/// kept.
+/// `pose` is defined on the rest shape at least. Where it is defined on a neighbourhood, it preserves
+/// orientation.
 template <int Dim>
 struct Body {
   Surface<Dim> rest;
   std::function<Vec<Dim>(const Vec<Dim>&)> pose;
 };
 
-/// The middle of the domain, where all bodies lie.
+/// The centre of the domain and of all bodies.
 template <int Dim>
 Vec<Dim> domain_centre() {
   return Vec<Dim>::Constant(0.5);

@@ -1,7 +1,7 @@
 #include "geometry/generate/box.h"
 
 #include "base/error.h"
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 namespace shellmatch {
 

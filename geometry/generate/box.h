@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A box with rounded edges, compressed along x and turned: the paper's cubes.
+/// A box with rounded edges, compressed along x and rotated: the paper's cubes.
 
 #include "base/options.h"
 #include "geometry/generate/body.h"
@@ -38,7 +38,8 @@ struct BoxOptions {
   }
 };
 
-/// Rest shape: the rounded box about 0; the pose compresses, turns and moves it to the middle of the domain.
+/// Rest shape: the rounded box about 0. The pose compresses it, rotates it and moves it to the centre of the
+/// domain.
 /// \throws InputError where rounding exceeds half the shortest side.
 Body<3> box_body(const BoxOptions& options, double edge_length);
 

@@ -1,6 +1,6 @@
 #include "geometry/generate/dolphin.h"
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double spine_height = 0.48;
 
-// Value at `t` in [0, 1] of the uniform cubic B-spline with these control values; its slope vanishes at both
+// Value at `t` in [0, 1] of the uniform cubic B-spline with these control values; its slope is 0 at both
 // ends.
 double spline(std::span<const double> control, double t) {
   const int n = static_cast<int>(control.size());
@@ -37,7 +37,7 @@ double trunk(const Vec<3>& x, double fatness) {
   return 0.9 * ((x - axis).norm() - fat);
 }
 
-// Fins are plates swept back: the coordinate along the body is sheared by the square of the distance from the
+// Fins are swept-back plates: the coordinate along the body is sheared by the square of the distance from the
 // root.
 double swept_plate(double along, double out, double off, double sweep, const std::array<Vec<2>, 4>& outline) {
   return rounded_plate(Vec<3>(along - sweep * out * out, out, off), outline, 0.0015, 0.0095);
@@ -71,7 +71,7 @@ double dolphin(const Vec<3>& x, double fatness) {
   return smooth_union(d, smooth_union(fluke(x, 1), fluke(x, -1), 0.02), 0.03);
 }
 
-// The spine turns between 0.25 and 0.9; the turn grows like a smooth step with three continuous derivatives.
+// The spine bends between 0.25 and 0.9; the angle grows like a smooth step with three continuous derivatives.
 double turned_share(double along) {
   const double t = std::clamp((along - 0.25) / 0.65, 0.0, 1.0);
   return t * t * t * t * (35 + t * (-84 + t * (70 - 20 * t)));
@@ -94,11 +94,11 @@ Vec<3> bent(const Vec<3>& x, double bend, double sway) {
               : i % 2          ? 4
                                : 2) *
              spine_direction(start + i * step, bend, sway);
-  // The frame: first the turn about the y axis, then the turn about the z axis.
+  // The frame: a rotation about the y axis, followed by one about the z axis.
   const double share = turned_share(x.x()), a = share * bend, b = share * sway;
   const Vec<3> across(-std::sin(b), std::cos(b), 0);
   const Vec<3> up(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
-  // Half of the turn goes to the head, so that the body stays in the middle of the domain.
+  // The head is rotated by half of the angle, so that the body remains in the middle of the domain.
   const Vec<3> y = spine + (x.y() - 0.5) * across + (x.z() - spine_height) * up;
   const Vec<3> pivot(0.5, 0.5, spine_height);
   const Mat<3> back =

@@ -31,9 +31,9 @@ struct DolphinOptions {
   }
 };
 
-/// Rest shape: the straight dolphin in the domain. The pose bends space along the spine: cross sections stay
-/// plane, unstretched and orthogonal to the bent spine, whose length is kept. Dolphins of the same fatness
-/// correspond.
+/// Rest shape: the straight dolphin in the domain. The pose bends space along the spine. Cross sections
+/// remain plane, undistorted and orthogonal to the spine, whose length is preserved. Dolphins of the same
+/// fatness correspond.
 Body<3> dolphin_body(const DolphinOptions& options, double edge_length);
 
 }  // namespace shellmatch

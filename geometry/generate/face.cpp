@@ -1,6 +1,6 @@
 #include "geometry/generate/face.h"
 
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/mesh_implicit.h"
 
 namespace shellmatch {
 
@@ -10,7 +10,7 @@ double ball(const Vec<3>& x, double px, double py, double pz, double radius) {
   return (x - Vec<3>(px, py, pz)).norm() - radius;
 }
 
-// x is measured from the plane of symmetry with a rounded absolute value, so that no crease arises there.
+// A smoothed absolute value of x makes the face symmetric without a crease in the plane of symmetry.
 double face(const Vec<3>& y, const FaceOptions& o) {
   const Vec<3> x(std::sqrt((y.x() - 0.5) * (y.x() - 0.5) + 1e-4) - 0.005, y.y(), y.z());
   const double smile = o.smile;

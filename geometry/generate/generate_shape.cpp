@@ -22,7 +22,7 @@ OriginalShape<Dim> posed(const Body<Dim>& body, std::string_view name) {
   if constexpr (Dim == 3) {
     for (const auto& facet : body.rest.facets) shape.polygons.emplace_back(facet.begin(), facet.end());
   } else {
-    // Outlines are one ring, their points in order.
+    // An outline is one ring of points in order.
     shape.polygons.emplace_back();
     for (const auto& facet : body.rest.facets) shape.polygons.front().push_back(facet[0]);
   }

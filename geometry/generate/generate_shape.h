@@ -1,12 +1,11 @@
 #pragma once
 /// \file
-/// The shapes that ship with the program, made on demand: closed, oriented outward, free of
-/// self-intersections and inside [0.1, 0.9]^Dim with their own parameters; the same bits on every call.
+/// The built-in shapes, generated on demand. They are closed, oriented outward, free of self-intersections
+/// and, with default parameters, inside [0.1, 0.9]^Dim. Every call yields the same bits.
 
-#include "base/options.h"
+#include "geometry/generate/generator_info.h"
 #include "geometry/surface/surface.h"
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,46 +13,20 @@
 
 namespace shellmatch {
 
-/// Values of parameters by name; integers are given as whole numbers.
-using GeneratorParameters = std::map<std::string, double>;
-
-struct GeneratorParameter {
-  std::string name;
-  double default_value;  ///< of the first variant
-  bool whole_number;
-  OptionInfo info;  ///< unit, range, meaning
-};
-
-/// A named set of parameters: a pose or an individual.
-struct GeneratorVariant {
-  std::string name, meaning;
-  GeneratorParameters values;  ///< every parameter
-};
-
-/// What is known of one kind of shape.
-struct GeneratorInfo {
-  std::string name, meaning;
-  int dimension;                           ///< 2 or 3
-  int genus;                               ///< 0, or 1 for the torus; 0 in the plane
-  double edge_length;                      ///< default length of edges, in sides of the domain
-  std::vector<GeneratorVariant> variants;  ///< the first is the default
-  std::vector<GeneratorParameter> parameters;
-};
-
-/// All kinds of shapes, solids first.
+/// All kinds of shapes, those in space first.
 std::vector<GeneratorInfo> generator_catalogue();
 
 /// An outline or a surface.
 using AnyOriginal = std::variant<OriginalShape<2>, OriginalShape<3>>;
 
-/// Shape `name` in its `variant` ("" is the first), single parameters changed, with edges of about
-/// `edge_length` sides of the domain (0: the shape's own default; else 0.003 to 0.05). \throws InputError for
-/// an unknown name, variant or parameter, naming those that exist and the nearest spelling; for values out of
-/// range; and for a shape that leaves [0.05, 0.95]^Dim.
+/// Generates the shape `name` in its `variant` ("" is the first) with edges of about `edge_length` sides of
+/// the domain (0: the default of the shape; else 0.003 to 0.05). `parameters` override those of the variant.
+/// \throws InputError for an unknown name, variant or parameter, naming those that exist and the nearest
+/// spelling; for values out of range; and for a shape that leaves [0.05, 0.95]^Dim.
 AnyOriginal generate_shape(std::string_view name, std::string_view variant = "", double edge_length = 0,
                         const GeneratorParameters& parameters = {});
 
-/// Where a vertex of the reference truly goes.
+/// The exact image of a vertex of the reference.
 template <int Dim>
 struct KnownPosition {
   Index vertex;  ///< of the reference
@@ -64,12 +37,13 @@ template <int Dim>
 using KnownPositions = std::vector<KnownPosition<Dim>>;
 using AnyKnownPositions = std::variant<KnownPositions<2>, KnownPositions<3>>;
 
-/// Where the vertices of generate_shape(name, from) go in variant `to`, ascending by vertex, on the exact surface, to
-/// rounding. Empty where nothing is known (beet, face); all vertices where a map of the shape is known; for the hand
-/// those whose motion is rigid. \throws InputError for an unknown name or variant
+/// The exact images of the vertices of generate_shape(name, from) in variant `to`, ascending by vertex; they
+/// lie on the surface up to rounding. Empty for shapes without a known correspondence (beet, face); for the
+/// hand, the vertices that move rigidly; for other shapes, all vertices. \throws InputError for an unknown
+/// name or variant
 AnyKnownPositions known_positions(std::string_view name, std::string_view from, std::string_view to);
 
-/// Two shapes to be matched, tessellated differently.
+/// Two shapes to match, with different triangulations.
 template <int Dim>
 struct GeneratedPair {
   OriginalShape<Dim> reference, template_shape;
@@ -78,8 +52,8 @@ struct GeneratedPair {
 
 using AnyPair = std::variant<GeneratedPair<2>, GeneratedPair<3>>;
 
-/// The standard pair of each kind of shape, by the name of the kind: its first two variants.
-/// `edge_length` as above, for the reference; the edges of the template are a fifth longer.
+/// The standard pair of the kind of shape `name`: its first two variants. `edge_length` is that of the
+/// reference, as above; the edges of the template are 20 % longer.
 /// \throws InputError for an unknown name.
 AnyPair generated_pair(std::string_view name, double edge_length = 0);
 

@@ -1,5 +1,7 @@
 #include "geometry/generate/hand.h"
 
+#include "geometry/implicit/mesh_implicit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,7 @@ namespace shellmatch {
 namespace {
 
 constexpr double finger_blend = 0.02, palm_blend = 0.045;
-// The anatomy is written down with the wrist below the middle of the domain; this moves it into the middle.
+// Translation of the anatomy below into the middle of the domain.
 const Vec<3> anatomy_offset(0.052, 0.045, 0);
 
 }  // namespace
@@ -27,7 +29,7 @@ Hand::Hand(const HandOptions& options) {
   for (int k = 0; k < 5; ++k) {
     const Anatomy& a = anatomy[k];
     const Mat<3> direction = Eigen::AngleAxisd(radians(-a.angle), Vec<3>::UnitZ()).toRotationMatrix();
-    // Turning about -x carries y towards -z. The thumb stands a little out of the plane of the palm anyway.
+    // A rotation about -x moves y towards -z. The thumb is rotated by 12 degrees at rest.
     const double turn = radians(a.bend + (k == 0 ? 12 : 0));
     fingers_[k] = {a.base + anatomy_offset,
                    direction * Eigen::AngleAxisd(turn, -Vec<3>::UnitX()).toRotationMatrix(), a.length,
@@ -76,7 +78,7 @@ int Hand::part_of(const Vec<3>& x) const {
   for (int k = 0; k < 5; ++k) d[k] = finger(k, x);
   const double p = palm(x);
   const int first = static_cast<int>(std::min_element(d.begin(), d.end()) - d.begin());
-  // A smooth union of parts farther apart than the width is exactly the nearest one.
+  // The smooth union of parts that differ by more than the width equals the smaller one.
   if (d[first] - p > palm_blend + finger_blend) return 5;
   for (int k = 0; k < 5; ++k)
     if (k != first && d[k] - d[first] < 2 * finger_blend) return -1;

@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A hand: palm, wrist and five fingers that turn rigidly about their bases. Fingers point along y, the thumb
-/// towards -x, the palm looks along -z.
+/// A hand: palm, wrist and five fingers that rotate rigidly about their bases. The fingers point along y, the
+/// thumb along -x, and the palm faces -z.
 
 #include "base/options.h"
 #include "geometry/generate/body.h"
-#include "geometry/generate/implicit.h"
+#include "geometry/implicit/implicit_function.h"
 
 #include <array>
 #include <optional>
@@ -34,25 +34,25 @@ struct HandOptions {
   }
 };
 
-/// The hand as a signed function of a point of the domain, part by part.
+/// The signed functions of the parts of a hand, and of the whole.
 class Hand {
  public:
   explicit Hand(const HandOptions& options);
 
   double operator()(const Vec<3>& x) const;
 
-  /// Where a point x of this hand's surface lies on `other`, if that is known: x belongs to one finger or to
-  /// the palm alone, untouched by any blend, in both poses. Both hands must have the same spread.
+  /// The point of `other` that corresponds to the point x of this hand's surface. It is known if x belongs to
+  /// one finger or to the palm alone, outside all blends, in both poses. \pre both hands have the same spread
   std::optional<Vec<3>> corresponding_point(const Hand& other, const Vec<3>& x) const;
 
-  /// The finger (0 thumb to 4 little finger) that alone makes up the surface near x, 5 for palm and wrist, or
-  /// -1.
+  /// The finger (0 thumb to 4 little finger) that alone forms the surface near x; 5 for palm and wrist; -1
+  /// for blends.
   int part_of(const Vec<3>& x) const;
 
  private:
   struct Finger {
-    Vec<3> base;      // where it turns
-    Mat<3> rotation;  // from the finger's own axes (y along it) to those of the domain
+    Vec<3> base;      // centre of the rotation
+    Mat<3> rotation;  // from the finger's axes (y along it) to those of the domain
     double length, thickness;
   };
   double finger(int k, const Vec<3>& x) const;
@@ -61,7 +61,7 @@ class Hand {
   std::array<Finger, 5> fingers_;
 };
 
-/// Rest shape: the posed shape itself. Correspondence is Hand::corresponding_point's.
+/// Rest shape: the posed shape itself. Hand::corresponding_point() defines the correspondence.
 Body<3> hand_body(const HandOptions& options, double edge_length);
 
 }  // namespace shellmatch

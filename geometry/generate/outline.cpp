@@ -9,7 +9,7 @@ namespace {
 
 Vec<2> on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-// The unit circle, sampled so that the images of neighbouring points are equally far apart along the outline.
+// Samples the unit circle so that the images of the points are equally spaced along the outline.
 Body<2> equally_spaced(std::function<Vec<2>(const Vec<2>&)> pose, double edge_length) {
   constexpr int n_fine = 20000;
   std::vector<double> length(n_fine + 1, 0.0);
@@ -53,7 +53,7 @@ Body<2> star_body(const StarOptions& options, double edge_length) {
   const Mat<2> turn = rotation(options.turn + 90);
   return equally_spaced(
       [options, turn](const Vec<2>& u) -> Vec<2> {
-        // exp of a cosine: points narrower than bays.
+        // The exponential of a cosine makes points narrower than bays.
         const double wave = std::cos(options.points * std::atan2(u.y(), u.x()));
         return domain_centre<2>() +
                options.radius * (1 + options.depth * (std::exp(0.5 * wave) - 1.06)) * (turn * u);
@@ -84,7 +84,7 @@ Body<2> leaf_body(const LeafOptions& o, double edge_length) {
       [o](const Vec<2>& u) -> Vec<2> {
         // Angle from the tip, positive to the left; +-pi is the stalk.
         const double angle = std::atan2(-u.x(), u.y());
-        // Lobes fan out over +-130 degrees; they get shorter towards the stalk.
+        // Lobes are spread over +-130 degrees and become shorter towards the stalk.
         const double step = radians(260) / (o.lobes - 1), sharpness = 1.76 * o.lobes;
         double lobe = 0;
         for (int k = 0; k < o.lobes; ++k) {
@@ -93,15 +93,14 @@ Body<2> leaf_body(const LeafOptions& o, double edge_length) {
         }
         const double whole = 0.72 + 0.2 * std::cos(angle);
         double r = (1 - o.depth) * whole + o.depth * 1.12 * lobe;
-        // Teeth point outward: a sine with steepened crests. A bay takes in the stalk, where teeth and lobes
-        // vanish.
+        // Teeth are a sine with steepened crests. A bay contains the stalk, where teeth and lobes vanish.
         const double bay = std::exp(14 * (std::cos(angle - M_PI) - 1));
         const double saw = std::sin(o.teeth * angle + 0.6 * std::sin(o.teeth * angle));
         r = (r + o.serration * saw * (1 - bay)) * (1 - 0.6 * bay);
         r *= 1 + o.asymmetry * std::sin(angle);
         const Vec<2> flat(-0.385 * r * std::sin(angle) / std::sqrt(o.slenderness),
                           0.385 * r * std::cos(angle) * std::sqrt(o.slenderness));
-        // The midrib becomes an arc of a circle; its points stay equally far apart, cross lines stay
+        // Maps the midrib to an arc of a circle. Distances along it are preserved, and cross lines remain
         // straight.
         const double curvature = radians(o.bend) / 0.6, turn = curvature * flat.y();
         const double along = std::abs(curvature) < 1e-9 ? flat.y() : std::sin(turn) / curvature;

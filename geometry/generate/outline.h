@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Closed outlines of the plane, all of them star-shaped about a centre, so that they never cross themselves.
+/// Closed outlines of the plane. All are star-shaped about a centre and therefore free of self-intersections.
 
 #include "base/options.h"
 #include "geometry/generate/body.h"
@@ -85,9 +85,9 @@ struct LeafOptions {
   }
 };
 
-/// Rest shape of all of them: points of the unit circle, counter-clockwise, so spaced that the posed points
-/// lie about `edge_length` apart along the outline. All outlines of one kind correspond by the angle on that
-/// circle.
+/// The rest shape of all outlines is the unit circle, counter-clockwise, sampled so that the posed points
+/// have a spacing of about `edge_length` along the outline. Outlines of one kind correspond by the angle on
+/// the circle.
 Body<2> circle_body(const CircleOptions& options, double edge_length);
 Body<2> ellipse_body(const EllipseOptions& options, double edge_length);
 Body<2> star_body(const StarOptions& options, double edge_length);

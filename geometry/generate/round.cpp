@@ -50,8 +50,8 @@ int frequency_for(double radius, double edge_length) {
 Surface<3> geodesic_sphere(int frequency) {
   const Surface<3> coarse = icosahedron();
   Surface<3> s;
-  // A vertex is known by its integer weights on the corners of the icosahedron, at most three of them not
-  // zero.
+  // A vertex is identified by its integer weights on the corners of the icosahedron, of which at most three
+  // are not zero.
   std::map<std::array<int, 6>, Index> known;
   const auto vertex = [&](const std::array<Index, 3>& corner, const std::array<int, 3>& weight) {
     std::array<std::pair<int, int>, 3> parts;
@@ -99,7 +99,7 @@ Body<3> torus_body(const TorusOptions& options, double edge_length) {
     throw_input_error("torus: minor_radius {:g} must be less than 0.95 times major_radius {:g}", minor,
                       major);
   const int n_long = std::max(8, static_cast<int>(std::lround(2 * M_PI * major / edge_length)));
-  // Even, so that the rows that are shifted by half a step alternate all the way round.
+  // Even, because every second row is shifted by half a step.
   const int n_short = 2 * std::max(3, static_cast<int>(std::lround(M_PI * minor / edge_length / 0.87)));
   Surface<3> rest;
   for (int j = 0; j < n_short; ++j)

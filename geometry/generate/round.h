@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Bodies of revolution and their kin with explicit parametrisations: sphere, ellipsoid, torus.
+/// Bodies with explicit parametrisations: sphere, ellipsoid, torus.
 
 #include "base/options.h"
 #include "geometry/generate/body.h"
@@ -46,12 +46,12 @@ struct TorusOptions {
   }
 };
 
-/// The unit sphere as an icosahedron whose faces are cut into frequency^2 triangles and projected outward:
-/// 10 frequency^2 + 2 vertices. frequency >= 1.
+/// The unit sphere as an icosahedron whose faces are subdivided into frequency^2 triangles and projected: 10
+/// frequency^2 + 2 vertices. frequency >= 1.
 Surface<3> geodesic_sphere(int frequency);
 
-/// Rest shape: a geodesic unit sphere; edges of about `edge_length` after posing. So every sphere and
-/// ellipsoid correspond point by point.
+/// Rest shape: a geodesic unit sphere; edges of about `edge_length` after posing. All spheres and ellipsoids
+/// correspond point by point.
 Body<3> sphere_body(const SphereOptions& options, double edge_length);
 Body<3> ellipsoid_body(const EllipsoidOptions& options, double edge_length);
 

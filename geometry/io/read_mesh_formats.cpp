@@ -2,7 +2,7 @@
 
 namespace shellmatch {
 
-void add_vertex(const Place& place, const Vec<3>& x, OriginalShape<3>& shape) {
+void add_vertex(const FilePosition& place, const Vec<3>& x, OriginalShape<3>& shape) {
   if (!x.allFinite())
     throw_input_error(
         "{}: vertex {} (counted from 0) has a coordinate that is not finite ({}, {}, {}); "
@@ -13,7 +13,7 @@ void add_vertex(const Place& place, const Vec<3>& x, OriginalShape<3>& shape) {
   shape.vertices.push_back(x);
 }
 
-void add_corner(const Place& place, std::int64_t index, std::size_t n_vertices, std::vector<Index>& polygon) {
+void add_corner(const FilePosition& place, std::int64_t index, std::size_t n_vertices, std::vector<Index>& polygon) {
   if (index < 0 || index >= static_cast<std::int64_t>(n_vertices))
     throw_input_error(
         "{}: a face names vertex {} (counted from 0), but there are {} vertices; "

@@ -1,4 +1,4 @@
-// Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or from the end where
+// Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or relative to the end if
 // negative.
 #include "geometry/io/read_mesh_formats.h"
 
@@ -7,7 +7,7 @@
 namespace shellmatch {
 namespace {
 
-// One statement, which may run over several lines that end in a backslash.
+// One statement; lines that end in a backslash continue on the next line.
 std::string_view statement(LineReader& lines, std::string& joined) {
   std::string_view line = lines.line();
   if (!line.ends_with('\\')) return line;
@@ -26,7 +26,7 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
   MeshFile mesh;
   LineReader lines(path, bytes);
   std::array<std::vector<double>, 3> colours;
-  std::vector<std::pair<std::size_t, std::size_t>> far_corners;  // polygon and line of indices yet to come
+  std::vector<std::pair<std::size_t, std::size_t>> far_corners;  // polygon and line of indices beyond the vertices so far
   std::size_t n_ignored = 0;
   std::string joined;
   while (lines.next()) {
@@ -40,7 +40,7 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
       while (rest.find_first_not_of(" \t") != std::string_view::npos)
         extra.push_back(lines.number_of(rest, "a value after the coordinates"));
       add_vertex({path, "line", number}, x, mesh.shape);
-      // Four numbers are x y z w, six and seven x y z and a colour.
+      // Four numbers are x y z w; six and seven are x y z and a colour.
       if (extra.size() == 3 || extra.size() == 4)
         for (int k = 0; k < 3; ++k) colours[k].push_back(extra[k]);
     } else if (keyword == "f") {
@@ -54,7 +54,7 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
         const std::int64_t corner = *index > 0 ? *index - 1 : n + *index;
         if (corner < 0 || corner >= std::numeric_limits<Index>::max())
           lines.fail("a face names vertex {}, but there are {} vertices so far", *index, n);
-        // Vertices may follow the faces that name them.
+        // Vertices may follow the faces that refer to them.
         if (corner >= n && (far_corners.empty() || far_corners.back().second != number))
           far_corners.emplace_back(mesh.shape.polygons.size(), number);
         polygon.push_back(static_cast<Index>(corner));

@@ -16,7 +16,7 @@ Header read_header(LineReader& lines) {
   Header header;
   if (!lines.next()) throw_input_error("{}: nothing but comments; is it an OFF file?", lines.path());
   std::string_view rest = lines.line();
-  // The keyword may be missing or may run into the first count.
+  // The keyword may be missing or may be joined to the first count.
   const std::size_t off = rest.find("OFF");
   if (off != rest.npos && off <= 5) {
     const std::string_view keyword = rest.substr(0, off + 3);
@@ -55,7 +55,7 @@ Header read_header(LineReader& lines) {
   return header;
 }
 
-// Values after the coordinates stand in the order normal, colour, texture coordinates.
+// The values after the coordinates are normal, colour and texture coordinates, in this order.
 void keep_attributes(const Header& header, std::vector<std::vector<double>> columns, MeshFile& mesh) {
   std::size_t next = 0;
   const bool known = header.normal || header.colour || header.texture;

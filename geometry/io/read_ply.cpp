@@ -11,7 +11,7 @@
 namespace shellmatch {
 namespace {
 
-// The values of the body one after the other, whatever the form.
+// Reads the values of the body one by one, in text or binary form.
 class PlyBody {
  public:
   PlyBody(const PlyHeader& header, LineReader& lines)
@@ -48,7 +48,7 @@ class PlyBody {
     return 0;
   }
 
-  // A count or an index: a whole number that fits.
+  // A count or an index: an integer in range.
   std::int64_t integer(PlyType type, const char* what) {
     const double v = value(type);
     if (!(std::abs(v) < 1e15) || v != std::floor(v))
@@ -62,18 +62,18 @@ class PlyBody {
     return n;
   }
 
-  // A text item is one line; more values than declared mean that the header is wrong.
+  // An item in text form is one line. More values than declared indicate a wrong header.
   void end_item() {
     if (form_ == PlyForm::text && rest_.find_first_not_of(" \t") != rest_.npos)
       lines_.fail("more values than the header declares for a {}", element_->name);
   }
 
-  Place place() const {
+  FilePosition place() const {
     if (form_ == PlyForm::text) return {lines_.path(), "line", lines_.number()};
     return {lines_.path(), element_->name, item_};
   }
 
-  // What follows the last element.
+  // Handles data after the last element.
   void end(const PlyHeader& header, std::vector<std::string>& notes) {
     if (form_ != PlyForm::text && !bytes_.empty())
       notes.push_back(counted(bytes_.size(), "byte", "bytes") + " after the last element ignored");
@@ -107,7 +107,7 @@ class PlyBody {
 };
 
 void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
-  // What becomes of each property: a coordinate, a column of an attribute, or nothing.
+  // Use of each property: a coordinate, a column of an attribute, or none.
   enum class Use { x, y, z, keep, drop };
   std::vector<Use> uses;
   std::vector<VertexAttribute> attributes;

@@ -42,8 +42,8 @@ PlyForm read_form(LineReader& lines, std::string_view rest) {
   lines.fail("the format should be ascii, binary_little_endian or binary_big_endian, not '{}'", name);
 }
 
-// Every item takes at least so many bytes: a damaged count must not make us allocate what the file cannot
-// hold.
+// Checks the counts against the least number of bytes per item, so that a damaged count causes no huge
+// allocation.
 void check_size(const PlyHeader& header, const LineReader& lines) {
   for (const PlyElement& element : header.elements) {
     std::size_t item = 0;
@@ -53,7 +53,7 @@ void check_size(const PlyHeader& header, const LineReader& lines) {
       else
         item += ply_type_size(p.is_list ? p.count_type : p.type);
     }
-    // The last line of a text may do without its end.
+    // The last line of a text may lack its end.
     if (item > 0 && element.n_items > (lines.n_left() + 1) / item)
       throw_input_error(
           "{}: cut off, or the header is wrong: it declares {} elements of kind '{}', which do not fit into "

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The header of a PLY file: which elements follow, how many, with which properties.
+/// The header of a PLY file: its elements, their numbers and properties.
 
 #include "geometry/io/read_text.h"
 
@@ -33,15 +33,15 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads up to "end_header". \throws InputError naming the line where it is not a header, or where it
-/// declares more elements than the file has bytes for.
+/// Reads up to "end_header". \throws InputError naming the line if it is not a valid header, or if the file
+/// is too short for the declared elements.
 PlyHeader read_ply_header(LineReader& lines);
 
 /// Bytes of a value in a binary file.
 std::size_t ply_type_size(PlyType type);
 /// "char", "uchar", ... "double".
 std::string_view ply_type_name(PlyType type);
-/// The type with this name, in the old or the new spelling ("uchar", "uint8"); nothing where there is none.
+/// The type with this name, in the old or the new spelling ("uchar", "uint8"); nothing for other names.
 std::optional<PlyType> ply_type(std::string_view name);
 /// "8 vertex, 12 face".
 std::string describe_counts(const PlyHeader& header);

@@ -1,5 +1,5 @@
-// PNG through libpng's simplified interface, the one of its interfaces that survives damaged files without
-// help: VTK 9.1's reader jumps into a function that has returned.
+// PNG through libpng's simplified interface, which handles damaged files safely. (VTK 9.1's reader calls
+// longjmp() into a function that has returned.)
 #include "base/error.h"
 #include "geometry/io/read_mask.h"
 
@@ -8,7 +8,7 @@
 namespace shellmatch {
 namespace {
 
-// libpng frees what it has allocated by the end of every path, an exception included.
+// Frees the memory of libpng on every path, also after an exception.
 struct Image {
   png_image control{};
   Image() { control.version = PNG_IMAGE_VERSION; }
@@ -31,8 +31,8 @@ GreyImage read_png(const std::string& path, std::string_view bytes) {
   if (width * height > max_pixels)
     throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height,
                       max_pixels / 1'000'000);
-  // Brightness and opacity with 8 bits each, whatever the file has. Without this flag libpng takes 16 bits to
-  // be linear in the light, and half of white would be another grey than with 8 bits.
+  // Brightness and opacity with 8 bits each for all files. Without this flag libpng interprets 16 bit values
+  // as linear light, and they would be converted to other greys than 8 bit values.
   image.control.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   image.control.format = PNG_FORMAT_GA;
   std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image.control));

@@ -25,7 +25,7 @@ std::vector<std::string_view> split(const LineReader& lines) {
   return words;
 }
 
-// Which columns are coordinates, and the names of all.
+// The names of the columns, and which of them are coordinates.
 template <int Dim>
 struct Columns {
   std::array<std::size_t, Dim> coordinates;

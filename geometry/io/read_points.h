@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Tables of points as text: one point in a line, columns separated by comma, semicolon, tab or blanks, an
+/// Tables of points as text: one point per line, columns separated by comma, semicolon, tab or blanks, an
 /// optional line of column names, comments from '#'. In the plane, blank lines separate rings.
 
 #include "geometry/surface/surface.h"
@@ -13,7 +13,7 @@ namespace shellmatch {
 /// Reads a table. The coordinates are the columns named x, y (and z), or the first ones; further columns
 /// need names and become attributes of type double. In the plane every block of lines is a polygon; with
 /// `closed`, a last point that repeats the first of its block is dropped. \throws InputError naming the line
-/// where the number of columns changes or something is no finite number.
+/// where the number of columns changes or a value is not a finite number.
 template <int Dim>
 OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, bool closed);
 

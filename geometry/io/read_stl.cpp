@@ -1,4 +1,4 @@
-// Stereolithography files, text and binary. Both list loose triangles.
+// Stereolithography files, text and binary. Both list separate triangles.
 #include "geometry/io/read_mesh_formats.h"
 
 #include <array>
@@ -23,12 +23,12 @@ struct BitHash {
   }
 };
 
-// Makes one vertex of equal corners.
+// Merges corners with equal coordinates.
 class Welder {
  public:
   explicit Welder(OriginalShape<3>& shape) : shape_(shape) {}
-  Index vertex(const Place& place, Vec<3> x) {
-    x.array() += 0.0;  // -0 and 0 are one place
+  Index vertex(const FilePosition& place, Vec<3> x) {
+    x.array() += 0.0;  // maps -0 to 0
     const auto [entry, is_new] =
         vertices_.try_emplace({x.x(), x.y(), x.z()}, static_cast<Index>(shape_.vertices.size()));
     if (is_new) add_vertex(place, x, shape_);
@@ -118,7 +118,7 @@ MeshFile read_text(const std::string& path, std::string_view bytes) {
 }  // namespace
 
 MeshFile read_stl(const std::string& path, std::string_view bytes) {
-  // Some binary files start with "solid" too: the size decides first.
+  // Some binary files start with "solid" as well, so the size is checked first.
   const bool has_header = bytes.size() >= header_size;
   if (has_header && header_size + triangle_size * std::size_t{declared_triangles(bytes)} == bytes.size())
     return read_binary(path, bytes);

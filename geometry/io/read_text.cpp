@@ -134,8 +134,4 @@ std::int64_t LineReader::integer_of(std::string_view& rest, std::string_view wha
   return *value;
 }
 
-std::string counted(std::size_t n, std::string_view singular, std::string_view plural) {
-  return fmt::format("{} {}", n, n == 1 ? singular : plural);
-}
-
 }  // namespace shellmatch

@@ -4,6 +4,7 @@
 /// numbers, and errors that say where they are.
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -73,8 +74,5 @@ class LineReader {
   char comment_;
   bool only_comment_ = false;
 };
-
-/// "1 vertex", "12 vertices": a count with its noun.
-std::string counted(std::size_t n, std::string_view singular, std::string_view plural);
 
 }  // namespace shellmatch

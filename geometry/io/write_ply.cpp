@@ -18,7 +18,7 @@ void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// Rounded and clamped; not a number becomes 0.
+// Rounds and clamps to the range of T; NaN becomes 0.
 template <class T>
 void append_integer(std::string& bytes, double value) {
   const double low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();

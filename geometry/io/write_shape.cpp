@@ -18,7 +18,7 @@
 namespace shellmatch {
 namespace {
 
-// Checks that all columns have one value for each vertex before any of them is read.
+// Checks that all columns have one value for each vertex.
 template <int Dim>
 void check_attributes(const OriginalShape<Dim>& shape) {
   for (const VertexAttribute& attribute : shape.attributes)
@@ -42,7 +42,7 @@ void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
   fmt::format_to(std::back_inserter(text), Dim == 2 ? "x,y" : "x,y,z");
   for (const VertexAttribute& a : shape.attributes) fmt::format_to(std::back_inserter(text), ",{}", a.name);
   text.push_back('\n');
-  // A point after which a ring ends.
+  // True for the last point of each ring.
   std::vector<bool> last(shape.vertices.size(), false);
   if (Dim == 2)
     for (const std::vector<Index>& ring : shape.polygons)

@@ -1,8 +1,8 @@
 #include "geometry/repair/repair.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "geometry/surface/self_intersections.h"
-#include "geometry/io/read_text.h"
 #include "geometry/repair/repair_steps.h"
 
 #include <Eigen/Geometry>
@@ -13,10 +13,10 @@
 namespace shellmatch {
 namespace {
 
-// More triangles than this are not searched for self-intersections.
+// Surfaces with more triangles are not searched for self-intersections.
 constexpr std::size_t self_intersection_limit = 100'000;
 
-// A part whose volume is below this share of the cube of its diagonal encloses nothing but rounding errors.
+// A volume below this share of the cubed diagonal of a part is a rounding error.
 constexpr double flat_share = 1e-9;
 
 class Notes {
@@ -41,7 +41,7 @@ PartMeasure measure(const Surface<3>& surface, const std::vector<Index>& part) {
     for (const Index v : surface.facets[f]) box.add(surface.vertices[v]);
   PartMeasure result;
   result.diagonal = box.diagonal();
-  // From the centre of the box, or shapes far from the origin would lose their volume to rounding.
+  // The centre of the box as origin avoids cancellation for shapes far from 0.
   const Vec<3> centre = 0.5 * (box.min + box.max);
   for (const Index f : part) {
     const auto& [a, b, c] = surface.facets[f];

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 #include "geometry/repair/repair.h"
 #include "geometry/repair/repair_crossings.h"
 
@@ -18,9 +18,9 @@ struct Ring {
 
 using Point = std::pair<double, double>;
 
-// Cuts a ring where it comes back to a point it has visited: the loop in between becomes a ring of its own,
-// and a loop of two points, which is a spike without width, is dropped. What is left touches itself nowhere
-// at its points, and the depth of nesting settles the orientation of the loops.
+// Splits a ring where it returns to a visited point: the loop in between becomes a ring. A loop of two points
+// is a spike without width and is removed. The remaining rings visit no point twice; their orientation is
+// determined later by the depth of nesting.
 std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& ring, const std::vector<Vec<2>>& x,
                                              std::size_t& n_spikes) {
   std::vector<std::vector<Index>> loops;
@@ -41,7 +41,7 @@ std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& ring, con
     place_in_path[key(v)] = path.size();
     path.push_back(v);
   }
-  // What a spike leaves behind may be a single point.
+  // After the removal of a spike, a single point may remain.
   if (path.size() > 1) close(0);
   return loops;
 }
@@ -75,7 +75,7 @@ Surface<2> segments_of(const std::vector<Vec<2>>& vertices, const std::vector<st
   return all;
 }
 
-// Where a vertex lies on a segment, the segment gets it as a point of its own.
+// Inserts vertices that lie on a segment into the segment.
 void share_touching_points(const std::vector<Vec<2>>& vertices, std::vector<std::vector<Index>>& rings) {
   const auto touching = touching_vertices(segments_of(vertices, rings));
   auto next = touching.begin();
@@ -142,7 +142,7 @@ bool is_inside(const Vec<2>& x, const Ring& ring, const std::vector<Vec<2>>& poi
 }
 
 int nesting_depth(std::size_t number, const std::vector<Ring>& rings, const std::vector<Vec<2>>& points) {
-  // Rings may share points, but no stretch of a segment.
+  // Rings may share points but not parts of segments.
   const std::vector<Index>& ring = rings[number].points;
   const Vec<2> x = 0.5 * (points[ring[0]] + points[ring[1]]);
   int depth = 0;
@@ -169,7 +169,7 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   for (std::size_t number = 0; number < polygons.size(); ++number)
     add_rings(polygons[number], original.vertices, number, source, rings, repairs);
 
-  // The test speaks of points as the file numbers them, so it runs on the original points.
+  // The messages number points as in the file, so the test uses the original points.
   polygons.clear();
   for (const Ring& ring : rings) polygons.push_back(ring.points);
   const Surface<2> all = segments_of(original.vertices, polygons);

@@ -1,7 +1,7 @@
 #include "geometry/repair/repair_steps.h"
 
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,7 +41,7 @@ void for_each_edge(const Surface<3>& surface, Visit&& visit) {
   }
 }
 
-// Sets that grow together, with the smallest member as the name of each.
+// Disjoint sets with union; each is represented by its smallest member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
@@ -95,8 +95,7 @@ std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface) {
   for (const auto& [a, b, c] : surface.facets)
     if (a != b && b != c && c != a) proper.push_back({a, b, c});
   const std::size_t n_collapsed = surface.facets.size() - proper.size();
-  // Copies stand next to each other once every triangle starts with its smallest corner; the first of each
-  // stays.
+  // Rotated to start with their smallest corner and sorted, copies are adjacent; the first one is kept.
   std::vector<std::pair<std::array<Index, 3>, std::size_t>> turned;
   for (std::size_t t = 0; t < proper.size(); ++t) {
     std::array<Index, 3> corners = proper[t];

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The single steps of mending a triangle surface. Only repair.cpp calls them.
+/// The steps of the repair of a triangle surface (geometry/repair/repair.h).
 
 #include "geometry/surface/surface.h"
 
@@ -13,43 +13,45 @@ namespace shellmatch {
 
 using Triangles = std::vector<std::array<Index, 3>>;
 
-/// Splits every polygon into triangles: convex ones into fans, others by the triangulation of least area
-/// (CGAL's hole filling). Repeated neighbouring corners are left out.
+/// Triangulates every polygon: convex ones as fans, others by ear clipping. Repeated consecutive corners are
+/// ignored.
 Triangles triangulate(const OriginalShape<3>& shape);
 
-/// Makes one vertex of those that have equal coordinates and lie on boundary edges; returns how many went.
-/// Vertices inside a closed part stay apart: there, touching is no seam.
+/// Merges vertices with equal coordinates on boundary edges; returns the number of vertices removed. Vertices
+/// inside a closed part are not merged, because contact there is not a seam.
 std::size_t weld_seams(Surface<3>& surface);
 
-/// Removes triangles that use a vertex twice, and further copies of the same triangle; returns both counts.
+/// Removes triangles with a repeated vertex, and copies of triangles; returns both numbers.
 std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface);
 
-/// \throws InputError where an edge does not have exactly two triangles, saying how many, and where one is.
+/// \throws InputError where an edge does not have exactly two triangles, with the number of such edges and a
+/// position.
 void check_closed(const Surface<3>& surface, const std::string& source);
 
 /// Number of triangles without area (exact test).
 std::size_t count_flat_triangles(const Surface<3>& surface);
-/// Removes them by collapses and flips, so that the surface stays closed; false where that fails.
+/// Removes triangles without area by collapses and flips, which keep the surface closed; returns false on
+/// failure.
 /// \pre closed, manifold, consistently oriented.
 bool remove_flat_triangles(Surface<3>& surface);
 
-/// What `orient_consistently` did.
+/// Result of orient_consistently().
 struct Orientation {
-  std::size_t n_turned = 0;  ///< triangles
+  std::size_t n_turned = 0;  ///< triangles reversed
   std::size_t n_split = 0;   ///< vertices added
 };
-/// Gives neighbouring triangles the same orientation and splits vertices at which parts touch.
-/// \pre every edge has two triangles. A one-sided surface is cut open.
+/// Orients neighbouring triangles consistently and splits vertices at which parts touch. A one-sided surface
+/// is cut open. \pre every edge has two triangles
 Orientation orient_consistently(Surface<3>& surface);
 
 /// Connected parts: the triangles of each, in the order of their first triangle.
 std::vector<std::vector<Index>> connected_parts(const Surface<3>& surface);
 
-/// For each part, in how many others it lies. A part that crosses another is not inside it.
+/// The number of other parts that contain each part. A part that crosses another is not inside it.
 /// \pre every part is closed.
 std::vector<int> nesting_depths(const Surface<3>& surface, const std::vector<std::vector<Index>>& parts);
 
-/// Removes vertices without a triangle; returns how many.
+/// Removes vertices without a triangle; returns their number.
 std::size_t remove_unused_vertices(Surface<3>& surface);
 
 }  // namespace shellmatch

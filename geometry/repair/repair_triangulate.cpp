@@ -1,4 +1,4 @@
-// Polygons to triangles: fans for convex ones, ear clipping in the polygon's own plane for the others.
+// Triangulation of polygons: fans for convex ones, ear clipping in the plane of the polygon for others.
 // Meisters, 'Polygons have ears', American Mathematical Monthly 82(6), 1975.
 #include "geometry/repair/repair_steps.h"
 
@@ -13,7 +13,7 @@ double turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Projects onto the plane of the vector area (Newell), in which the polygon runs counter-clockwise.
+// Projects onto the plane of the vector area (Newell), where the polygon is counter-clockwise.
 std::vector<Vec<2>> flattened(const std::vector<Vec<3>>& x) {
   Vec<3> area = Vec<3>::Zero();
   for (std::size_t i = 1; i + 1 < x.size(); ++i) area += (x[i] - x[0]).cross(x[i + 1] - x[0]);
@@ -24,7 +24,7 @@ std::vector<Vec<2>> flattened(const std::vector<Vec<3>>& x) {
   return flat;
 }
 
-// Turns left everywhere, and no triangle of the fan turns back (that would be a pentagram) or is flat.
+// True if all corners are convex and all triangles of the fan have positive area (which excludes pentagrams).
 bool is_convex(const std::vector<Vec<2>>& x) {
   const std::size_t n = x.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -34,7 +34,7 @@ bool is_convex(const std::vector<Vec<2>>& x) {
   return true;
 }
 
-// A corner that turns left and whose triangle contains no other corner.
+// True for a convex corner whose triangle contains no other corner.
 bool is_ear(const std::vector<Vec<2>>& x, const std::vector<std::size_t>& ring, std::size_t k) {
   const std::size_t n = ring.size();
   const std::size_t i = ring[(k + n - 1) % n], j = ring[k], l = ring[(k + 1) % n];
@@ -51,7 +51,8 @@ void clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, 
   std::size_t k = 0, n_refused = 0;
   while (ring.size() > 3) {
     k %= ring.size();
-    // Where there is no ear (the polygon crosses itself), any corner is cut off: the edges stay closed.
+    // A polygon that crosses itself may have no ear. Any corner is then cut off, which keeps the edges
+    // closed.
     if (!is_ear(x, ring, k) && ++n_refused <= ring.size()) {
       ++k;
       continue;

@@ -22,9 +22,9 @@ FacetPoint<2> closest_on(const std::array<Vec<2>, 2>& corners, const Vec<2>& x) 
   return closest_on_edge(corners[0], corners[1], 0, 1, x);
 }
 
-// The nearest of the three edges, unless x lies in the prism over the triangle. The point in the prism is
-// made from its weights and not by subtracting the normal, so that it lies in the triangle however thin that
-// is.
+// The nearest point of the three edges, unless x lies in the prism over the triangle. There the point is
+// computed from its barycentric coordinates and not by subtracting the normal, so that it lies in even the
+// thinnest triangle.
 FacetPoint<3> closest_on(const std::array<Vec<3>, 3>& corners, const Vec<3>& x) {
   const auto& [a, b, c] = corners;
   FacetPoint<3> best = closest_on_edge(a, b, 0, 1, x);
@@ -46,8 +46,8 @@ FacetPoint<3> closest_on(const std::array<Vec<3>, 3>& corners, const Vec<3>& x) 
 
 }  // namespace
 
-// The rounding error of the product is about 1e-16 times the squared length: the normal is good to 1e-6 at
-// worst.
+// The rounding error of the cross product is about 1e-16 times the squared length, so the normal has at least
+// six digits.
 bool is_degenerate(const Vec<3>& edge_1, const Vec<3>& edge_2) {
   const double length2 = std::max(edge_1.squaredNorm(), edge_2.squaredNorm());
   return !(edge_1.cross(edge_2).norm() > 1e-10 * length2);

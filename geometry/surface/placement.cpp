@@ -15,7 +15,7 @@ std::string coordinates(const Vec<Dim>& x) {
   return text + ")";
 }
 
-/// Vertices that no facet uses do not count: they are not part of the surface.
+/// Ignores vertices without a facet: they are not part of the surface.
 template <int Dim, class Visit>
 void for_each_used_vertex(const Surface<Dim>& surface, Visit&& visit) {
   std::vector<bool> used(surface.vertices.size(), false);
@@ -25,8 +25,8 @@ void for_each_used_vertex(const Surface<Dim>& surface, Visit&& visit) {
     if (used[v]) visit(v, surface.vertices[v]);
 }
 
-/// A vertex of the computational surface may have no counterpart in the file, so that it is named by its
-/// place there where the file has one at the same point.
+/// Names a vertex by its number in the file if the file has a vertex at the same point. A vertex of the
+/// computational surface may have no counterpart there.
 template <int Dim>
 std::string vertex_name(const Shape<Dim>& shape, std::size_t v) {
   const Vec<Dim>& x = shape.surface.vertices[v];
@@ -55,7 +55,7 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
   for (const Shape<Dim>* shape : {&reference, &template_shape})
     for_each_used_vertex(shape->surface, [&](std::size_t, const Vec<Dim>& x) { box.add(x); });
   const double side = (box.max - box.min).maxCoeff();
-  // Written so that NaN fails, too.
+  // Written so that NaN fails.
   if (!(side > 0) || !std::isfinite(side))
     throw_input_error(
         "{} and {}: the shapes have no extent that could be placed in the unit domain; all of their "

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// Where the two shapes lie in the unit square or cube: one common similarity, so that their relative
-/// position stays meaningful, and its inverse for everything that is written out.
+/// Placement of the two shapes in the unit square or cube by a common similarity, which preserves their
+/// relative position, and its inverse for the output.
 
 #include "base/types.h"
 #include "geometry/surface/surface.h"
 
 namespace shellmatch {
 
-/// x -> scale x + offset; scale > 0. From the user's coordinates to the unit domain.
+/// The map x -> scale x + offset from the user's coordinates to the unit domain; scale > 0.
 template <int Dim>
 struct Similarity {
   double scale = 1;
@@ -27,7 +27,7 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
 template <int Dim>
 Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double clearance);
 
-/// Moves the computational surface, not the original.
+/// Transforms the computational surface; the original keeps the user's coordinates.
 template <int Dim>
 void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface);
 

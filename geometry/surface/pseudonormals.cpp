@@ -16,18 +16,18 @@ Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
   return length > 0 ? Vec<Dim>(x / length) : Vec<Dim>(Vec<Dim>::Zero());
 }
 
-/// Angle of facet f at its corner i; in the plane every segment counts with the same weight at its ends.
+/// Angle of facet f at its corner i. In the plane all segments have equal weight at their ends.
 double corner_angle(const Surface<2>&, Index, int) { return 1; }
 
 double corner_angle(const Surface<3>& surface, Index f, int i) {
   const auto& facet = surface.facets[f];
   const Vec<3>& a = surface.vertices[facet[i]];
   const Vec<3> u = surface.vertices[facet[(i + 1) % 3]] - a, v = surface.vertices[facet[(i + 2) % 3]] - a;
-  // atan2 keeps small angles exact, where the arc cosine would lose half of the digits.
+  // atan2 is accurate for small angles, for which the arc cosine loses half of the digits.
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Numbers the edges of all facets, an edge by its two vertices; returns how many there are.
+/// Numbers the edges of all facets, each given by its two vertices; returns the number of edges.
 std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index, 3>>& edges_of_facet) {
   struct Side {
     std::uint64_t key;
@@ -54,7 +54,7 @@ std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index
   return n_edges;
 }
 
-/// The edge of a facet, 0 to 2, that is at least as long as the others.
+/// The longest edge of a facet, 0 to 2.
 int longest_edge(const Surface<3>& surface, Index f) {
   const auto& facet = surface.facets[f];
   Vec<3> lengths;
@@ -73,15 +73,16 @@ std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges
   return sums;
 }
 
-/// A facet without area joins its longest edge to the two others, which lie on it. It gets the normal from
-/// across the longest edge, so that the others see what is really there; of a heap of such facets one ring
-/// after the other. Those that have not got a normal after `max_rings` keep the zero normal.
+/// In a facet without area, the two shorter edges lie on the longest one. Such a facet gets the normal of the
+/// facet beyond its longest edge, which is the geometric neighbour of those beyond the shorter edges.
+/// Connected sets of such facets are filled ring by ring; facets without a normal after `max_rings` keep the
+/// zero normal.
 void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
                      std::size_t n_edges, const std::vector<Index>& degenerate,
                      std::vector<Vec<3>>& normals) {
   constexpr int max_rings = 16;
   std::vector<Index> missing = degenerate;
-  bool any_edge = false;  // where the longest edges lead nowhere, all edges are asked
+  bool any_edge = false;  // set where the longest edges lead to no normal: then all edges are tried
   for (int ring = 0; ring < max_rings && !missing.empty(); ++ring) {
     const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
     std::vector<Index> still_missing;
@@ -96,8 +97,8 @@ void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Ind
   }
 }
 
-/// Sums of the normals on both sides of every edge. A facet without area shows its longest edge the mean of
-/// what lies beyond the two others.
+/// Sums of the normals on both sides of every edge. At its longest edge, a facet without area contributes the
+/// mean of the normals beyond its two other edges.
 std::vector<Vec<3>> edge_normals(const Surface<3>& surface,
                                  const std::vector<std::array<Index, 3>>& edges_of_facet, std::size_t n_edges,
                                  const std::vector<Index>& degenerate, const std::vector<Vec<3>>& normals) {

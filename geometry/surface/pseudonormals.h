@@ -14,8 +14,8 @@ namespace shellmatch {
 template <int Dim>
 class Pseudonormals {
  public:
-  /// A facet without area takes the normal of the facet beyond its longest edge, so that the sign is right
-  /// where triangles without area close the gap between a long edge and shorter ones along it.
+  /// A facet without area gets the normal of the facet beyond its longest edge, so that the sign is right
+  /// where such triangles close the gap between a long edge and shorter collinear ones.
   explicit Pseudonormals(const Surface<Dim>& surface);
 
   /// Unit pseudonormal of a feature of facet f; zero where the normals around it cancel.

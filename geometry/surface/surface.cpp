@@ -11,8 +11,8 @@ Vec<3> facet_normal(const Surface<3>& s, Index f) {
   return (s.vertices[b] - s.vertices[a]).cross(s.vertices[c] - s.vertices[a]);
 }
 
-// The divergence theorem for the field x/Dim, seen from a point next to the surface: far from the origin the
-// terms would cancel.
+// The divergence theorem for the field (x - origin)/Dim. The origin is a vertex of the surface, which avoids
+// cancellation for surfaces far from 0.
 template <int Dim>
 double enclosed_measure(const Surface<Dim>& s) {
   if (s.facets.empty()) return 0;

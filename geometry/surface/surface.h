@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The two forms in which a shape exists: the simplicial hypersurface that all computations use, and the
-/// shape as it was read, which is what the user gets back.
+/// The two representations of a shape: the simplicial hypersurface of the computations, and the shape as read
+/// from the file, in which results are returned.
 
 #include "base/types.h"
 
@@ -12,23 +12,23 @@
 
 namespace shellmatch {
 
-/// A hypersurface of simplices: triangles in space, segments in the plane.
-/// Orientation: facet normals point outward; that is (b - a) x (c - a) for triangles, and for a segment a -> b
-/// the direction turned clockwise, (dy, -dx), so that outer rings run counter-clockwise.
+/// A hypersurface of simplices: triangles in space, segments in the plane. Orientation: facet normals point
+/// outward; that is (b - a) x (c - a) for triangles, and for a segment a -> b the direction rotated
+/// clockwise, (dy, -dx), so that outer rings run counter-clockwise.
 template <int Dim>
 struct Surface {
   std::vector<Vec<Dim>> vertices;
   std::vector<std::array<Index, Dim>> facets;
 };
 
-/// Values at the vertices of a shape as it was read: colours, texture coordinates, labels.
+/// Values at the vertices of a shape as read from the file: colours, texture coordinates, labels.
 struct VertexAttribute {
   std::string name;              ///< as in the file, "red" or "quality"
-  std::string type = "float";    ///< PLY type name the values are written back with: "uchar", "int", "double"
+  std::string type = "float";    ///< PLY type of the values in the output: "uchar", "int", "double"
   std::vector<double> values;    ///< one for each original vertex
 };
 
-/// A shape as it was read: every vertex in its order, polygons unsplit, attributes kept.
+/// A shape as read from the file: vertices in their order, polygons not triangulated, attributes kept.
 template <int Dim>
 struct OriginalShape {
   std::vector<Vec<Dim>> vertices;
@@ -42,7 +42,7 @@ struct Shape {
   std::string source;             ///< the file it came from, for messages
   OriginalShape<Dim> original;
   Surface<Dim> surface;
-  std::vector<std::string> notes;  ///< what was mended, in words: "12 duplicate vertices welded"
+  std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
 };
 
 /// An axis-parallel box.
@@ -64,7 +64,7 @@ Box<Dim> bounding_box(const std::vector<Vec<Dim>>& points) {
   return box;
 }
 
-/// Facet normal with the facet's length (plane) or twice its area (space) as its norm.
+/// Facet normal, whose norm is the facet's length (plane) or twice its area (space).
 inline Vec<2> facet_normal(const Surface<2>& s, Index f) {
   const auto& [a, b] = s.facets[f];
   const Vec<2> e = s.vertices[b] - s.vertices[a];

@@ -1,12 +1,13 @@
 #pragma once
 /// \file
-/// eta_sigma, which spreads a surface over a band of half width sigma around it (paper, section 3).
+/// The bump function eta_sigma, the density of the band of half width sigma around a surface (paper, section
+/// 3).
 
 #include <cmath>
 
 namespace shellmatch {
 
-/// c of eta_sigma: one over the integral of exp(-1/(1 - t^2)) over (-1, 1), computed to 20 digits.
+/// The constant c of eta_sigma: 1 / integral of exp(-1/(1 - t^2)) over (-1, 1), to 20 digits.
 inline constexpr double bump_constant = 2.25228362104358101050;
 
 /// eta_sigma(t) = c/sigma exp(-1/(1 - (t/sigma)^2)) for |t| < sigma, else 0: even, infinitely smooth, with

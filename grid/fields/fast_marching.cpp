@@ -17,20 +17,21 @@ namespace shellmatch {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Improvements below this, in sides of the domain, are rounding.
+// Smaller decreases of a value, in sides of the domain, are rounding errors.
 constexpr double least_improvement = 1e-13;
 
-// A neighbour along an axis: its value, and how far it is.
+// A neighbour along an axis: its value and its distance.
 struct Leg {
   double value, length;
 };
 
-// The u with sum_k max((u - value_k)/length_k, 0)^2 = 1. Infinite where all legs are. Sorts the legs.
+// The u with sum_k max((u - value_k)/length_k, 0)^2 = 1; infinite where all values are. Sorts the legs.
 template <int Dim>
 double solve_upwind(std::array<Leg, Dim>& legs) {
   std::sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.value < b.value; });
   double u = legs[0].value + legs[0].length;
-  // The quadratic a u^2 - 2 b u + c = 1 of the legs so far, with values relative to the least for the digits' sake.
+  // The quadratic a u^2 - 2 b u + c = 1 of the legs so far. Values are relative to the least, against
+  // cancellation.
   const double origin = legs[0].value;
   double a = 1 / (legs[0].length * legs[0].length), b = 0, c = 0;
   for (int k = 1; k < Dim && legs[k].value < u; ++k) {
@@ -43,7 +44,7 @@ double solve_upwind(std::array<Leg, Dim>& legs) {
   return u;
 }
 
-// The leaves that may meet the surface, descending from the root through cells that the surface may meet.
+// The leaves that may meet the surface, found from the root through the cells that may meet it.
 template <int Dim>
 std::vector<Index> leaves_at_surface(const Octree<Dim>& grid,
                                      const std::function<double(const Vec<Dim>&)>& distance) {
@@ -54,7 +55,7 @@ std::vector<Index> leaves_at_surface(const Octree<Dim>& grid,
         level.size(),
         [&](std::size_t i) {
           const double half_diagonal = 0.5 * std::sqrt(double(Dim)) * grid.cell(level[i]).side();
-          // A surface that passes exactly through a corner must not be lost to rounding.
+          // The tolerance keeps a surface that passes exactly through a corner.
           is_met[i] = std::abs(distance(grid.cell_centre(level[i]))) <= half_diagonal * (1 + 1e-9);
         },
         256);
@@ -90,8 +91,8 @@ class March {
     find_start(distance);
   }
 
-  // Marches away from the starting nodes of one sign. No leaf away from the surface has nodes of both, so that
-  // the two marches neither read nor write what the other one writes.
+  // Marches from the starting nodes of one sign. No other leaf has nodes of both signs, so neither march
+  // reads or writes what the other one writes.
   void run(signed char sign) {
     Queue queue;
     for (Index n = 0; n < grid_.n_nodes(); ++n)
@@ -99,7 +100,7 @@ class March {
     while (!queue.empty()) {
       const auto [value, node] = queue.top();
       queue.pop();
-      if (value > nodes_[node].size) continue;  // improved since
+      if (value > nodes_[node].size) continue;  // an outdated entry: the value has decreased since
       pass_on(node, sign, queue);
       for (std::size_t c = first_child_[node]; c < first_child_[node + 1]; ++c)
         if (!nodes_[children_[c]].is_start) pass_on(children_[c], sign, queue);
@@ -117,7 +118,7 @@ class March {
   }
 
  private:
-  using Entry = std::pair<double, Index>;  // ties go by index
+  using Entry = std::pair<double, Index>;  // value and node; the node breaks ties
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   void find_start(const std::function<double(const Vec<Dim>&)>& distance) {
@@ -126,7 +127,7 @@ class March {
     for (const Index leaf : leaves)
       for (const Index node : grid_.cell(leaf).nodes) {
         nodes_[node].is_start = true;
-        // What hangs on a coarser leaf at the surface must not take its mean from both sides.
+        // Otherwise a node that hangs on a coarser leaf at the surface would average values of both sides.
         if (const Index h = nodes_[node].hanging; h != no_index)
           for (int p = 0; p < grid_.hanging_nodes()[h].n_parents; ++p)
             nodes_[grid_.hanging_nodes()[h].parents[p]].is_start = true;
@@ -147,21 +148,22 @@ class March {
         256);
   }
 
-  // The neighbour of x along an axis that a leaf offers.
+  // The value and distance with which `neighbour`, at the other end of an edge of a leaf, enters the scheme
+  // at x.
   Leg leg(Index x, Index neighbour, double side) const {
     const Index h = nodes_[neighbour].hanging;
     if (h == no_index || nodes_[neighbour].is_start) return {nodes_[neighbour].size, side};
     const HangingNode<Dim>& hanging = grid_.hanging_nodes()[h];
     double sum = 0;
     for (int p = 0; p < hanging.n_parents; ++p) {
-      // Then the neighbour is the middle of an edge that begins at x, and there are two parents.
+      // The neighbour is then the midpoint of an edge that ends at x, and it has two parents.
       if (hanging.parents[p] == x) return {nodes_[hanging.parents[1 - p]].size, 2 * side};
       sum += nodes_[hanging.parents[p]].size;
     }
     return {sum / hanging.n_parents, side};
   }
 
-  // The value at `node`, or that of a hanging one, has changed: so may those of its neighbours that are larger.
+  // Updates the neighbours of `node`, whose value (or that of a parent, if it hangs) has changed.
   void pass_on(Index node, signed char sign, Queue& queue) {
     const double value = leg(no_index, node, 0).value;
     for (const auto& [position, corner] : incidence_.leaves_at(node)) {
@@ -183,7 +185,7 @@ class March {
   }
 
   struct Node {
-    double size = infinity;    // of the distance; infinite where not reached
+    double size = infinity;    // absolute value of the distance; infinite where not yet reached
     Index hanging = no_index;  // position in grid_.hanging_nodes()
     signed char sign = 0;
     bool is_start = false;
@@ -192,7 +194,7 @@ class March {
   const Octree<Dim>& grid_;
   NodalIncidence<Dim> incidence_;
   std::vector<Node> nodes_;
-  std::vector<std::size_t> first_child_;  // nodes that hang on node i: children_[first_child_[i], first_child_[i + 1])
+  std::vector<std::size_t> first_child_;  // children_[first_child_[i], first_child_[i + 1]) hang on node i
   std::vector<Index> children_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Multilinear shape functions on a cell, and nodal fields between the nodes.
+/// Multilinear shape functions on a cell, and the interpolation of nodal fields.
 
 #include "grid/octree/octree.h"
 
@@ -16,7 +16,8 @@ struct LocalPoint {
   Vec<Dim> xi;  ///< in [0, 1]^Dim
 };
 
-/// The leaf that contains x and x within it; x outside the domain is projected onto it first.
+/// The leaf that contains x, and the local coordinates of x in it. x outside the domain is projected onto it
+/// first.
 template <int Dim>
 LocalPoint<Dim> locate_local(const Octree<Dim>& grid, const Vec<Dim>& x) {
   const Vec<Dim> inside = x.cwiseMax(0.0).cwiseMin(1.0);
@@ -28,7 +29,7 @@ LocalPoint<Dim> locate_local(const Octree<Dim>& grid, const Vec<Dim>& x) {
   return p;
 }
 
-/// Values at xi of the shape functions of the corners; they are not negative and sum to 1.
+/// Values of the corners' shape functions at xi. They are non-negative and their sum is 1.
 template <int Dim>
 std::array<double, n_corners<Dim>> shape_values(const Vec<Dim>& xi) {
   std::array<double, n_corners<Dim>> w;
@@ -41,7 +42,8 @@ std::array<double, n_corners<Dim>> shape_values(const Vec<Dim>& xi) {
   return w;
 }
 
-/// Gradients with respect to xi; divided by the cell's side they are those with respect to x. They sum to 0.
+/// Gradients of the shape functions with respect to xi; their sum is 0. Divide by the cell's side for those
+/// in x.
 template <int Dim>
 std::array<Vec<Dim>, n_corners<Dim>> shape_gradients(const Vec<Dim>& xi) {
   std::array<Vec<Dim>, n_corners<Dim>> g;
@@ -55,7 +57,7 @@ std::array<Vec<Dim>, n_corners<Dim>> shape_gradients(const Vec<Dim>& xi) {
   return g;
 }
 
-/// Value at p of a nodal field of scalars, vectors or packed symmetric matrices; hanging values must be set.
+/// Value at p of a nodal field of scalars, vectors or packed symmetric matrices. \pre hanging nodes are set
 template <int Dim, class T>
 T evaluate(const Octree<Dim>& grid, const std::vector<T>& nodal, const LocalPoint<Dim>& p) {
   const auto w = shape_values<Dim>(p.xi);
@@ -70,7 +72,7 @@ T evaluate(const Octree<Dim>& grid, const std::vector<T>& nodal, const Vec<Dim>&
   return evaluate(grid, nodal, locate_local(grid, x));
 }
 
-/// The same for `Components` doubles per node that stand one after the other in `nodal`.
+/// The same for a field of `Components` doubles per node, stored node by node.
 template <int Components, int Dim>
 std::array<double, Components> evaluate_components(const Octree<Dim>& grid, std::span<const double> nodal,
                                                    const LocalPoint<Dim>& p) {
@@ -84,7 +86,7 @@ std::array<double, Components> evaluate_components(const Octree<Dim>& grid, std:
   return value;
 }
 
-/// Gradient with respect to x of a scalar field. On a face it is the one from within p.cell.
+/// Gradient with respect to x of a scalar field at p; on a face of p.cell, its limit from inside the cell.
 template <int Dim>
 Vec<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<double>& nodal,
                            const LocalPoint<Dim>& p) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Mass of the free nodes: the L2 product of multilinear functions.
+/// Mass matrices of the free nodes: the L2 product of multilinear functions.
 
 #include "grid/octree/constraints.h"
 #include "grid/octree/nodal_incidence.h"
@@ -11,14 +11,14 @@
 
 namespace shellmatch {
 
-/// Diagonal of the lumped mass matrix at the free nodes, in the order of grid.free_nodes(): row sums of
-/// C^T M C, which are C^T applied to the nodal integrals, as the rows of C sum to 1. Positive; the sum is 1,
-/// the volume of the domain.
+/// Diagonal of the lumped mass matrix at the free nodes, in the order of grid.free_nodes(): the row sums of
+/// C^T M C. They are C^T applied to the integrals of the shape functions, because each row of C sums to 1.
+/// All are positive, and their sum is 1, the volume of the domain.
 template <int Dim>
 std::vector<double> lumped_mass(const Octree<Dim>& grid);
 
-/// The consistent mass matrix C^T M C, applied without being formed. Refers to the grid, which must live on
-/// and must not be refined meanwhile.
+/// The consistent mass matrix C^T M C, applied without assembling it. Keeps a reference to the grid, which
+/// must outlive this object and must not be refined.
 template <int Dim>
 class MassOperator {
  public:
@@ -29,13 +29,13 @@ class MassOperator {
   /// y = C^T M C x. \pre sizes n_free * n_components
   void apply(std::span<const double> x, std::span<double> y, int n_components = 1) const;
 
-  /// Solves C^T M C x = b by conjugate gradients, preconditioned by the lumped mass, from the x given, until
-  /// the residual is below `tolerance` times b in the norm of the inverse lumped mass. All components take
-  /// the same steps. Returns the number of iterations.
+  /// Solves C^T M C x = b by conjugate gradients, preconditioned by the lumped mass, with the given x as
+  /// initial guess, until the residual is below `tolerance` times b in the norm of the inverse lumped mass.
+  /// The components are solved as one system, with common step lengths. Returns the number of iterations.
   int solve(std::span<const double> b, std::span<double> x, int n_components, double tolerance) const;
 
-  /// Sums element vectors, leaf after leaf in the order of grid.leaves(), corner after corner, into the free
-  /// nodes.
+  /// Assembles element vectors, given leaf by leaf in the order of grid.leaves() and corner by corner, at the
+  /// free nodes.
   void sum_elements(std::span<const double> elements, std::span<double> free, int n_components) const;
 
   std::span<const double> lumped() const { return lumped_; }

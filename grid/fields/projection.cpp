@@ -9,7 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-// Well below the discretisation error of the gradient.
+// Relative residual; well below the discretisation error of the gradient.
 constexpr double solver_tolerance = 1e-6;
 
 // Integrals over a cell of d's derivative along `axis` times each shape function: the tensor product of
@@ -39,7 +39,7 @@ std::vector<Vec<Dim>> project_gradient(const Octree<Dim>& grid, const std::vecto
   std::vector<double> elements(leaves.size() * n_corners<Dim> * Dim);
   parallel_for(leaves.size(), [&](std::size_t l) {
     const auto& cell = grid.cell(leaves[l]);
-    double factor = 1;  // side^Dim for the volume, one over side for the derivative
+    double factor = 1;  // side^Dim of the volume times 1/side of the derivative
     for (int k = 1; k < Dim; ++k) factor *= cell.side();
     std::array<double, n_corners<Dim>> d;
     for (int c = 0; c < n_corners<Dim>; ++c) d[c] = factor * nodal_distance[cell.nodes[c]];
@@ -50,7 +50,7 @@ std::vector<Vec<Dim>> project_gradient(const Octree<Dim>& grid, const std::vecto
   });
   std::vector<double> b(op.constraints().n_free() * Dim), x(b.size());
   op.sum_elements(elements, b, Dim);
-  elements = std::vector<double>();  // as much again is wanted by the solver
+  elements = std::vector<double>();  // freed before the solver allocates as much
   for (std::size_t i = 0; i < b.size(); ++i) x[i] = b[i] / op.lumped()[i / Dim];
   if (mass == MassKind::consistent) op.solve(b, x, Dim, solver_tolerance);
 

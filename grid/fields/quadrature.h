@@ -11,7 +11,7 @@ namespace shellmatch {
 template <int Dim>
 struct QuadraturePoint {
   Vec<Dim> point;  ///< in (0, 1)^Dim
-  double weight;   ///< positive; those of a rule sum to 1. On a cell it is multiplied by side^Dim.
+  double weight;   ///< positive; the weights of a rule sum to 1; multiply by side^Dim on a cell
 };
 
 inline constexpr int max_gauss_points = 5;

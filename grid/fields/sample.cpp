@@ -11,7 +11,7 @@ std::vector<double> sample_nodes(const Octree<Dim>& grid,
                                  HangingValues hanging) {
   std::vector<double> nodal(grid.n_nodes(), 0.0);
   const bool interpolate = hanging == HangingValues::interpolated;
-  // A distance may cost microseconds: small chunks keep all threads busy to the end.
+  // One distance may take microseconds, so small chunks balance the load of the threads.
   parallel_for(
       nodal.size(),
       [&](std::size_t n) {

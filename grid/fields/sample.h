@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Functions of space as nodal fields.
+/// Nodal fields from functions of space.
 
 #include "grid/octree/octree.h"
 
@@ -10,11 +10,11 @@
 namespace shellmatch {
 
 enum class HangingValues {
-  interpolated,  ///< mean of the parents: the field is continuous, an element of the finite element space
-  exact          ///< the function itself: not conforming, for comparisons
+  interpolated,  ///< the mean of the parents: the field is continuous and lies in the finite element space
+  exact          ///< the value of the function: not conforming; for comparisons
 };
 
-/// Values of `function` at all nodes. It is called in parallel.
+/// Values of `function` at all nodes. `function` is called in parallel.
 template <int Dim>
 std::vector<double> sample_nodes(const Octree<Dim>& grid,
                                  const std::function<double(const Vec<Dim>&)>& function,

@@ -4,14 +4,14 @@ namespace shellmatch {
 
 namespace {
 
-// The corner of neighbour `number` of the 3^Dim around a cell, itself in the middle.
+// The corner of neighbour `number` of the 3^Dim around a cell; the middle one is the cell itself.
 template <int Dim>
 std::array<std::int32_t, Dim> stepped(std::array<std::int32_t, Dim> corner, int number) {
   for (int k = 0; k < Dim; ++k, number /= 3) corner[k] += number % 3 - 1;
   return corner;
 }
 
-// One number for each place of each level, those next to the domain included.
+// A unique key for each cell position of each level, including the layer around the domain.
 template <int Dim>
 std::uint64_t key_of(int level, const std::array<std::int32_t, Dim>& corner) {
   std::uint64_t first = 0, within = 0;
@@ -53,12 +53,12 @@ SplineSpace<Dim>::SplineSpace(const Octree<Dim>& grid)
 template <int Dim>
 void SplineSpace<Dim>::forget_grid() {
   grid_ = nullptr;
-  // An empty list in braces would keep the memory.
+  // Assigning {} would keep the capacity.
   made_ = std::vector<Made>();
   derived_ = std::vector<Derived>();
 }
 
-// The first coefficient of the children of the cell `parent`, or no_index where they are no cells.
+// The first coefficient of the children of the cell `parent`; no_index where the grid has no such children.
 template <int Dim>
 Index SplineSpace<Dim>::group_in_grid(int level, const Coord& parent) const {
   if (level == 0) return parent == Coord{} ? 0 : no_index;
@@ -78,7 +78,7 @@ void SplineSpace<Dim>::ask_for_neighbours(Index leaf) {
     const Coord there = stepped<Dim>(corner, n);
     const Index c = coefficient_at(level, there);
     if (known != no_index) continue;
-    int group = 0;  // of those around
+    int group = 0;  // among the 3^Dim around
     for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
       group += stride * ((there[k] >> 1) - (corner[k] >> 1) + 1);
     siblings_[leaf / n_siblings].first[group] = c - c % n_siblings;
@@ -106,7 +106,8 @@ Index SplineSpace<Dim>::coefficient_at(int level, const Coord& corner) {
   return first + child;
 }
 
-// A cell's own coefficient is sampled where the spline of its level is wanted all around it.
+// A cell's coefficient is computed from nodal values where all its neighbours in the domain exist on its
+// level, and derived from other coefficients elsewhere.
 template <int Dim>
 void SplineSpace<Dim>::make(Index coefficient, int level, const Coord& corner) {
   if (made_[coefficient] != Made::no) return;
@@ -135,7 +136,7 @@ void SplineSpace<Dim>::derive(Index coefficient, int level, const Coord& corner)
     Coord inside = corner;
     for (int i = 0; i < 2; ++i) {
       inside[k] =
-          std::clamp(inside[k] + (corner[k] < 0 ? 1 : -1), 0, last);  // a domain of one cell has no second
+          std::clamp(inside[k] + (corner[k] < 0 ? 1 : -1), 0, last);  // clamped for a domain of one cell
       d.source[i] = coefficient_at(level, inside);
     }
   }

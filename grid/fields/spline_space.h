@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Functions on the octree that are quadratic splines along each axis: C1 throughout, across levels too.
+/// Quadratic splines on the octree: C1 everywhere, also where the level changes.
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -16,8 +16,8 @@
 
 namespace shellmatch {
 
-/// Weights of the three coefficients along one axis at t in [0, 1] of a cell, and their derivatives by t:
-/// uniform quadratic B-splines with knots on the cell's faces. T is a number, or a vector of them.
+/// Values and derivatives, along one axis at t in [0, 1], of the three uniform quadratic B-splines that are
+/// non-zero on a cell; their knots are the faces of the cells. T is a number or a vector of numbers.
 template <class T>
 struct SplineWeights {
   std::array<T, 3> value, slope;
@@ -25,41 +25,44 @@ struct SplineWeights {
       : value{0.5 * (1.0 - t) * (1.0 - t), 0.5 + t * (1.0 - t), 0.5 * t * t}, slope{t - 1.0, 1.0 - 2.0 * t, t} {}
 };
 
-/// On a leaf a function is the tensor product of quadratic B-splines with 3^Dim coefficients, one for the
-/// leaf and one for each neighbour of its size. Where a neighbour is larger, the coefficients of the leaf and
-/// of what would be its neighbours are those that represent the larger cells' spline by smaller ones (knot
-/// insertion: 3/4 and 1/4 along each axis). So both splines are the same function next to the face between
-/// them, which is why the whole is C1: truncated hierarchical B-splines (Giannelli, Juettler, Speleers 2012)
-/// without a look-up over levels. Coefficients outside the domain continue those inside.
+/// On a leaf, a function is a tensor product spline of degree 2 with 3^Dim coefficients, one for the leaf and
+/// one for each neighbour position of its size. Where a neighbour is larger, the coefficients of the leaf and
+/// of the missing neighbours are obtained by knot insertion (weights 3/4 and 1/4 along each axis), so that
+/// they represent the spline of the larger cells. Both splines then agree next to the common face, and the
+/// function is C1. The space is that of truncated hierarchical B-splines (Giannelli, Juettler, Speleers
+/// 2012), evaluated without a search over levels. Coefficients outside the domain are extrapolated from those
+/// inside.
 template <int Dim>
 class SplineSpace {
  public:
   static constexpr int n_local = Dim == 2 ? 9 : 27;
-  /// Numbers of a leaf's coefficients; the first axis runs fastest, the leaf's own stands in the middle. And
-  /// some more, without meaning, that fill up registers.
+  /// Indices of a leaf's 3^Dim coefficients, the first axis fastest; the leaf's own is in the middle. The
+  /// entries behind them pad the array to whole registers and are not valid indices.
   struct alignas(64) Local {
     std::array<Index, Dim == 2 ? 16 : 32> c;
     Index operator[](int n) const { return c[n]; }
   };
   using Coord = typename Octree<Dim>::Coord;
 
-  /// `grid` must not be refined, and must live on, until forget_grid().
+  /// Keeps a reference to `grid`, which must exist and must not be refined until forget_grid() has been
+  /// called.
   explicit SplineSpace(const Octree<Dim>& grid);
 
-  /// Frees what only coefficients() reads. Look-ups need the grid no longer.
+  /// Frees the data that only coefficients() reads. The other functions do not need the grid.
   void forget_grid();
 
   Index n_coefficients() const { return n_coefficients_; }
   int finest_level() const { return finest_level_; }
 
-  /// The leaf that contains x, projected onto the domain: the number of its own coefficient.
+  /// The leaf that contains x, given by the index of its own coefficient. x is projected onto the domain
+  /// first.
   Index locate(const Vec<Dim>& x) const { return number_of(locator_.locate(x)); }
-  /// The same for eight points at once, coordinate by coordinate.
+  /// The same for eight points at once; x[k] holds their coordinates k.
   void locate(const std::array<std::array<double, 8>, Dim>& x, std::array<Index, 8>& leaf) const {
     locator_.locate(x, leaf);
     for (Index& i : leaf) i = number_of(i);
   }
-  /// Asks for what the next three read, early.
+  /// Prefetches into the cache what the next three functions read.
   void prefetch(Index leaf) const {
     const char* record = reinterpret_cast<const char*>(&siblings_of(leaf));
     for (std::size_t line = 0; line < sizeof(Siblings); line += 64) __builtin_prefetch(record + line);
@@ -68,37 +71,37 @@ class SplineSpace {
   Coord corner_of(Index leaf) const;  ///< in units of its side
   Local coefficients_of(Index leaf) const;
 
-  /// Coefficients of functions from their values at the nodes, hanging ones included: means over the corners
-  /// of cells. The first `n_sharp` components are sharpened so that quadratic polynomials are reproduced away
-  /// from coarser neighbours and from the boundary, linear ones everywhere: error of third order. The others
-  /// are not, so that they stay within the range of the values around, which keeps matrices positive
-  /// definite: error of second order. nodal(n, i): component i at node n. at(c, i): refers to that of
-  /// coefficient c, which must be 0 before.
+  /// Coefficients of functions from their values at the nodes, hanging ones included. The first
+  /// `n_quasi_interpolated` components are those of the quasi-interpolant, which reproduces quadratic
+  /// polynomials away from coarser neighbours and from the boundary, and linear ones everywhere: error of
+  /// third order. The others are the means over the corners of the cells, which stay within the range of the
+  /// nodal values and so keep matrices positive definite: error of second order. nodal(n, i) is component i
+  /// at node n; at(c, i) is a reference to component i of coefficient c, which the caller has set to 0.
   /// \pre forget_grid() has not been called
   template <class Nodal, class At>
-  void coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal, const At& at) const;
+  void coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal, const At& at) const;
 
  private:
   static constexpr int n_siblings = n_corners<Dim>;
-  static constexpr int n_registers = Dim - 1;  ///< of 16 numbers, for those of a leaf
+  static constexpr int n_registers = Dim - 1;  ///< of 16 indices, for the coefficients of a leaf
   typedef Index Numbers __attribute__((vector_size(64)));
-  /// The children of one cell, whose coefficients stand one after the other. Around them are 3^Dim such
-  /// groups of their size, in which all their neighbours lie: one record for all of them is not only smaller,
-  /// it is more often in the caches.
+  /// The children of one cell, whose coefficients have consecutive indices. All their neighbours belong to
+  /// the 3^Dim groups of siblings around them, so one record serves all siblings; it is smaller than one per
+  /// cell and is more often in the caches.
   struct alignas(64) Siblings {
     std::array<Index, n_local>
-        first;           ///< coefficient of each group around, or no_index where none of it was asked for
+        first;           ///< first coefficient of each group around; no_index where none of them is needed
     Coord corner;        ///< the parent's, in units of its side
     std::int32_t level;  ///< of the siblings
   };
   struct Derived {
     Index coefficient;
-    bool outside;  ///< of the domain: 2 source[0] - source[1], or source[0] if not sharp
-    std::array<Index, n_corners<Dim>> source;  ///< else of larger cells: bit k says which are on the far side
+    bool outside;  ///< outside the domain: 2 source[0] - source[1], or source[0] where not quasi-interpolated
+    std::array<Index, n_corners<Dim>> source;  ///< else by knot insertion from these; bit k: farther along axis k
   };
   enum class Made : char { no, sampled, derived };
 
-  // Cells are numbered from the root, behind which siblings follow siblings. It gets a group to itself.
+  // The octree numbers the root first and then siblings consecutively. Here the root has a group of its own.
   static Index number_of(Index cell) { return cell == 0 ? 0 : cell + n_siblings - 1; }
   static Index cell_of(Index coefficient) { return coefficient == 0 ? 0 : coefficient - n_siblings + 1; }
   bool is_of_cell(Index coefficient) const {
@@ -120,14 +123,14 @@ class SplineSpace {
   const Octree<Dim>* grid_;
   CellLocator<Dim> locator_;
   int finest_level_;
-  std::vector<Siblings> siblings_;  ///< by number of a cell's coefficient over n_siblings
+  std::vector<Siblings> siblings_;  ///< of coefficient c: siblings_[c / n_siblings]
   Index n_of_cells_, n_coefficients_;
   std::vector<Made> made_;        ///< by coefficient
-  std::vector<Derived> derived_;  ///< none before its sources
-  std::unordered_map<std::uint64_t, Index> others_;  ///< by key_of(): first coefficients of groups that are not of the grid
+  std::vector<Derived> derived_;  ///< ordered such that sources precede their dependents
+  std::unordered_map<std::uint64_t, Index> others_;  ///< by key_of(): first coefficients of the groups that are not cells of the grid
 };
 
-/// Where the neighbours of each sibling are: number of the group around, and number in it.
+/// For each neighbour of each sibling: the group that contains the neighbour, and its number in that group.
 template <int Dim>
 constexpr auto SplineSpace<Dim>::steps() {
   struct Step {
@@ -138,7 +141,7 @@ constexpr auto SplineSpace<Dim>::steps() {
     for (int n = 0; n < n_local; ++n) {
       int group = 0, sibling = 0;
       for (int k = 0, rest = n, stride = 1; k < Dim; ++k, rest /= 3, stride *= 3) {
-        const int place = ((child >> k) & 1) + rest % 3 + 1;  // two to a group
+        const int place = ((child >> k) & 1) + rest % 3 + 1;  // two cells to a group
         group += stride * (place / 2);
         sibling |= (place % 2) << k;
       }
@@ -147,7 +150,7 @@ constexpr auto SplineSpace<Dim>::steps() {
   return all;
 }
 
-/// The same by register: 16 numbers of groups, 16 of children.
+/// The same table in the layout of registers of 16 indices.
 template <int Dim>
 constexpr auto SplineSpace<Dim>::steps_in_registers() {
   struct alignas(64) Steps {
@@ -180,7 +183,8 @@ inline typename SplineSpace<Dim>::Coord SplineSpace<Dim>::corner_of(Index leaf) 
 template <int Dim>
 inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index leaf) const {
   static constexpr auto table = steps_in_registers();
-  // Eight groups are among them at most, each several times: what stands where is known from the sibling alone.
+  // The neighbours lie in at most eight groups; the shuffle that distributes these depends on the sibling
+  // alone.
   const Siblings& s = siblings_of(leaf);
   const auto& [group, child] = table[leaf % n_siblings];
   static_assert(sizeof(Siblings) == sizeof(Local));
@@ -201,10 +205,10 @@ inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index 
 
 template <int Dim>
 template <class Nodal, class At>
-void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_sharp, const Nodal& nodal,
+void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal,
                                     const At& at) const {
   SHELLMATCH_CHECK(grid_ != nullptr, "the grid of the splines is forgotten");
-  // Two components at a time, so that means take little memory.
+  // Two components at a time limit the memory of the means.
   constexpr std::size_t n_together = 2;
   using Some = std::array<double, n_together>;
   std::vector<Some> mean(static_cast<std::size_t>(grid_->n_cells()));
@@ -224,10 +228,10 @@ void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_shar
       Some row = mean[cell];
       for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) {
         const Index below = neighbour(c, n_local / 2 - stride), above = neighbour(c, n_local / 2 + stride);
-        if (!is_of_cell(below) || !is_of_cell(above)) continue;  // continued linearly
-        combine(row, 0.5, mean[cell], n_sharp);
-        combine(row, -0.25, mean[cell_of(below)], n_sharp);
-        combine(row, -0.25, mean[cell_of(above)], n_sharp);
+        if (!is_of_cell(below) || !is_of_cell(above)) continue;  // the mean alone, exact for linear functions
+        combine(row, 0.5, mean[cell], n_quasi_interpolated);
+        combine(row, -0.25, mean[cell_of(below)], n_quasi_interpolated);
+        combine(row, -0.25, mean[cell_of(above)], n_quasi_interpolated);
       }
       for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = row[i];
     });
@@ -236,7 +240,7 @@ void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_shar
     if (d.outside) {
       for (std::size_t i = 0; i < n_components; ++i) {
         const double first = at(d.source[0], i);
-        at(d.coefficient, i) = i < n_sharp ? first + first - at(d.source[1], i) : first;
+        at(d.coefficient, i) = i < n_quasi_interpolated ? first + first - at(d.source[1], i) : first;
       }
       continue;
     }

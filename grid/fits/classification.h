@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// C, the curvature classification that makes shape operators positive definite, and its matrix roots (paper,
-/// section 3, bending energy).
+/// The curvature classification C, which makes shape operators positive definite, and its matrix roots
+/// (paper, section 3, bending energy).
 
 #include "base/types.h"
 #include "grid/options.h"
 
 namespace shellmatch {
 
-/// C as a function of eigenvalues. A curvature k is first cut to |k| <= cap; then
+/// C as a function of eigenvalues. A curvature k is first limited to |k| <= cap; then
 /// absolute: C(k) = max(|k|, tau), shift: C(k) = k + shift.
 struct Classifier {
   Classification kind = Classification::absolute;
@@ -20,13 +20,13 @@ struct Classifier {
   double operator()(double curvature) const;
 };
 
-/// S^ext = P S P + n n^T with P = I - n n^T. n is a unit vector, or zero where there is no normal: then S^ext
-/// = S.
+/// S^ext = P S P + n n^T with P = I - n n^T. n is a unit vector, or zero where the normal is undefined; then
+/// S^ext = S.
 template <int Dim>
 Mat<Dim> extended_shape_operator(const Mat<Dim>& hessian, const Vec<Dim>& normal);
 
-/// C(S)^exponent: exponent 1, 1/2 or -1/2 for C, its root and its inverse root. By one symmetric
-/// eigendecomposition, or the roots from C(S) by Franca's formula (grid/fits/matrix_root.h) if classifier.root says so.
+/// C(S)^exponent, where the exponent is 1, 1/2 or -1/2. Computed by a symmetric eigendecomposition, or, for
+/// the roots and where classifier.root selects it, by Franca's formula (grid/fits/matrix_root.h).
 template <int Dim>
 Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& classifier, double exponent);
 

@@ -13,7 +13,7 @@ namespace shellmatch {
 
 namespace {
 
-/// hessian(i): at nodes[i].
+/// hessian(i) is the Hessian of the distance at nodes[i].
 template <int Dim>
 NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distance,
                             const CoefficientOptions& options, const auto& hessian,
@@ -85,7 +85,7 @@ template <int Dim>
 Classifier make_classifier(const GridPair<Dim>& grids, const CoefficientOptions& options,
                            const NodalGeometry<Dim>& first, const NodalGeometry<Dim>& second) {
   Classifier c{.kind = options.classification, .tau = options.tau, .cap = 0, .shift = 0, .root = options.root};
-  // The finer grid could carry more, but C must be one function for both.
+  // The finer grid would admit a larger cap, but C must be the same function for both.
   c.cap = options.max_curvature_times_h / std::max(grids[0]->finest_side(), grids[1]->finest_side());
   if (c.kind == Classification::shift) {
     const double least = std::min(least_curvature(*grids[0], first), least_curvature(*grids[1], second));

@@ -10,7 +10,7 @@ namespace shellmatch {
 
 namespace {
 
-/// All offsets with entries of lower <= . <= upper.
+/// All offsets with lower <= entry <= upper.
 template <int Dim>
 std::vector<std::array<int, Dim>> box(int lower, int upper) {
   std::vector<std::array<int, Dim>> all(1);
@@ -55,7 +55,7 @@ void LatticeFit<Dim>::choose_terms(std::size_t n_others, double exponent) {
   auto offsets = box<Dim>(-2, 2);
   std::ranges::stable_sort(offsets, {}, square<Dim>);
   if (n_others >= offsets.size() || square<Dim>(offsets[n_others]) > 4) return;
-  const int farthest = square<Dim>(offsets[n_others]);  // the node itself comes first
+  const int farthest = square<Dim>(offsets[n_others]);  // offsets[0] is the node itself
   std::erase_if(offsets, [&](const Offset& o) { return square<Dim>(o) > farthest || square<Dim>(o) == 0; });
   if (farthest > 1) next_nodes_ = box<Dim>(-1, 1);
 
@@ -83,7 +83,7 @@ Index LatticeFit<Dim>::neighbour(Index node, const Offset& step) const {
   int octant = 0, corner = 0;
   for (int k = 0; k < Dim; ++k) {
     octant |= (step[k] > 0) << k;
-    corner |= (step[k] >= 0) << k;  // of the leaf below for 0: its upper end
+    corner |= (step[k] >= 0) << k;  // 0 is the upper end of the leaf below
   }
   return grid_->cell(around_[node][octant]).nodes[corner];
 }
@@ -91,7 +91,7 @@ Index LatticeFit<Dim>::neighbour(Index node, const Offset& step) const {
 template <int Dim>
 double LatticeFit<Dim>::find_neighbours(Index node, std::vector<Index>& neighbours) const {
   if (terms_.empty() || around_[node][0] == no_index) return 0;
-  // A node and the next share a leaf, so that their leaves are of one size.
+  // A node and the next share a leaf, so all these leaves have the same size.
   for (const Offset& step : next_nodes_)
     if (around_[neighbour(node, step)][0] == no_index) return 0;
   neighbours.clear();
@@ -113,7 +113,7 @@ SymmetricComponents<Dim> LatticeFit<Dim>::hessian(std::span<const double> field,
                                                   std::span<const Index> neighbours) const {
   SymmetricComponents<Dim> sum{};
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    // Differences, so that a large value costs no digits.
+    // Differences avoid cancellation where the values are large.
     const double difference = field[neighbours[i]] - field[node];
     for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += terms_[i].weight[m] * difference;
   }

@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// The least squares of grid/fits/local_fit.h where the grid is uniform: there the neighbourhood is a ball of a
-/// lattice, and second derivatives are the same combination of its values at every node.
+/// The least squares fit of grid/fits/local_fit.h on uniform parts of the grid. There the neighbourhood is a
+/// ball of the lattice, and second derivatives are the same linear combination of values at every node.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 #include "grid/octree/octree.h"
 
 #include <array>
@@ -15,25 +15,25 @@ namespace shellmatch {
 template <int Dim>
 class LatticeFit {
  public:
-  /// For neighbourhoods of at least `n_others` nodes beside the one in the middle, and the exponent of the
-  /// weights as in CoefficientOptions. `grid` must outlive this object.
+  /// For neighbourhoods of at least `n_others` nodes besides the centre; `exponent` is that of the weights
+  /// (CoefficientOptions::fit_weight). `grid` must outlive this object.
   LatticeFit(const Octree<Dim>& grid, std::size_t n_others, double exponent);
 
-  /// Is the lattice's ball narrow enough, and does it determine a quadratic?
+  /// True if the ball spans at most two cells along each axis and determines a quadratic.
   bool is_possible() const { return !terms_.empty(); }
 
-  /// Fills `neighbours`, room of the caller's, and returns the side of the cells, if all that touch the ball
-  /// around a node are leaves of one size; else 0.
+  /// If all cells that touch the ball around a node are leaves of one size, fills `neighbours` with the nodes
+  /// of the ball and returns the side of the cells; else returns 0.
   double find_neighbours(Index node, std::vector<Index>& neighbours) const;
 
-  /// The field's second derivatives at `node`. \pre find_neighbours() found them, for cells of this side
+  /// The field's second derivatives at `node`. \pre find_neighbours() returned this side for the node
   SymmetricComponents<Dim> hessian(std::span<const double> field, Index node, double side,
                                    std::span<const Index> neighbours) const;
 
  private:
   using Offset = std::array<int, Dim>;
-  /// The leaves around a node by octant (bit k: above along axis k), if they are all there and of one size;
-  /// else the first is no_index.
+  /// The leaves around a node by octant (bit k: above along axis k). The first is no_index unless all exist
+  /// and have the same size.
   using Around = std::array<Index, n_corners<Dim>>;
   struct Term {
     Offset offset;  ///< in cells, at most 2 along each axis
@@ -46,8 +46,8 @@ class LatticeFit {
 
   const Octree<Dim>* grid_;
   std::vector<Around> around_;      ///< by node
-  std::vector<Term> terms_;         ///< none if it is not possible
-  std::vector<Offset> next_nodes_;  ///< whose leaves, with those of the middle, are all that touch the ball
+  std::vector<Term> terms_;         ///< empty if the fit is not possible
+  std::vector<Offset> next_nodes_;  ///< their leaves and those of the centre cover the ball
 };
 
 }  // namespace shellmatch

@@ -13,14 +13,14 @@ namespace shellmatch {
 
 template <int Dim>
 std::size_t n_neighbours(const CoefficientOptions& options) {
-  // 12 and 32 are whole shells of the regular lattice: all nodes within two cells.
+  // 12 and 32 are complete shells of the regular lattice: all nodes within two cells.
   const int wanted = options.neighbours > 0 ? options.neighbours : (Dim == 2 ? 12 : 32);
   return static_cast<std::size_t>(std::max(wanted, QuadraticFit<Dim, 1>::n_unknowns - 1));
 }
 
 namespace {
 
-// The free nodes in integer coordinates, so that equal distances are equal to the last bit.
+// The free nodes in integer coordinates, in which equal distances compare equal.
 template <int Dim>
 struct FreeNodes {
   std::vector<std::array<double, Dim>> points;
@@ -40,28 +40,29 @@ template <int Dim>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FreeNodes<Dim>>,
                                                  FreeNodes<Dim>, Dim, Index>;
 
-// What one thread needs for its queries.
+// Working memory of one thread.
 struct Scratch {
   std::vector<std::pair<Index, double>> ball;
   std::vector<double> squares;
   std::vector<Index> lattice;
-  double guess = 0;  // of a square that holds enough
+  double guess = 0;  // squared radius of a ball that contains enough nodes
 };
 
-// Fills scratch.ball with the free nodes no farther from the node than the n-th nearest of the others.
-// Returns the squares of the distances to the nearest and to the farthest of them. \pre n + 1 <= all
+// Fills scratch.ball with the free nodes that are no farther from the node than its n-th nearest neighbour.
+// Returns the squared distances of the nearest and of the farthest of them. \pre there are at least n + 1
+// free nodes
 template <int Dim>
 std::pair<double, double> find_ball(const Tree<Dim>& tree, const std::array<double, Dim>& centre,
                                     std::size_t n, Scratch& scratch) {
   auto& ball = scratch.ball;
   auto& squares = scratch.squares;
   double& guess = scratch.guess;
-  // Squares are whole numbers and the search takes what is strictly nearer.
+  // Squared distances are integers, and the search returns what is strictly nearer.
   while (tree.radiusSearch(centre.data(), guess + 0.5, ball, nanoflann::SearchParams(0, 0.f, false)) <= n)
     guess = 2 * guess + 1;
   squares.clear();
   for (const auto& member : ball) squares.push_back(member.second);
-  std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(n));  // the node is the first
+  std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(n));  // squares[0] is the node itself
   const double farthest = guess = squares[n];
   std::erase_if(ball, [&](const auto& member) { return member.second > farthest; });
   double nearest = farthest;
@@ -73,7 +74,7 @@ std::pair<double, double> find_ball(const Tree<Dim>& tree, const std::array<doub
 template <int Fields>
 using FieldPointers = std::array<const double*, Fields>;
 
-// One Hessian for each field.
+// Returns one Hessian for each field.
 template <int Dim, int Fields>
 std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, const Tree<Dim>& tree,
                                                     const FieldPointers<Fields>& fields, Index node,
@@ -91,10 +92,10 @@ std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, con
       Vec<Dim> x;
       for (int k = 0; k < Dim; ++k)
         x[k] = (grid.node_coord(other)[k] - grid.node_coord(node)[k]) * per_radius;
-      // Differences, so that a large value costs no digits.
+      // Differences avoid cancellation where the values are large.
       std::array<double, Fields> values;
       for (int f = 0; f < Fields; ++f) values[f] = fields[f][other] - fields[f][node];
-      // The node itself weighs as much as the nearest of the others.
+      // The node itself has the weight of its nearest neighbour.
       const double weight =
           exponent == 0 ? 1.0 : std::pow(std::max(square, nearest) / farthest, -0.5 * exponent);
       fit.add(x, values, weight);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double smallest_determinant = 1e-6;  // of a matrix scaled to trace Dim
 
-// tr, second invariant (in the plane the determinant) and determinant.
+// Trace, second invariant (in the plane the determinant) and determinant.
 struct Invariants {
   double first, second, third;
 };
@@ -41,7 +41,7 @@ Invariants root_invariants(const Mat<2>&, const Invariants& a) {
   return {std::sqrt(a.first + 2 * determinant), determinant, determinant};
 }
 
-// With u the largest eigenvalue of U, the sum of the other two has the square tr A - u^2 + 2 det U/u.
+// Let u be the largest eigenvalue of U. The square of the sum of the other two is tr A - u^2 + 2 det U/u.
 Invariants root_invariants(const Mat<3>& matrix, const Invariants& a) {
   Invariants u;
   const double largest = std::sqrt(largest_eigenvalue(matrix));
@@ -68,7 +68,7 @@ Mat<3> inverse_of(const Mat<3>& root, const Mat<3>& a, const Invariants& u) {
 
 template <int Dim>
 Mat<Dim> compute(const Mat<Dim>& matrix, bool inverse) {
-  // Scaled to trace Dim, so that no invariant overflows and "nearly singular" has one meaning.
+  // Scaling to trace Dim prevents overflow of the invariants and makes smallest_determinant a relative bound.
   const double scale = matrix.trace() / Dim;
   SHELLMATCH_CHECK(scale > 0, "a matrix whose root is asked for is not positive definite");
   const Mat<Dim> a = matrix / scale;

@@ -6,25 +6,25 @@
 
 namespace shellmatch {
 
-/// Eigenvalues, ascending, and the eigenvectors in their order as columns.
+/// Eigenvalues, ascending, and the corresponding eigenvectors as columns.
 template <int Dim>
 struct Eigenpairs {
   Vec<Dim> values;
   Mat<Dim> vectors;
 };
 
-/// Of a symmetric matrix; a matrix that is not finite stops the program.
+/// Eigendecomposition of a symmetric matrix. The matrix must be finite (SHELLMATCH_CHECK).
 template <int Dim>
 Eigenpairs<Dim> eigenpairs(const Mat<Dim>& a);
 
-/// The symmetric positive definite U with U U = A, without eigenvectors: L. P. Franca, 'An algorithm to compute
-/// the square root of a 3x3 positive definite matrix', Computers & Mathematics with Applications 18(5), 1989; in
-/// the plane U = (A + sqrt(det A) I)/sqrt(tr A + 2 sqrt(det A)). By the theorem of Cayley and Hamilton U is a
-/// polynomial in A whose coefficients depend on the invariants of U, and these come from the largest eigenvalue in
-/// closed form, which is taken from the deviator of A here, so that no digits are lost where eigenvalues nearly agree.
-/// Relative error: rounding over the determinant of A/(tr A/Dim). Where that is below 1e-6, A is nearly singular and
-/// the invariants are of little use: there the root comes from the eigendecomposition.
-/// A that is not positive definite stops the program.
+/// The symmetric positive definite U with U U = A, without eigenvectors: L. P. Franca, 'An algorithm to
+/// compute the square root of a 3x3 positive definite matrix', Computers & Mathematics with Applications
+/// 18(5), 1989; in the plane U = (A + sqrt(det A) I)/sqrt(tr A + 2 sqrt(det A)). By the theorem of Cayley and
+/// Hamilton, U is a polynomial in A whose coefficients depend on the invariants of U, which follow in closed
+/// form from the largest eigenvalue of A. That is computed from the deviator of A, which avoids cancellation
+/// where eigenvalues nearly agree. The relative error is the rounding unit over the determinant of A/(tr
+/// A/Dim). Where this determinant is below 1e-6, A is nearly singular and the root is computed by the
+/// eigendecomposition. A must be positive definite (SHELLMATCH_CHECK).
 template <int Dim>
 Mat<Dim> franca_root(const Mat<Dim>& a);
 

@@ -1,18 +1,18 @@
 #pragma once
 /// \file
-/// The small least squares problem behind grid/fits/local_fit.h.
+/// The least squares problem of one neighbourhood, for grid/fits/local_fit.h.
 
-#include "grid/fields/nodal.h"
+#include "grid/octree/nodal_values.h"
 
 #include <array>
 #include <cmath>
 
 namespace shellmatch {
 
-/// Normal equations of quadratics 1, x_i, x_i x_j fitted to the values of `Fields` functions at the same
-/// points. Coordinates should be of order 1. Plain aligned arrays instead of Eigen's matrices: those treat
-/// data by its address at run time, and sums would come out different in the last bit from one thread's stack
-/// to another's.
+/// Normal equations of the fit of quadratics, with basis 1, x_i, x_i x_j, to the values of `Fields` functions
+/// at the same points. Coordinates should be of order 1. Uses plain aligned arrays instead of Eigen's
+/// matrices, whose order of summation depends on the address of the data, so that rounding would differ from
+/// one thread's stack to another's.
 template <int Dim, int Fields>
 class QuadraticFit {
  public:
@@ -27,9 +27,10 @@ class QuadraticFit {
     }
   }
 
-  /// Cholesky factorisation in place; false where the points do not determine a quadratic well: where a
-  /// monomial's part that is orthogonal to those before it holds less than a 10^-4th of its square. Regular
-  /// neighbourhoods keep more than a 10^-3rd, and undetermined ones 10^-16.
+  /// Cholesky factorisation in place. Returns false where the points do not determine a quadratic well, that
+  /// is where the squared norm of a monomial's component orthogonal to the previous monomials is below 1e-4
+  /// of its squared norm. For regular neighbourhoods the ratio exceeds 1e-3; for degenerate ones it is about
+  /// 1e-16.
   bool factorise() {
     constexpr double smallest_share = 1e-4;
     for (int i = 0; i < n; ++i) {
@@ -45,7 +46,7 @@ class QuadraticFit {
     return true;
   }
 
-  /// Second derivatives of the best quadratic for a field. \pre factorise() returned true
+  /// Second derivatives of the fitted quadratic of a field. \pre factorise() returned true
   SymmetricComponents<Dim> hessian(int field) const {
     Vector c = right_sides_[field];
     for (int i = 0; i < n; ++i) {

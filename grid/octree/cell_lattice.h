@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// The 3^Dim points of a cell that has been split: its corners and the middles of its edges, its faces and of
-/// itself. They are the corners of its children. Point n has the digits of n in base 3 as its coordinates,
-/// the first axis first: 0 below, 1 in the middle, 2 above. The cell and its neighbours of the same size are
-/// numbered alike.
+/// The 3^Dim points at the corners of a cell's children: the cell's own corners, the midpoints of its edges
+/// and faces, and its centre. The coordinates of point n are the digits of n in base 3, the first axis first:
+/// 0 is the lower end, 1 the middle, 2 the upper end. A cell and its neighbours of the same size are numbered
+/// in the same way, by their offsets 0 (below), 1 (same) and 2 (above).
 
 #include "base/types.h"
 
@@ -28,8 +28,8 @@ constexpr int lattice_number(const std::array<int, Dim>& point) {
   return number;
 }
 
-/// Where child c's lower corner stands among the points; its corner d stands lattice_step[d] further on.
-/// Corner d of the whole cell: 2 lattice_step[d].
+/// lattice_step[c] is the number of the point at the lower corner of child c. Corner d of that child is point
+/// lattice_step[c] + lattice_step[d]; corner d of the whole cell is point 2 lattice_step[d].
 template <int Dim>
 inline constexpr auto lattice_step = [] {
   std::array<int, n_corners<Dim>> step{};
@@ -38,16 +38,16 @@ inline constexpr auto lattice_step = [] {
   return step;
 }();
 
-/// A point in the middle of an edge, a face or the cell: one that splitting adds.
+/// The midpoint of an edge, of a face or of the cell: a point that splitting the cell adds.
 template <int Dim>
 struct MiddlePoint {
   struct Elsewhere {
     int neighbour, point;
   };
   int point = 0;
-  int n_elsewhere = 0;  ///< other cells that have it, and as which point of theirs
+  int n_elsewhere = 0;  ///< number of neighbours that share the point; `point` is its number in each of them
   std::array<Elsewhere, n_corners<Dim> / 2 - 1> elsewhere{};
-  int n_ends = 0;  ///< corners of that edge, face or cell, ascending
+  int n_ends = 0;  ///< number of corners of that edge, face or cell; `ends` lists them, ascending
   std::array<int, n_corners<Dim>> ends{};
 };
 

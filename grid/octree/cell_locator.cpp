@@ -17,7 +17,7 @@ constexpr int largest_table_level = Dim == 2 ? 9 : 6;
 template <int Dim>
 void CellLocator<Dim>::split(std::span<const Index> leaves, int finest_level) {
   const std::size_t n_after = first_child_.size() + n_corners<Dim> * leaves.size();
-  first_child_.reserve(n_after);  // resize() alone would take room to grow
+  first_child_.reserve(n_after);  // resize() alone would allocate spare capacity
   for (const Index leaf : leaves) {
     first_child_[leaf] = n_cells();
     first_child_.resize(first_child_.size() + n_corners<Dim>, no_index);
@@ -51,7 +51,8 @@ Index CellLocator<Dim>::find(int level, const Coord& corner) const {
     for (int k = Dim - 1; k >= 0; --k)
       entry = (entry << table_level_) | static_cast<std::size_t>(corner[k] >> shift);
     c = table_[entry];
-    // A leaf above the table's level is its sibling's entry too.
+    // A leaf coarser than the table fills several entries, that of the sibling among them: then the cell is
+    // missing.
     if (shift == 0 && table_[entry ^ 1] == c) return no_index;
   }
   while (--shift >= 0) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where the cells of an octree are: all that look-ups need of it.
+/// Point location in an octree, without the nodes and levels of its cells.
 
 #include "base/types.h"
 
@@ -12,9 +12,9 @@
 
 namespace shellmatch {
 
-/// Cells are found by descending from a table of a coarse level. Takes four bytes for each cell and a
-/// megabyte, so that what is only looked up need not keep the tree: a copy lives on when the tree has gone or
-/// has been refined.
+/// Finds cells by descending from a table at a coarse level. It takes four bytes for each cell and about a
+/// megabyte for the table. A copy stays valid after the octree has been destroyed or refined, so code that
+/// only locates points need not keep the octree.
 template <int Dim>
 class CellLocator {
  public:
@@ -23,28 +23,29 @@ class CellLocator {
   template <class T>
   using Eight = std::array<T, 8>;
 
-  /// Gives these leaves children, which are numbered behind the cells that are there, leaf after leaf.
+  /// Gives each of these leaves 2^Dim children. They are numbered after the existing cells, leaf by leaf.
   void split(std::span<const Index> leaves, int finest_level);
 
   Index n_cells() const { return static_cast<Index>(first_child_.size()); }
-  /// The first of 2^Dim that stand one after the other; no_index for a leaf.
+  /// The first of the cell's 2^Dim children, which are numbered consecutively; no_index for a leaf.
   Index first_child(Index cell) const { return first_child_[cell]; }
 
-  /// The leaf that contains x; x outside the domain is projected onto it first. A point on a face shared by
-  /// leaves belongs to the upper one; not-a-number counts as 0. Constant time.
+  /// The leaf that contains x; x outside the domain is projected onto the domain first. A point on a face
+  /// shared by two leaves belongs to the upper one. NaN is treated as 0. The cost is bounded by the number of
+  /// levels.
   Index locate(const Vec<Dim>& x) const;
-  /// The same for eight points at once, coordinate by coordinate: their ways down the tree do not wait for each
-  /// other.
+  /// The same for eight points at once; x[k] holds their coordinates k. The eight descents are independent
+  /// and overlap in the processor.
   void locate(const std::array<Eight<double>, Dim>& x, Eight<Index>& leaf) const;
-  /// The cell, leaf or not, with this lower corner in units of its side, or no_index where there is none, as
-  /// outside the domain.
+  /// The cell, leaf or not, of this level with this lower corner, in units of its side; no_index where the
+  /// octree has none or the corner is outside the domain.
   Index find(int level, const Coord& corner) const;
 
   std::size_t memory_bytes() const { return (table_.capacity() + first_child_.capacity()) * sizeof(Index); }
 
  private:
-  // In units of 2^-max_level, on the domain, of a number or of a vector of them. In this order the comparisons send
-  // not-a-number to 0.
+  // Converts to units of 2^-max_level and clamps to the domain; T is a number or a vector of numbers. In this
+  // order the comparisons turn NaN into 0.
   template <class T>
   static void project(T& x) {
     constexpr double scale = static_cast<double>(1 << max_level);
@@ -54,8 +55,8 @@ class CellLocator {
   }
 
   int table_level_ = 0, finest_level_ = 0;
-  std::vector<Index> table_{0};               ///< cell at table_level_, or the leaf above it, by coordinates
-  std::vector<Index> first_child_{no_index};  ///< by cell; in the beginning there is the root
+  std::vector<Index> table_{0};               ///< cell at table_level_, or the leaf that contains it, by coordinates
+  std::vector<Index> first_child_{no_index};  ///< by cell; initially the root alone
 };
 
 template <int Dim>

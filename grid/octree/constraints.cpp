@@ -78,7 +78,7 @@ void Constraints<Dim>::condense(std::span<double> nodal, int n_components) const
   SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components,
                    "size of a nodal field");
   const auto nodes = grid_->free_nodes();
-  // Free nodes are written and hanging ones read: no two threads meet.
+  // Only free nodes are written and only hanging nodes are read, so the threads do not conflict.
   parallel_for(nodes.size(), [&](std::size_t i) {
     for (std::size_t e = first_[i]; e < first_[i + 1]; ++e)
       for (int k = 0; k < n_components; ++k)

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Which leaves meet at a node: the transpose of the table of corners, for sums of element vectors that give
-/// the same bits whatever the number of threads.
+/// The leaves at each node: the transpose of the table of corners. With it, sums of element vectors at nodes
+/// do not depend on the number of threads.
 
 #include "grid/octree/octree.h"
 
@@ -10,7 +10,7 @@
 
 namespace shellmatch {
 
-/// For every node the leaves it is a corner of, ascending. Leaves are named by their position in
+/// For every node the leaves of which it is a corner, ascending. A leaf is given by its position in
 /// grid.leaves().
 template <int Dim>
 class NodalIncidence {

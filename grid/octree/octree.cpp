@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 256;
 
-// Without the room to grow that resize() takes by itself.
+// resize() without the spare capacity that it allocates by itself.
 template <class T>
 void resize_exactly(std::vector<T>& v, std::size_t n) {
   v.reserve(n);
@@ -57,9 +57,9 @@ std::size_t Octree<Dim>::refine(const std::function<bool(Index leaf)>& mark) {
   return to_split.size();
 }
 
-// A leaf may be split once all its neighbours, across corners too, are at its level or finer. As the grid is
-// balanced before, a neighbour that is too coarse is one level up, and splitting it once suffices. The order
-// of what is found depends on the threads.
+// A leaf may be split once all its neighbours, across corners too, are at its level or finer. The grid is
+// balanced before the refinement, so a neighbour that is too coarse is one level coarser, and one split of it
+// suffices. The order of the leaves found here depends on the threads; the caller sorts them.
 template <int Dim>
 void Octree<Dim>::close_under_balance(std::vector<Index>& to_split, std::vector<char>& is_marked) const {
   for (std::size_t begin = 0; begin < to_split.size();) {
@@ -135,12 +135,12 @@ typename Octree<Dim>::Origin Octree<Dim>::origin(Index family, const Neighbours&
   return first;
 }
 
-// New nodes are numbered by their families of origin, and by their points within one.
+// New nodes are numbered by their families of origin, and within a family by their lattice points.
 template <int Dim>
 void Octree<Dim>::add_nodes(Index first_family) {
   const std::size_t n = families_.size() - static_cast<std::size_t>(first_family);
   std::vector<Index> next(n_chunks(n, chunk_size));
-  constexpr Index to_be_numbered = 0;  // a corner of the domain, in the middle of nothing
+  constexpr Index to_be_numbered = 0;  // as a mark: node 0, a corner of the domain, is never a midpoint
   parallel_chunks(n, chunk_size, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Index family = first_family + static_cast<Index>(i);
@@ -197,7 +197,7 @@ void Octree<Dim>::finish_refinement() {
   }
   free_.clear();
   free_.reserve(node_coords_.size() - n_hanging);
-  Index rank = 0;  // of a hanging node; kept below no_index until the node is put there
+  Index rank = 0;  // of a hanging node, stored as no_index - 1 - rank until hanging_ is filled
   for (Index node = 0; node < n_nodes(); ++node) {
     if (free_index_[node] == no_index) {
       free_index_[node] = no_index - 1 - rank++;
@@ -213,8 +213,8 @@ void Octree<Dim>::finish_refinement() {
       hanging_[no_index - 1 - std::exchange(free_index_[h.node], no_index)] = h;
 }
 
-// By the 2:1 balance, what hangs on a leaf is in the middle of its edges and faces, and is there because a
-// neighbour was split. Each is found once, at its origin.
+// By the 2:1 balance, a node that hangs on a leaf is the midpoint of one of its edges or faces, created by
+// the split of a neighbour. Each hanging node is found once, in its family of origin.
 template <int Dim>
 std::vector<std::vector<HangingNode<Dim>>> Octree<Dim>::find_hanging_nodes() const {
   const std::size_t n = families_.size() - 1;
@@ -247,8 +247,8 @@ bool Octree<Dim>::is_boundary_node(Index node) const {
   return std::any_of(p.begin(), p.end(), [](std::int32_t v) { return v == 0 || v == (1 << max_level); });
 }
 
-// A place that is no corner of the domain can be a node only in the middle of a cell, a face or an edge of
-// one level: of that cell, or of one of those that share them, if they were split.
+// A position that is not a corner of the domain is the centre of a cell or the midpoint of a face or edge, on
+// exactly one level. It is a node if that cell, or one of the cells that share the face or edge, was split.
 template <int Dim>
 Index Octree<Dim>::find_node(const Coord& position) const {
   int n_zeros = max_level, corner_of_domain = 0;
@@ -264,7 +264,7 @@ Index Octree<Dim>::find_node(const Coord& position) const {
     for (int k = 0; k < Dim; ++k) {
       const std::int32_t halves = position[k] >> n_zeros;
       const int below = (which >> k) & 1;
-      is_new = is_new && !(halves & below);  // in its middle: one cell along this axis
+      is_new = is_new && !(halves & below);  // the midpoint along this axis belongs to one cell only
       corner[k] = (halves >> 1) - below;
       point[k] = halves & 1 ? 1 : 2 * below;
     }
@@ -276,7 +276,7 @@ Index Octree<Dim>::find_node(const Coord& position) const {
   return no_index;
 }
 
-// The 2^Dim cells, one level up, that the cell at this place and its neighbours belong to.
+// The 2^Dim cells, one level coarser, that contain this cell and its neighbours.
 template <int Dim>
 std::array<Index, n_corners<Dim>> Octree<Dim>::find_parents(int level, const Coord& corner) const {
   std::array<Index, n_corners<Dim>> parents;

@@ -14,8 +14,8 @@
 
 namespace shellmatch {
 
-/// A node that lies on an edge or face of a coarser cell without being its corner. Its value is the mean of
-/// its `n_parents` parents, which are free nodes.
+/// A node that lies on an edge or face of a coarser cell and is not a corner of that cell. Its value is the
+/// mean of its `n_parents` parents, which are free nodes.
 template <int Dim>
 struct HangingNode {
   Index node;
@@ -23,28 +23,28 @@ struct HangingNode {
   std::array<Index, (Dim == 2 ? 2 : 4)> parents;
 };
 
-/// A grid of square or cubic cells of side 2^-level, 2:1 balanced across faces, edges and corners, so that a
-/// hanging node's parents never hang themselves. Nodes and cells are numbered linearly, and a number never
-/// changes its meaning when the grid is refined (paper, section 5). What one refinement adds is numbered
-/// along a Morton curve, so that neighbours are near each other in memory.
+/// A grid of square or cubic cells of side 2^-level, 2:1 balanced across faces, edges and corners, so that
+/// the parents of a hanging node are free nodes. Nodes and cells are numbered consecutively, and refinement
+/// keeps the numbers of existing nodes and cells (paper, section 5). New nodes and cells are numbered along a
+/// Morton curve, so that neighbours are close in memory.
 ///
-/// The children of a cell stand one after the other, and what they share is stored once: about 50 bytes for
-/// each node of an octree. There are no maps by level and coordinates: cells are found by descending from a
-/// table of a coarse level, and every node but the domain's corners in a cell of which, or of whose face or
-/// edge, it is the middle.
+/// The children of a cell are numbered consecutively, and the data that they share are stored once: about 50
+/// bytes for each node of an octree. There are no maps by level and coordinates: cells are found by
+/// descending from a table at a coarse level, and a node, unless it is a corner of the domain, in a cell that
+/// has it as its centre or as the midpoint of an edge or face.
 template <int Dim>
 class Octree {
  public:
   static constexpr int max_level = CellLocator<Dim>::max_level;
   using Coord = std::array<std::int32_t, Dim>;
 
-  /// The cell's own number and those of its neighbours of the same size; no_index where there is none.
+  /// The numbers of a cell and of its neighbours of the same size, by offset; no_index where there is none.
   using Neighbours = std::array<Index, n_lattice<Dim>>;
 
   struct Cell {
     Coord corner;  ///< lower corner, in units of the cell's side
     std::int32_t level;
-    Index first_child;                        ///< its 2^Dim children stand one after the other; none: a leaf
+    Index first_child;                        ///< of 2^Dim consecutive ones; no_index for a leaf
     std::array<Index, n_corners<Dim>> nodes;  ///< corner c: bit k is the side along axis k
     bool is_leaf() const { return first_child == no_index; }
     double side() const { return 1.0 / static_cast<double>(1 << level); }
@@ -53,8 +53,8 @@ class Octree {
   /// Uniform grid. \pre 0 <= level <= max_level
   explicit Octree(int level);
 
-  /// Splits every leaf for which mark(leaf) holds, and what balance asks for besides. Returns the number
-  /// of cells that were split. `mark` is called in parallel. A leaf of max_level must not be marked.
+  /// Splits every leaf for which mark(leaf) holds, and those that the 2:1 balance requires. Returns the
+  /// number of cells that were split. `mark` is called in parallel. \pre a leaf of max_level is not marked
   std::size_t refine(const std::function<bool(Index leaf)>& mark);
 
   Index n_nodes() const { return static_cast<Index>(node_coords_.size()); }
@@ -75,18 +75,18 @@ class Octree {
   Index free_index(Index node) const { return free_index_[node]; }
   bool is_boundary_node(Index node) const;
 
-  /// As CellLocator::locate() and find().
+  /// See CellLocator::locate() and find().
   Index locate(const Vec<Dim>& x) const { return locator_.locate(x); }
   Index find_cell(int level, const Coord& corner) const { return locator_.find(level, corner); }
-  /// What find_cell finds at this place and around it, faster. \pre the place is in the domain
+  /// find_cell() for this cell and for all its neighbours, in one descent. \pre the cell is in the domain
   Neighbours find_neighbours(int level, const Coord& corner) const;
-  /// To be copied where only look-ups are wanted.
+  /// For copies that locate points without the octree.
   const CellLocator<Dim>& locator() const { return locator_; }
-  /// The node at this place, or no_index. \pre 0 <= coordinates <= 2^max_level
+  /// The node at this position, or no_index. \pre 0 <= coordinates <= 2^max_level
   Index find_node(const Coord& position_at_max_level) const;
 
   std::size_t memory_bytes() const;
-  /// What is stored of a cell: what reading it costs at least.
+  /// Memory of one cell in bytes, its share of its family included.
   static constexpr double bytes_per_cell();
 
  private:
@@ -94,13 +94,13 @@ class Octree {
   struct Family {
     Coord corner;  ///< of the first child, in units of its side
     std::int32_t level;
-    std::array<Index, n_lattice<Dim>> nodes;  ///< at the points of their parent
+    std::array<Index, n_lattice<Dim>> nodes;  ///< at the lattice points of the parent
   };
-  // Family 0 has one member, the root, as if it were the last child of a cell.
+  // Family 0 has one member, the root, which is stored as if it were the last child of a cell.
   static constexpr int last_child = n_corners<Dim> - 1;
   static Index family_of(Index cell) { return (cell + last_child) >> Dim; }
-  /// Of the cells that share a point, the children of the one that was split first: there the point got its
-  /// node, as this of their parent's points.
+  /// The family that created the node at a point: of the cells that share the point, the children of the one
+  /// that was split first. `point` is the point's number in their parent.
   struct Origin {
     Index family;
     int point;

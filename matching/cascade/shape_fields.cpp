@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "grid/octree/constraints.h"
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 
 #include <algorithm>
 #include <functional>

@@ -2,7 +2,7 @@
 /// \file
 /// Built-in shapes by name, wherever a file may stand.
 
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 #include "geometry/surface/surface.h"
 
 #include <optional>

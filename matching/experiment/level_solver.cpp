@@ -5,9 +5,8 @@
 
 namespace shellmatch {
 
-SolverOptions solver_at_level(const SolverOptions& options, int level) {
+SolverOptions solver_at_level(const LevelwiseSolverOptions& options, int level) {
   SolverOptions result = options;
-  result.levels = {};
   const OptionNode tree = option_tree(result);
   for (const LevelOverrides::Entry& e : options.levels.entries) {
     if (level < e.first || level > e.last) continue;

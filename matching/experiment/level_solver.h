@@ -2,11 +2,22 @@
 /// \file
 /// The solver of one level: solver.levels laid over the rest of the section.
 
+#include "matching/experiment/level_overrides.h"
 #include "solvers/options.h"
 
 namespace shellmatch {
 
-/// The options with what `levels` says of this level set, and without `levels`.
-SolverOptions solver_at_level(const SolverOptions& options, int level);
+/// Options of the solver for all levels of the cascade.
+struct LevelwiseSolverOptions : SolverOptions {
+  LevelOverrides levels;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    SolverOptions::describe(self, visit);
+    visit("levels", self.levels, {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
+  }
+};
+
+/// The options of this level: those for all levels, changed by the entries of `levels` that contain it.
+SolverOptions solver_at_level(const LevelwiseSolverOptions& options, int level);
 
 }  // namespace shellmatch

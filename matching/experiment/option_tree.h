@@ -3,7 +3,7 @@
 /// A described option struct (base/options.h) as a tree of named values without types, so that reading,
 /// writing, documenting and overriding are ordinary functions, compiled once.
 
-#include "base/level_overrides.h"
+#include "matching/experiment/level_overrides.h"
 #include "base/options.h"
 
 #include <functional>

@@ -6,7 +6,7 @@
 #include "energies/options.h"
 #include "grid/options.h"
 #include "matching/experiment/check_options.h"
-#include "solvers/options.h"
+#include "matching/experiment/level_solver.h"
 
 #include <string>
 
@@ -101,7 +101,7 @@ struct ExperimentOptions {
   CascadeOptions cascade;
   EnergyOptions energy;
   CoefficientOptions coefficients;
-  SolverOptions solver;
+  LevelwiseSolverOptions solver;
   CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::all;
   ResumeOptions resume;

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/surface/distortion.h"
+#include "geometry/distance/distortion.h"
 #include "geometry/distance/surface_distance.h"
 #include "grid/fields/interpolation.h"
 

@@ -6,7 +6,7 @@
 #include "geometry/surface/placement.h"
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/curvature.h"
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 #include "grid/fields/fast_marching.h"
 #include "grid/fields/interpolation.h"
 #include "grid/fields/sample.h"

@@ -3,7 +3,7 @@
 /// How well a grid sees the curvatures of a surface: the shape operator that the energies use, read at the surface's
 /// vertices, against fits to the mesh itself and, where there are any, formulas.
 
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 #include "geometry/surface/surface.h"
 #include "matching/experiment/options.h"
 

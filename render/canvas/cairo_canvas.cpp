@@ -71,7 +71,7 @@ cairo_surface_t* surface_of(const Image& picture) {
   return surface;
 }
 
-// Pre-multiplied alpha over white; formats without alpha have none to add.
+// Composites pre-multiplied alpha over white; formats without alpha are copied.
 Image image_of(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   Image picture(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface));
@@ -225,7 +225,7 @@ Image read_png(const std::string& path) {
     cairo_surface_destroy(surface);
     throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
   }
-  // Other pixel formats than these two come from pictures of 16 bits a channel only.
+  // Cairo uses other pixel formats only for pictures with 16 bits per channel.
   const cairo_format_t format = cairo_image_surface_get_format(surface);
   if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24) {
     cairo_surface_destroy(surface);

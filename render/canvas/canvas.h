@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A sheet to draw on: lines, areas, text and images. Raster or SVG; no third-party type shows.
+/// A canvas for lines, areas, text and images, raster or SVG. The adapter of Cairo is its implementation.
 
 #include "render/canvas/image.h"
 
@@ -11,7 +11,7 @@
 
 namespace shellmatch {
 
-/// Lengths in pixels; `dashes` holds alternating lengths of dash and gap, empty for a solid line.
+/// Lengths in pixels. `dashes` holds alternating lengths of dashes and gaps; empty for a solid line.
 struct LineStyle {
   Color color = black;
   double width = 1;
@@ -19,8 +19,8 @@ struct LineStyle {
   std::vector<double> dashes;
 };
 
-/// `anchor_x`: 0 puts the left end of the text at the position, 1/2 its middle, 1 its right end;
-/// `anchor_y`: 0 the base line, 1/2 the middle of a capital, 1 its top.
+/// `anchor_x`: 0 places the left end of the text at the position, 1/2 its middle, 1 its right end.
+/// `anchor_y`: 0 places the base line there, 1/2 the middle of a capital letter, 1 its top.
 struct TextStyle {
   double size = 14;  ///< of the font, pixels
   bool bold = false;
@@ -44,20 +44,21 @@ class Canvas {
   int height() const;
 
   void polyline(std::span<const Vec<2>> points, bool closed, const LineStyle& style);
-  /// The area of all rings together by the even-odd rule, so that inner rings are holes.
+  /// Fills the area of all rings together by the even-odd rule, so that inner rings are holes.
   void fill(std::span<const std::vector<Vec<2>>> rings, const Color& color, double alpha = 1);
   void rectangle(const Vec<2>& upper_left, const Vec<2>& size, const Color& color, double alpha = 1);
   void disc(const Vec<2>& centre, double radius, const Color& color, double alpha = 1);
   void text(const std::string& words, const Vec<2>& position, const TextStyle& style);
   double text_width(const std::string& words, const TextStyle& style);
   void image(const Image& picture, int x, int y);
-  /// Until unclip() nothing is drawn outside of the rectangle. Does not nest.
+  /// Restricts drawing to the rectangle until unclip() is called. Must not be nested.
   void clip(const Vec<2>& upper_left, const Vec<2>& size);
   void unclip();
 
-  /// What has been drawn. \pre raster
+  /// The picture. \pre the canvas is a raster
   Image to_image() const;
-  /// PNG or SVG, as the canvas is. \throws EnvironmentError if the file cannot be written.
+  /// Writes PNG or SVG, depending on the kind of the canvas. \throws EnvironmentError if the file cannot be
+  /// written.
   void write(const std::string& path);
 
  private:

@@ -40,7 +40,7 @@ bool exists(const Vec<3>& rgb) { return rgb.minCoeff() >= -1e-9 && rgb.maxCoeff(
 
 using Table = std::array<Color, 257>;
 
-// Walks along a curve in Oklab and sets the entries of the table at equal distances along it.
+// Samples a curve in Oklab at points of equal distance along it.
 template <class Curve>
 Table equal_steps(const Curve& curve) {
   constexpr int n_fine = 4096;
@@ -103,7 +103,7 @@ Color map_color(ColorMap map, double t) {
 }
 
 Color series_color(int i) {
-  // Hues far apart from neighbour to neighbour; lightness varies too, for those who do not see all hues.
+  // Consecutive hues are far apart; the lightness varies as well, for colour-blind readers.
   static constexpr double hue[] = {255, 35, 150, 325, 85, 200, 0, 290};
   static constexpr double lightness[] = {0.52, 0.66, 0.58, 0.60, 0.74, 0.70, 0.48, 0.42};
   const int k = ((i % 8) + 8) % 8;

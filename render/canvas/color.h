@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// Colours and colour maps, all made by formula in the Oklab space (B. Ottosson, 'A perceptual color space
-/// for image processing', 2020), where equal distances look equally different.
+/// Colours and colour maps, defined by formulas in the Oklab space (B. Ottosson, 'A perceptual color space
+/// for image processing', 2020), in which equal distances are perceived as equal differences.
 
 #include "base/types.h"
 
 namespace shellmatch {
 
-/// An sRGB colour; components in [0, 1] as they are stored in a picture (gamma encoded).
+/// An sRGB colour. Components are in [0, 1] and gamma encoded, as stored in a picture.
 struct Color {
   double r = 0, g = 0, b = 0;
 };
@@ -15,30 +15,31 @@ struct Color {
 inline constexpr Color white{1, 1, 1};
 inline constexpr Color black{0, 0, 0};
 
-/// Linear light of an encoded component, and back. Both map [0, 1] to itself.
+/// Conversion of an encoded component to linear light, and back. Both map [0, 1] to itself.
 double linear_from_srgb(double c);
 double srgb_from_linear(double c);
 
 /// Oklab coordinates (L, a, b); L in [0, 1].
 Vec<3> oklab_from_color(const Color& color);
 
-/// The colour of Oklab coordinates; chroma is lowered where the colour does not exist in sRGB.
+/// The colour with these Oklab coordinates. The chroma is reduced where the colour is outside the gamut of
+/// sRGB.
 Color color_from_oklab(const Vec<3>& lab);
 
 /// The same from lightness, chroma and hue in degrees.
 Color color_from_oklch(double lightness, double chroma, double hue);
 
-/// sequential: from dark violet over teal to light yellow, lightness rising, for quantities >= 0.
+/// sequential: from dark violet through teal to light yellow with increasing lightness, for quantities >= 0.
 /// diverging: blue, near white, red, for quantities with a neutral middle at t = 1/2.
 enum class ColorMap { sequential, diverging };
 
-/// Colour of t, clamped to [0, 1]; NaN is grey. Steps of equal length in t look equally large.
+/// Colour of t, clamped to [0, 1]; NaN is grey. Perceptually uniform in t.
 Color map_color(ColorMap map, double t);
 
-/// Colour i of a set that is told apart well in line plots; repeats after 8.
+/// Colour i of a set of 8 distinguishable colours for line plots; repeats after 8.
 Color series_color(int i);
 
-/// A soft colour that tells where a point lies; p in [-1, 1]^3, values outside are clamped.
+/// A colour of low chroma that encodes a position p in [-1, 1]^3; values outside are clamped.
 Color position_color(const Vec<3>& p);
 
 /// a (1 - t) + b t in linear light.

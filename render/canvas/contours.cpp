@@ -11,7 +11,7 @@ namespace shellmatch {
 
 namespace {
 
-// From the plane to pixels: one scale for both axes.
+// Map from the plane to pixels, with the same scale along both axes.
 struct PixelMap {
   double scale;
   Vec<2> centre, middle;
@@ -88,7 +88,7 @@ std::vector<Color> position_colors(const std::vector<Vec<2>>& points, const Box<
   const Vec<2> centre = 0.5 * (box.min + box.max);
   std::vector<Color> colors;
   colors.reserve(points.size());
-  // By direction as seen from the middle: a wheel of hues, far apart on opposite sides.
+  // The hue is the direction from the middle, so opposite sides have opposite hues.
   for (const Vec<2>& p : points) {
     const Vec<2> d = p - centre;
     colors.push_back(color_from_oklch(0.66, 0.15, std::atan2(d.y(), d.x()) * 180 / std::numbers::pi));

@@ -11,7 +11,7 @@
 
 namespace shellmatch {
 
-/// The part of the plane that a picture shows, whole and undistorted, in its middle.
+/// The part of the plane that a picture shows: entire, undistorted and centred.
 struct Frame {
   Vec<2> min = Vec<2>::Zero(), max = Vec<2>::Ones();
 };
@@ -20,7 +20,7 @@ struct Frame {
 /// \pre at least one vertex
 Frame fit_frame(std::span<const Surface<2>* const> contours, double margin = 0.06);
 
-/// A closed curve and how it looks. Holds no copy: `contour` must outlive the call.
+/// A closed curve and its style. Keeps a pointer: `contour` must outlive the call.
 struct RenderContour {
   const Surface<2>* contour = nullptr;
   Color fill{0.86, 0.88, 0.92};
@@ -30,25 +30,25 @@ struct RenderContour {
   double line_alpha = 1;
   double point_radius = 0;  ///< pixels; 0 draws no vertices
   std::vector<Color> vertex_colors =
-      {};  ///< one per vertex or empty; colours line and points in place of `line`
+      {};  ///< one per vertex, or empty; replaces `line` for line and points
 };
 
-/// Thin straight lines under the contours: the cells of a grid, deformed or not.
+/// Thin straight lines drawn under the contours, such as the cells of a grid.
 struct RenderLines {
   std::vector<std::array<Vec<2>, 2>> segments;
   Color color{0.80, 0.82, 0.85};
   double width = 0.7;  ///< pixels
 };
 
-/// The curves' closed rings, each vertex once. Open ends are joined.
+/// The closed rings of the curve, each vertex once. Open ends are joined.
 std::vector<std::vector<Vec<2>>> rings_of(const Surface<2>& contour);
 
-/// Lines first, then areas, then curves and points, in the order given. y runs upwards.
+/// Draws lines first, then areas, then curves and points, each in the order given. The y axis points upwards.
 Image render_contours(std::span<const RenderContour> contours, const Frame& frame, int width, int height,
                       std::span<const RenderLines> lines = {});
 
-/// A smooth closed cycle of soft colours by position along with `position_color`: what is near keeps a
-/// similar colour. `box` is the box the colours span.
+/// Colours by position in the plane, the counterpart of position_color(): nearby points have similar colours.
+/// `box` is the box that the range of colours spans.
 std::vector<Color> position_colors(const std::vector<Vec<2>>& points, const Box<2>& box);
 
 }  // namespace shellmatch

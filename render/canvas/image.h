@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A picture in memory, and PNG.
+/// A raster image, and its input and output as PNG.
 
 #include "render/canvas/color.h"
 
@@ -10,7 +10,7 @@
 
 namespace shellmatch {
 
-/// Rows from top to bottom, three bytes (sRGB red, green, blue) for each pixel.
+/// Pixels by rows from top to bottom, three bytes each (sRGB red, green, blue).
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
@@ -30,7 +30,7 @@ struct Image {
 /// \throws EnvironmentError if the file cannot be written.
 void write_png(const Image& image, const std::string& path);
 
-/// Transparent parts are laid on white. \throws InputError if the file is no readable PNG.
+/// Transparent parts are composited over white. \throws InputError if the file is not a readable PNG.
 Image read_png(const std::string& path);
 
 }  // namespace shellmatch

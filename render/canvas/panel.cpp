@@ -13,7 +13,7 @@ namespace {
 constexpr int gap = 12, title_height = 44, caption_height = 34, bar_height = 58;
 const Color grey{0.35, 0.37, 0.40};
 
-// `left`, `top`: of the space of width `width` and height bar_height that the bar may use.
+// The bar uses the rectangle at (left, top) of width `width` and height bar_height.
 void draw_bar(const ColorBar& bar, double left, double top, double width, Canvas& canvas) {
   const double length = 0.72 * width, x0 = left + 0.5 * (width - length), thickness = 11;
   const int n_steps = static_cast<int>(length);

@@ -10,11 +10,11 @@
 
 namespace shellmatch {
 
-/// Explains the colours of a scalar.
+/// Legend of the colours of a scalar.
 struct ColorBar {
   ColorMap map = ColorMap::sequential;
   double min = 0, max = 1;
-  std::string label;  ///< what is shown, with its unit
+  std::string label;  ///< the quantity and its unit
 };
 
 struct Panel {
@@ -23,8 +23,8 @@ struct Panel {
   std::optional<ColorBar> bar;  ///< below the caption
 };
 
-/// The panels in rows of `columns` (0: all in one row), a title above where it is not empty.
-/// \pre at least one panel; panels of one size look best.
+/// Arranges the panels in rows of `columns` (0: all in one row), with a title above unless it is empty.
+/// \pre at least one panel. The panels should have the same size.
 Image compose_panels(std::span<const Panel> panels, const std::string& title = "", int columns = 0);
 
 }  // namespace shellmatch

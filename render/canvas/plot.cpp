@@ -15,7 +15,7 @@ namespace {
 constexpr double font = 13;
 const Color grey{0.35, 0.37, 0.40}, light_grey{0.88, 0.89, 0.91}, faint{0.94, 0.945, 0.95};
 
-// One axis: from values to pixels.
+// Map of one axis from values to pixels.
 struct Axis {
   bool log = false;
   double min = std::numeric_limits<double>::infinity(), max = -min;
@@ -27,7 +27,7 @@ struct Axis {
     max = std::max(max, v);
   }
   double unit(double v) const { return log ? std::log10(v) : v; }
-  // An axis of no extent is widened; others get a little air.
+  // Widens an axis without extent, and adds a margin to others.
   void finish(double air) {
     if (log) {
       const double extent = std::max(std::log10(max / min), 0.05);
@@ -47,7 +47,7 @@ struct Axis {
   }
 };
 
-// Of the pattern of a series' line.
+// The dash pattern of a series.
 std::vector<double> dashes_of(const Series& s) {
   static const std::vector<double> patterns[] = {{}, {7, 4}, {2, 3}, {9, 3, 2, 3}, {14, 5}, {5, 3, 1, 3, 1, 3}};
   return patterns[s.dashes == 0 && s.dashed ? 1 : std::clamp(s.dashes, 0, 5)];
@@ -79,7 +79,7 @@ void draw_series(const Series& s, const Color& color, const Axis& x, const Axis&
   flush();
 }
 
-// To the right of the plot, so that it never covers a line.
+// Draws the legend to the right of the plot, where it covers no line.
 void draw_legend(const Plot& plot, double left, double top, Canvas& canvas) {
   double y = top + 10;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {

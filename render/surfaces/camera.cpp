@@ -13,8 +13,8 @@ namespace shellmatch {
 
 namespace {
 
-// Axes of a camera that looks from azimuth and elevation (degrees). Azimuth 0 is the front: the direction of
-// +z, or of -y where `up` is +z, made orthogonal to `up`.
+// Axes of a camera at this azimuth and elevation (degrees). Azimuth 0 is the front: the direction +z, or -y
+// if `up` is +z, orthogonalised against `up`.
 Camera looking_from(double azimuth, double elevation, const Vec<3>& up_axis) {
   const double a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
   const Vec<3> up = up_axis.normalized();
@@ -27,7 +27,7 @@ Camera looking_from(double azimuth, double elevation, const Vec<3>& up_axis) {
   return camera;
 }
 
-// Area that the facets cover when projected along the view, each side counted: large where much is seen.
+// Sum of the projected areas of all facets along the viewing direction: a measure of how much is visible.
 double projected_area(std::span<const Surface<3>* const> surfaces, const Vec<3>& direction) {
   double area = 0;
   for (const Surface<3>* s : surfaces)
@@ -48,7 +48,7 @@ Camera choose_view(std::span<const Surface<3>* const> surfaces, const ViewOption
   for (const double e : elevations)
     for (const double a : azimuths) {
       const Camera camera = looking_from(a, e, options.up);
-      // People expect the front and a low eye: another view has to show clearly more.
+      // Prefers views from the front and from a low elevation unless another one shows clearly more.
       const double habit = (std::abs(a) > 45 ? 0.85 : 1.0) * (e > 30 ? 0.7 : 1.0) * (a < 0 ? 0.97 : 1.0);
       const double score = habit * projected_area(surfaces, camera.backward);
       if (score > best_score) {
@@ -81,7 +81,7 @@ Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, co
   const double free = 1 - 2 * options.margin;
   const double slope = std::tan(0.5 * options.field_of_view * std::numbers::pi / 180);
 
-  // Centring moves the eye, which changes what perspective makes of the border: a few rounds settle it.
+  // Centring moves the eye and so changes the perspective: a fixed-point iteration.
   for (int round = 0; round < 8; ++round) {
     Box<2> seen;
     double reach = 0, nearest = 0;

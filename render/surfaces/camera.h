@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// From where surfaces are looked at.
+/// Cameras and rays.
 
 #include "geometry/surface/surface.h"
 
@@ -14,7 +14,7 @@ struct Camera {
   Vec<3> target = Vec<3>::Zero();
   Vec<3> right = Vec<3>::UnitX(), up = Vec<3>::UnitY(), backward = Vec<3>::UnitZ();
   double half_height = 1;  ///< half of the picture's height, measured in the plane through the target
-  double distance = 0;     ///< from the target to the eye; 0 means infinitely far away: parallel projection
+  double distance = 0;     ///< from the target to the eye; 0 is infinite: parallel projection
 };
 
 /// A ray x = origin + t direction, |direction| = 1.
@@ -22,20 +22,21 @@ struct Ray {
   Vec<3> origin, direction;
 };
 
-/// The ray through a place of the picture: y in [-1, 1] upwards, x in the same unit to the right.
-/// Where the projection is parallel the ray starts `clearance` in front of the target's plane.
+/// The ray through a point of the picture: y in [-1, 1] upwards, x to the right in the same unit. In parallel
+/// projection the ray starts at the distance `clearance` in front of the plane through the target.
 Ray camera_ray(const Camera& camera, double x, double y, double clearance);
 
 struct ViewOptions {
   std::optional<double> azimuth = {};  ///< degrees around the up axis from +z towards +x; chosen if not given
   std::optional<double> elevation = {};  ///< degrees above the horizon; chosen if not given
   Vec<3> up = Vec<3>::UnitY();
-  double field_of_view = 18;  ///< degrees of the picture's height; 0 means parallel projection
+  double field_of_view = 18;  ///< vertical angle in degrees; 0 means parallel projection
   double margin = 0.05;       ///< free border, as a share of the picture
 };
 
-/// A camera that sees all surfaces whole: with one camera for all panels they can be compared. The view is
-/// three-quarter from the front; among a few such views the one that shows most of the surfaces is taken.
+/// A camera that shows all surfaces entirely, so that panels with this camera are comparable. Unless the
+/// options set azimuth and elevation, it is the one of several three-quarter views from the front that shows
+/// most of the surfaces.
 /// \pre at least one vertex; aspect = width/height > 0.
 Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect,
                   const ViewOptions& options = {});

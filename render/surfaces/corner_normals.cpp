@@ -11,7 +11,7 @@ namespace shellmatch {
 
 namespace {
 
-// Twice the area long.
+// Normals whose length is twice the area of the facet.
 std::vector<Vec<3>> facet_normals(const Surface<3>& surface) {
   std::vector<Vec<3>> normals(surface.facets.size());
   parallel_for(normals.size(), [&](std::size_t f) {
@@ -28,13 +28,13 @@ std::vector<Vec<3>> vertex_normals(const Surface<3>& surface) {
   std::vector<Vec<3>> normals(surface.vertices.size(), Vec<3>::Zero());
   for (std::size_t f = 0; f < facet.size(); ++f)
     for (const Index v : surface.facets[f]) normals[v] += facet[f];
-  for (Vec<3>& n : normals) n.normalize();  // leaves zero as it is
+  for (Vec<3>& n : normals) n.normalize();  // keeps zero vectors
   return normals;
 }
 
 std::vector<std::array<Vec<3>, 3>> corner_normals(const Surface<3>& surface, double crease_angle) {
   const std::vector<Vec<3>> facet = facet_normals(surface);
-  // Facets around vertex v: around[first[v]] to around[first[v + 1] - 1].
+  // The facets at vertex v are around[first[v]] to around[first[v + 1] - 1].
   std::vector<std::size_t> first(surface.vertices.size() + 1, 0);
   for (const auto& corners : surface.facets)
     for (const Index v : corners) ++first[v + 1];

@@ -9,12 +9,13 @@
 
 namespace shellmatch {
 
-/// Unit normals at the three corners of every facet: means over those facets at the vertex whose normals
-/// enclose at most `crease_angle` degrees with the facet's own, weighted by area, so that round parts are
-/// smooth and edges stay sharp. 0 gives facet normals. Facets without area get zero normals.
+/// Unit normals at the three corners of every facet: area-weighted means over the facets at the vertex whose
+/// normals form an angle of at most `crease_angle` degrees with that of the facet. Round parts are then
+/// shaded smoothly and edges stay sharp. An angle of 0 yields facet normals. Facets without area have zero
+/// normals.
 std::vector<std::array<Vec<3>, 3>> corner_normals(const Surface<3>& surface, double crease_angle);
 
-/// Unit normals at the vertices, weighted by area; zero where there is none.
+/// Area-weighted unit normals at the vertices; zero where undefined.
 std::vector<Vec<3>> vertex_normals(const Surface<3>& surface);
 
 }  // namespace shellmatch

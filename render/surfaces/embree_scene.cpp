@@ -11,7 +11,7 @@ namespace shellmatch {
 struct RayScene::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  // Embree computes in single precision: the scene is moved into [-1, 1]^3 first.
+  // Embree computes in single precision, so the scene is first mapped to [-1, 1]^3.
   Vec<3> centre = Vec<3>::Zero();
   double scale = 1;
 

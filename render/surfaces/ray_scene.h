@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which facet does a ray meet first? The only questions that pictures ask of the ray caster.
+/// Ray casting against triangle surfaces: first hit and visibility.
 
 #include "render/surfaces/camera.h"
 
@@ -10,7 +10,8 @@
 
 namespace shellmatch {
 
-/// Where a ray meets a surface. The point is (1 - u - v) a + u b + v c with a, b, c the facet's vertices.
+/// Intersection of a ray with a facet. The point is (1 - u - v) a + u b + v c with the facet's vertices a, b,
+/// c.
 struct RayHit {
   int surface;  ///< position among the scene's surfaces
   Index facet;
@@ -18,18 +19,18 @@ struct RayHit {
   double distance;  ///< along the ray
 };
 
-/// Triangle surfaces prepared for ray casting. Immutable; questions may be asked in parallel, and the answers
-/// do not depend on the number of threads.
+/// Triangle surfaces in a ray casting structure. Immutable and safe for parallel use; results do not depend
+/// on the number of threads.
 class RayScene {
  public:
-  /// Keeps no reference to the surfaces. May hold no triangle at all.
+  /// Copies the surfaces. There may be no triangles.
   explicit RayScene(std::span<const Surface<3>* const> surfaces);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
   std::optional<RayHit> first_hit(const Ray& ray) const;
-  /// Is anything met between `near` and `far` along the ray?
+  /// True if the ray meets a facet at a distance between `near` and `far`.
   bool is_blocked(const Ray& ray, double near, double far) const;
 
  private:

@@ -16,7 +16,7 @@ namespace shellmatch {
 
 namespace {
 
-// A power function for every ray took a fifth of a picture's time: colours are made beforehand.
+// Size of the table of colours. Computing them for every ray took a fifth of the time of a picture.
 constexpr int n_shades = 4096;
 
 // x^40, a narrow highlight.
@@ -25,8 +25,8 @@ double highlight(double x) {
   return x16 * x16 * x8;
 }
 
-// Directions spread evenly over the sphere along a golden spiral. The same for every vertex, so that the
-// shade varies smoothly from vertex to vertex.
+// Nearly uniform directions on the sphere, along a golden spiral. They are the same for every vertex, so that
+// the shade varies smoothly.
 std::vector<Vec<3>> sphere_directions(int n) {
   std::vector<Vec<3>> directions(n);
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -130,7 +130,7 @@ Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
       const Vec<3> base = interpolate(palette_, corners, u, v);
       if (look_.paint == Paint::position) return base;
       const Vec<3> origin = interpolate(look_.origins, corners, u, v) - origin_centre_;
-      // Turned by an odd angle, so that the board's planes do not coincide with flat sides of a shape.
+      // The checkerboard is rotated so that its planes do not coincide with flat sides of a shape.
       static const Mat<3> turn =
           Eigen::AngleAxisd(0.41, Vec<3>(0.3, 0.8, 0.52).normalized()).toRotationMatrix();
       const Vec<3> cell = checker_scale_ * (turn * origin);
@@ -144,13 +144,13 @@ Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
 
 Vec<3> PaintedSurface::light(const Camera& camera, const Ray& ray, Index facet, double u, double v) const {
   const Vec<3> world = normal(ray, facet, u, v);
-  // Lights stand still in the camera's frame.
+  // Lights are fixed in the frame of the camera.
   const Vec<3> n(world.dot(camera.right), world.dot(camera.up), world.dot(camera.backward));
   static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(),
                       fill = Vec<3>(0.85, -0.05, 0.55).normalized();
   const double open = openness_.empty() ? 1 : interpolate(openness_, look_.surface->facets[facet], u, v);
   const double sky = 0.30 + 0.12 * n.y();
-  // A hollow gets less of the wide lights, too; the key light is narrow.
+  // Occlusion attenuates the wide lights fully and the narrow key light in part.
   const double diffuse = open * sky + (0.4 + 0.6 * open) * 0.62 * std::max(0.0, n.dot(key)) +
                          open * 0.16 * std::max(0.0, n.dot(fill));
   static const Vec<3> half = (key + Vec<3>::UnitZ()).normalized();

@@ -1,28 +1,30 @@
 #pragma once
 /// \file
-/// Colour and light at a point of a surface.
+/// Shading of a point of a surface.
 
-#include "render/surfaces/surfaces.h"
+#include "render/surfaces/camera.h"
+#include "render/surfaces/render_surface.h"
 
 #include <array>
+#include <vector>
 
 namespace shellmatch {
 
 class RayScene;
 
-/// A surface with all that shading needs.
+/// A surface with the data for its shading.
 class PaintedSurface {
  public:
   explicit PaintedSurface(const RenderSurface& surface);
 
-  /// Share of the sky that each vertex sees among the opaque surfaces in `scene`; `reach` is how far
-  /// something may be to darken. Smoothed once over the facets.
+  /// Computes ambient occlusion: the share of the sky that is visible from each vertex among the opaque
+  /// surfaces in `scene`, of which those within the distance `reach` count. Smoothed once over the facets.
   void compute_openness(const RayScene& scene, double reach);
 
-  /// Linear light that the point of barycentric coordinates (u, v) sends to the eye.
+  /// Linear light from the point with barycentric coordinates (u, v) of the facet towards the eye.
   Vec<3> light(const Camera& camera, const Ray& ray, Index facet, double u, double v) const;
 
-  /// How much of what lies behind is hidden; more at the rim of a transparent surface, like glass.
+  /// Opacity at this point. For transparent surfaces it increases towards the silhouette, as for glass.
   double opacity(const Ray& ray, Index facet, double u, double v) const;
 
  private:
@@ -33,9 +35,9 @@ class PaintedSurface {
   std::vector<std::array<Vec<3>, 3>> normals_;
   std::vector<float> openness_;
   std::vector<Vec<3>>
-      palette_;  ///< linear light: by scalar in equal steps, by vertex where position paints, or one
+      palette_;  ///< linear light: by scalar in equal steps, by vertex for position and checker, or one
   Vec<3> origin_centre_ = Vec<3>::Zero();
-  double origin_scale_ = 1;  ///< makes the box's longest half side 1
+  double origin_scale_ = 1;  ///< scales the longest half side of the box to 1
   double checker_scale_ = 1;
 };
 

@@ -13,13 +13,13 @@ namespace shellmatch {
 
 namespace {
 
-// Transparent surfaces have a scene each, so that only the part of it next to the eye is met.
+// A transparent surface. Each has its own scene, so that only its front layer is hit.
 struct Layer {
   std::size_t surface;
   RayScene scene;
 };
 
-/// Difference of linear light between neighbouring pixels that the eye takes for an edge.
+/// Difference of linear light between neighbouring pixels above which they are supersampled.
 constexpr double visible_step = 0.02;
 
 struct Sample {
@@ -80,7 +80,7 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
     return light;
   };
 
-  double clearance = 0;  // parallel rays start in front of everything
+  double clearance = 0;  // parallel rays start in front of all surfaces
   for (const RenderSurface& s : surfaces)
     for (const Vec<3>& v : s.surface->vertices)
       clearance = std::max(clearance, (v - camera.target).dot(camera.backward));
@@ -106,7 +106,7 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
       },
       4);
 
-  // Where a pixel is like all its neighbours one ray shows what is there; only edges need many.
+  // One ray suffices for a pixel that resembles all its neighbours; pixels at edges are supersampled.
   const auto is_plain = [&](int column, int row) {
     const Vec<3>& here = centre(column, row);
     for (int r = std::max(0, row - 1); r <= std::min(height - 1, row + 1); ++r)
@@ -125,7 +125,7 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
             light.setZero();
             for (int j = 0; j < options.samples; ++j)
               for (int i = 0; i < options.samples; ++i)
-                // Each row of samples is shifted a little: edges that are nearly upright get more shades.
+                // Each row of samples is shifted: nearly vertical edges get more shades.
                 light += light_at(column + (i + (j + 0.5) / n_samples) / n_samples,
                                   row + (j + (i + 0.5) / n_samples) / n_samples);
             light /= n_samples * n_samples;

@@ -41,7 +41,7 @@ class AcceptedStep final : public ceres::IterationCallback {
   LibraryRun& run_;
 };
 
-// Ceres reports every restart on the error stream through glog; what matters is in the summary.
+// Silences glog, by which Ceres reports every restart on the error stream; the summary has what matters.
 class QuietGlog {
  public:
   QuietGlog() : before_(FLAGS_minloglevel) { FLAGS_minloglevel = google::GLOG_FATAL; }
@@ -112,7 +112,7 @@ ceres::GradientProblemSolver::Options library_options(CeresMethod method, const 
   return to;
 }
 
-// Ceres' messages run over several lines.
+// Ceres' messages have several lines.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -146,7 +146,7 @@ MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<doub
   const ceres::GradientProblem problem(new CeresFunction(run, n));
   ceres::GradientProblemSolver::Summary report;
   std::vector<double> solution = x;
-  // What the objective throws is held back by `run`: what arrives here is Ceres' own.
+  // `run` stores exceptions of the objective; those caught here are Ceres' own.
   try {
     ceres::Solve(library, problem, solution.data(), &report);
   } catch (const std::exception& error) {

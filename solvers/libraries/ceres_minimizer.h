@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Ceres' GradientProblemSolver behind our interface.
+/// Adapter of Ceres' GradientProblemSolver.
 
-#include "solvers/libraries/library_options.h"
+#include "solvers/library_options.h"
 #include "solvers/minimizer.h"
 
 namespace shellmatch {
@@ -17,15 +17,15 @@ struct EnumNames<CeresMethod> {
       {CeresMethod::lbfgs, "ceres_lbfgs"}};
 };
 
-/// A line search method of Ceres. Ceres' own tolerances are switched off and its logging silenced; an
-/// iteration is one of Ceres'. Where Ceres gives up, StopReason::library and its message say so, and the best
-/// point that was evaluated is kept. Exceptions of the objective and of the callback pass through.
+/// A line search method of Ceres. Ceres' own tolerances and its logging are disabled; iterations are those of
+/// Ceres. If Ceres fails, the summary has StopReason::library and Ceres' message, and the best point
+/// evaluated is returned. Exceptions of the objective and of the callback are passed to the caller.
 ///
-/// Ceres never tries a step longer than its direction, so steepest descent and conjugate gradients creep on
-/// functions whose second derivatives are much smaller than 1 in the chosen metric.
+/// Ceres never tries a step longer than its search direction, so steepest descent and conjugate gradients
+/// converge slowly where the second derivatives are much smaller than 1 in the chosen metric.
 class CeresMinimizer final : public Minimizer {
  public:
-  /// \throws InputError where Ceres finds that the options do not go together; the message is Ceres'.
+  /// \throws InputError with Ceres' message where Ceres finds the options inconsistent.
   CeresMinimizer(CeresMethod method, const CeresOptions& options = {});
   std::string name() const override { return std::string(enum_name(method_)); }
 

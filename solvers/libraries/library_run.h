@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Keeps a library that iterates by itself under the rules that hold for our own methods.
+/// Applies the stop rules and the record of MinimizationRun to a library that controls its own iteration.
 
 #include "solvers/minimization_run.h"
 
@@ -10,35 +10,36 @@
 
 namespace shellmatch {
 
-/// Stands between a library and the run. It keeps the best point that was ever evaluated, answers a second
-/// question about that point from memory, and holds exceptions back until the library has been left: C code
-/// cannot be thrown through.
+/// Mediates between a library and the run. It stores the best point evaluated so far, returns its value and
+/// gradient without a new evaluation, and stores exceptions until the library has returned, because they must
+/// not propagate through C code.
 class LibraryRun {
  public:
   LibraryRun(Objective& objective, const std::vector<double>& x, const StopOptions& stop,
              const IterationCallback& callback);
 
-  /// As MinimizationRun::start.
+  /// See MinimizationRun::start().
   bool start();
 
-  /// As MinimizationRun::evaluate, but throws nothing and answers nothing once `halted()`.
+  /// See MinimizationRun::evaluate(). Throws nothing; evaluates nothing once halted().
   Evaluation evaluate(std::span<const double> x, std::span<double> gradient) noexcept;
 
-  /// Records the best point as an accepted step, if it was not recorded yet. Throws nothing. False: halt.
+  /// Records the best point as an accepted step unless it has been recorded. Throws nothing. Returns false if
+  /// the library must stop.
   bool accept_best() noexcept;
 
-  /// True where the library has to be left: the run is over, time is up, or something was thrown.
+  /// True if the library must stop: the run is over, the time limit is reached, or an exception was thrown.
   bool halted() const { return run_.over() || exception_ || run_.out_of_time(); }
 
-  /// Evaluations since the best point was found.
+  /// Number of evaluations since the best point was found.
   int stalled_evaluations() const { return stalled_; }
 
   double best_value() const { return best_.value; }
   double best_gradient_norm() const { return best_.gradient_norm; }
   const std::vector<double>& best_x() const { return best_x_; }
 
-  /// To be called when the library has been left: throws what was held back, records a best point that is not
-  /// recorded yet, ends the run, hands the best point to x.
+  /// Call after the library has returned. Rethrows a stored exception, records the best point if that is
+  /// still to be done, ends the run, and sets x to the best point.
   MinimizerSummary finish(std::vector<double>& x, StopReason reason, std::string message);
 
  private:
@@ -46,7 +47,7 @@ class LibraryRun {
 
   MinimizationRun run_;
   std::vector<double> best_x_, best_gradient_, best_terms_;
-  std::vector<double> recorded_x_;  ///< best point of the last record, from which steps are measured
+  std::vector<double> recorded_x_;  ///< best point at the last record; the norm of the next step is measured from it
   Evaluation best_;
   bool best_has_gradient_ = true, recorded_ = true;
   int stalled_ = 0;

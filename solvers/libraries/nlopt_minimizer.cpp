@@ -42,11 +42,11 @@ struct Context {
   LibraryRun& run;
   nlopt_opt opt;
   int max_stalled;
-  bool not_finite = false;  // the library asked for a point with an entry that is no number
+  bool not_finite = false;  // the library requested a point with an entry that is not finite
   bool stalled = false;
 };
 
-// The cone over the best point, in place of a function that cannot be evaluated at x.
+// The cone over the best point, which replaces the function where it cannot be evaluated.
 double cone(const LibraryRun& run, std::span<const double> x, std::span<double> gradient) {
   const double radius = distance(x, run.best_x()), slope = run.best_gradient_norm();
   if (!gradient.empty()) add_scaled(x, -1, run.best_x(), gradient);
@@ -54,7 +54,7 @@ double cone(const LibraryRun& run, std::span<const double> x, std::span<double> 
   return run.best_value() + slope * radius;
 }
 
-// What NLopt calls. It must not throw: NLopt is C.
+// The function that NLopt calls. It must not throw, because NLopt is written in C.
 double evaluate(unsigned n, const double* x, double* gradient, void* data) {
   Context& context = *static_cast<Context*>(data);
   const std::span<const double> at_x(x, n);
@@ -69,7 +69,7 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
     return halt();
   }
   const Evaluation at = context.run.evaluate(at_x, g);
-  // A value without gradient is the library still searching; the step counts when its gradient is known.
+  // The library evaluates trial points without gradient; a step is accepted once its gradient is known.
   if (at.feasible && gradient) context.run.accept_best();
   if (context.run.halted()) return halt();
   if (context.run.stalled_evaluations() > context.max_stalled) {

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// NLopt's gradient-based local methods behind our interface.
+/// Adapter of NLopt's gradient-based local methods.
 
-#include "solvers/libraries/library_options.h"
+#include "solvers/library_options.h"
 #include "solvers/minimizer.h"
 
 namespace shellmatch {
@@ -19,20 +19,20 @@ struct EnumNames<NloptMethod> {
 
 /// LD_LBFGS, LD_TNEWTON_PRECOND_RESTART, LD_VAR1, LD_VAR2, LD_MMA, LD_CCSAQ and LD_SLSQP.
 ///
-/// NLopt does not tell where one of its iterations ends: here a step is accepted whenever a point with a
-/// lower value than all before has been evaluated. Counts of iterations, and `decrease_window`, are therefore
-/// a little finer than with other methods; evaluations and seconds compare exactly.
+/// NLopt does not report the end of an iteration. Here a step is accepted whenever a point with a lower value
+/// than all previous ones has been evaluated. Numbers of iterations, and `decrease_window`, are therefore
+/// slightly finer than with other methods; numbers of evaluations and seconds are comparable.
 ///
-/// NLopt has no word for "cannot be evaluated here". It is shown, in place of the function, the cone
-/// f_b + |g_b| |x - x_b| over the best point x_b so far: it passes through that point, is never below it,
-/// leads back to it, and has the size of what the library has seen there, so that its interpolation shortens
-/// the step to between a quarter and a half. (A huge constant would make it collapse; infinities it
-/// multiplies.) The cone is only ever shown where the function cannot be evaluated, and no point of it is
-/// ever accepted.
+/// NLopt cannot represent points at which the function cannot be evaluated. At these points it is given the
+/// cone f_b + |g_b| |x - x_b| over the best point x_b so far. The cone agrees with the function at x_b,
+/// exceeds f_b elsewhere and has a slope of comparable size, so the library's interpolation shortens the step
+/// to between a quarter and a half. (A huge constant would shorten it to almost nothing; infinities lead to
+/// NaN.) No point on the cone is ever accepted.
 ///
-/// When NLopt ends by its own rules (its methods often do, on account of rounding or of the cone's edge), it
-/// is started again from the best point as long as that gains something, at most `max_restarts` times; the
-/// message says how often and why it ended. NLopt's own tolerances are off. Exceptions pass through.
+/// When NLopt stops by its own rules (often because of rounding, or of the kink between function and cone),
+/// it is restarted from the best point as long as that lowers the value, at most `max_restarts` times; the
+/// message states the number of restarts and the reason. NLopt's own tolerances are disabled. Exceptions are
+/// passed to the caller.
 class NloptMinimizer final : public Minimizer {
  public:
   explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {})

@@ -10,12 +10,12 @@ namespace shellmatch {
 
 namespace {
 
-constexpr double least_share = 0.1;      // of the bracket that a step keeps: backtracking must not collapse
-constexpr double greatest_share = 0.8;   // and must not creep along where the model fits badly
-constexpr double least_expansion = 1.5;  // of a step that was too short
+constexpr double least_share = 0.1;      // of the bracket: bounds the contraction of a step from below
+constexpr double greatest_share = 0.8;   // and from above, where the model fits badly
+constexpr double least_expansion = 1.5;  // factor on a step that was too short
 constexpr double greatest_expansion = 10;
 
-// A step between `low`, the lowest point with the Armijo condition, and `high`, which is too far.
+// A step between `low`, the lowest point that satisfies the Armijo condition, and `high`, which is too far.
 double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchOptions& options) {
   const double width = high.alpha - low.alpha;
   if (options.interpolation == Interpolation::halving || !high.feasible)
@@ -27,7 +27,7 @@ double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchO
   return std::clamp(alpha, low.alpha + least_share * width, low.alpha + greatest_share * width);
 }
 
-// A step beyond `low`, whose slope is still too steep: where the secant of the slopes is zero.
+// A step beyond `low`, whose slope is too steep: the zero of the secant through the slopes.
 double longer_step(const LinePoint& before, const LinePoint& low) {
   const double bend = low.slope - before.slope;
   double alpha = bend > 0 ? low.alpha - low.slope * (low.alpha - before.alpha) / bend
@@ -79,12 +79,12 @@ LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOpt
   LineSearchResult result;
   double alpha = first_alpha;
   while (result.n_trials < options.max_trials && !line.out_of_time()) {
-    // Where the step no longer changes the point, the bracket is empty.
+    // The bracket is empty up to rounding.
     if (!(alpha > low.alpha) || (bracketed && !(alpha < high.alpha))) break;
     ++result.n_trials;
     const bool with_gradient = options.curvature > 0 || result.n_trials <= options.gradient_trials;
     last = line.at(alpha, with_gradient);
-    // A step so short that the value stays what it was to the last bit is no descent, whatever (3.4) says.
+    // A step that leaves the value unchanged to the last bit is not a descent, even if (3.4) holds.
     if (!last.feasible || last.value > start.value + options.armijo * alpha * start.slope ||
         !(last.value < start.value)) {
       high = last;
@@ -93,8 +93,8 @@ LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOpt
     } else if (options.curvature > 0 && last.slope < options.curvature * start.slope) {
       const LinePoint before = low;
       low = last;
-      // Beyond may be where nothing can be evaluated; then a step that goes down is worth more than its
-      // length.
+      // Points beyond cannot be evaluated. A step that lowers the value is accepted then, even if it is
+      // short.
       if (bracketed && !high.feasible) break;
       alpha = bracketed ? inner_step(low, high, options) : longer_step(before, low);
     } else {
@@ -106,7 +106,7 @@ LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOpt
   if (!result.success) return result;
   if (last.alpha != low.alpha || !low.has_gradient) low = line.at(low.alpha, true);
   result.point = low;
-  result.success = low.feasible;  // a gradient that is not finite shows only now
+  result.success = low.feasible;  // the gradient may turn out not to be finite
   return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The line search of our own methods: backtracking to the Armijo condition and, where asked for, a bracket
+/// The line search of the built-in methods: backtracking to the Armijo condition and, optionally, bracketing
 /// to the weak Wolfe conditions. Numbers of equations and pages are those of Nocedal & Wright, Numerical
 /// Optimization, 2nd edition (2006).
 
@@ -13,18 +13,19 @@
 
 namespace shellmatch {
 
-/// How a line is searched. The methods fill it from their own options.
+/// Options of a line search. The methods set them from their own options.
 struct LineSearchOptions {
   double armijo = 1e-4;  ///< c1 of (3.4): share of the linear decrease that a step must reach, in (0, 0.5)
   double curvature =
-      0;  ///< c2 of (3.6b): the slope must rise to this share of its start; 0: no such condition
+      0;  ///< c2 of (3.6b): the slope must rise to this share of the initial slope; 0: no such condition
   Interpolation interpolation = Interpolation::cubic;
   double contraction =
-      0.5;  ///< factor on a step that is halved or leads where nothing can be evaluated, in (0, 1)
+      0.5;  ///< factor on a step that is halved or whose end cannot be evaluated, in (0, 1)
   int max_trials = 40;
-  /// So many trials are evaluated with their gradient, the rest by value alone until one is accepted. A value
-  /// costs 0.55 of a gradient that comes with its value, so the gradient at once is cheaper if fewer than 2.2
-  /// trials are made per step; it also gives the slope, thus a cubic instead of a parabola.
+  /// Number of trials that are evaluated with their gradient. Later trials are evaluated by value alone until
+  /// one is accepted. A value costs 0.55 times a value with gradient, so evaluating the gradient at once is
+  /// cheaper if a step takes fewer than 2.2 trials on average. It also yields the slope, and so a cubic
+  /// instead of a parabola.
   int gradient_trials = 2;
 };
 
@@ -33,7 +34,7 @@ struct LinePoint {
   double alpha = 0;
   double value = 0;
   double slope = 0;          ///< derivative along the line; only where `has_gradient`
-  double gradient_norm = 0;  ///< only where `has_gradient`, as the next
+  double gradient_norm = 0;  ///< only where `has_gradient`; so is the next
   double l2_gradient_norm = 0;
   bool feasible = false;
   bool has_gradient = false;
@@ -41,14 +42,14 @@ struct LinePoint {
   Evaluation evaluation() const { return {feasible, value, gradient_norm, l2_gradient_norm}; }
 };
 
-/// The function alpha -> f(x + alpha d). It owns the trial point and the gradient there, for the method to
-/// swap with its own once a step is accepted.
+/// The function alpha -> f(x + alpha d). It owns the trial point and the gradient there; the method swaps
+/// them with its own vectors once a step is accepted.
 class Line {
  public:
   explicit Line(MinimizationRun& run) : x(run.size()), gradient(run.size()), run_(run) {}
 
-  /// Lays the line through `base` along `direction`; both must stay as they are while it is searched. `slope`
-  /// is gradient times direction, negative.
+  /// Sets the line through `base` along `direction`; both must not change during the search. `slope` is the
+  /// product of gradient and direction, negative.
   void lay(std::span<const double> base, std::span<const double> direction, double value, double slope);
 
   const LinePoint& start() const { return start_; }
@@ -56,7 +57,7 @@ class Line {
   bool out_of_time() const { return run_.out_of_time(); }
 
   std::vector<double> x;         ///< the last trial point
-  std::vector<double> gradient;  ///< there, if it was evaluated with its gradient
+  std::vector<double> gradient;  ///< at x, if the trial was evaluated with its gradient
 
  private:
   MinimizationRun& run_;
@@ -64,22 +65,22 @@ class Line {
   LinePoint start_;
 };
 
-/// Outcome of a search: on success line.x and line.gradient belong to `point`.
+/// Outcome of a search. On success, line.x and line.gradient belong to `point`.
 struct LineSearchResult {
   bool success = false;
   LinePoint point;
   int n_trials = 0;
 };
 
-/// Finds a step that lowers the value, satisfies the Armijo condition (3.4) and, where options.curvature > 0,
-/// the weak Wolfe condition (3.6b), beginning with `first_alpha` > 0. A trial that cannot be evaluated
-/// contracts the step. The bracket is that of Lewis & Overton, Nonsmooth optimization via quasi-Newton
-/// methods (2013), algorithm 2.6, with interpolation (page 57) in place of bisection. If the trials run out,
-/// the lowest point with the Armijo condition is taken; it is a failure only if there is none.
+/// Finds a step that lowers the value and satisfies the Armijo condition (3.4) and, if options.curvature > 0,
+/// the weak Wolfe condition (3.6b). The first trial is `first_alpha` > 0. A trial that cannot be evaluated
+/// contracts the step. The bracketing is that of Lewis & Overton, Nonsmooth optimization via quasi-Newton
+/// methods (2013), algorithm 2.6, with interpolation (page 57) in place of bisection. After the last trial,
+/// the lowest point that satisfies the Armijo condition is accepted; the search fails only if there is none.
 LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOptions& options);
 
-/// Minimiser of the cubic through values and slopes at a and b (3.59), or of the parabola through a's value
-/// and slope and b's value where b has no slope (3.58). NaN where there is none.
+/// Minimiser of the cubic that interpolates values and slopes at a and b (3.59), or, where b has no slope, of
+/// the parabola that interpolates a's value and slope and b's value (3.58). NaN where there is no minimiser.
 double interpolated_minimum(const LinePoint& a, const LinePoint& b);
 
 }  // namespace shellmatch

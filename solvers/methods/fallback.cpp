@@ -7,9 +7,9 @@ namespace shellmatch {
 
 namespace {
 
-constexpr double converged_share = 1e-6;  // of the gradient's first norm
+constexpr double converged_share = 1e-6;  // of the initial gradient norm
 
-/// Adds what the next method did to the account of those before it.
+/// Adds the summary of the next method to the total of those before it.
 void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.solver = next.solver;
   total.reason = next.reason;
@@ -22,14 +22,14 @@ void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.seconds += next.seconds;
 }
 
-/// What the methods before have left of the limits.
+/// The limits less what the previous methods have used.
 StopOptions remaining(StopOptions stop, const MinimizerSummary& used) {
   stop.max_iterations = std::max(0, stop.max_iterations - used.iterations);
   if (stop.max_seconds > 0) stop.max_seconds = std::max(1e-3, stop.max_seconds - used.seconds);
   return stop;
 }
 
-/// The record as that of a sequence which began with `before`.
+/// The record with the counts of `before` added.
 IterationRecord continued(IterationRecord record, const std::string& solver, const MinimizerSummary& before) {
   record.solver = solver;
   record.iteration += before.iterations;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What happens when a method gives up: another one goes on from its best point.
+/// Minimisation by several methods: when one fails, the next continues from its best point.
 
 #include "solvers/options.h"
 
@@ -10,20 +10,22 @@
 
 namespace shellmatch {
 
-/// The methods that take over, in their order, with `auto` resolved: lbfgs after newton, nothing after the others.
+/// The methods of options.fallback in order, with `auto` resolved: lbfgs after newton, none after the others.
 std::vector<std::string> fallback_names(const SolverOptions& options);
 
-/// Did the method end without having converged, for a reason that is its own: no lower value found, or a library's
-/// own rules? A gradient of a millionth of its first norm is as good as converged: what ends there ends for rounding.
+/// True if the method stopped without convergence for a reason of its own: it found no lower value, or a
+/// library stopped by its own rules. A gradient norm below 1e-6 of the initial one counts as convergence,
+/// because rounding then prevents further progress.
 bool gave_up(const MinimizerSummary& summary);
 
-/// Minimises with options.name in options.metric, each method in the metric if it uses one. As long as the method gave
-/// up, the next of fallback_names() goes on from the best point, within what is left of the limits in `stop`.
+/// Minimises with options.name in options.metric (if the method uses a metric). While gave_up() holds, the
+/// next of fallback_names() continues from the best point, within the remaining limits of `stop`.
 ///
-/// The records form one sequence: iterations, evaluations and seconds go on counting, `solver` names the method, and
-/// the start of a method that takes over is the last record of the one before. The summary is of the whole;
-/// `fallbacks` has one line for every change, which `announce` is given as it happens.
-/// \throws InputError as make_minimizer and the methods
+/// The records form one sequence: the counts of iterations, evaluations and seconds continue, `solver` names
+/// the method, and the initial point of a method is the last record of the previous one. The summary is that
+/// of the whole sequence; `fallbacks` has one line for every change of method, which is passed to `announce`
+/// when it happens.
+/// \throws InputError as make_minimizer() and the methods do
 MinimizerSummary minimize_with_fallback(const SolverOptions& options, Objective& objective, std::vector<double>& x,
                                         const StopOptions& stop, const IterationCallback& callback = {},
                                         const std::function<void(const std::string&)>& announce = {});

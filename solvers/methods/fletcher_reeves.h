@@ -6,16 +6,16 @@
 
 namespace shellmatch {
 
-/// Algorithm 5.4 of Nocedal & Wright with the backtracking line search of their section 3.1 (the paper names
-/// both). Directions d_k = -g_k + beta_k d_{k-1}, beta_k = |g_k|^2 / |g_{k-1}|^2.
+/// Algorithm 5.4 of Nocedal & Wright with the backtracking line search of their section 3.1, both as in the
+/// paper. Directions d_k = -g_k + beta_k d_{k-1}, beta_k = |g_k|^2 / |g_{k-1}|^2.
 ///
-/// It restarts with the steepest descent where d_k does not go down or its line search fails, after
-/// `restart_every` iterations, and where successive gradients are far from orthogonal. It ends with
-/// StopReason::no_descent where no lower value is found along the steepest descent.
+/// The method restarts with the steepest descent where d_k is not a descent direction or its line search
+/// fails, after `restart_every` iterations, and where successive gradients are far from orthogonal. It stops
+/// with StopReason::no_descent where the line search along the steepest descent finds no lower value.
 ///
-/// Five vectors of memory, none of it allocated within the loop; every accepted step has exactly one accepted
-/// gradient, and the first trial is chosen so well that few steps need a second (LineSearchOptions says why
-/// trials come with their gradient).
+/// Uses five vectors, allocated before the loop. One gradient is accepted per step, and the first trial is
+/// usually accepted (LineSearchOptions::gradient_trials explains why trials are evaluated with their
+/// gradient).
 class FletcherReeves final : public Minimizer {
  public:
   explicit FletcherReeves(const FletcherReevesOptions& options = {}) : options_(options) {}

@@ -33,7 +33,7 @@ bool LimitedMemoryInverseHessian::add(std::span<const double> x0, std::span<cons
 void LimitedMemoryInverseHessian::descend(std::span<const double> g, std::span<double> d) {
   conjugate_direction(g, 0, d);
   if (count_ == 0) return;
-  // Every sweep changes d and takes the product with the vector that the next sweep needs.
+  // Every sweep updates d and computes its product with the vector of the next sweep.
   double product = dot(d, newest(0).s);
   for (std::size_t i = 0; i < count_; ++i) {
     const Pair& p = newest(i);

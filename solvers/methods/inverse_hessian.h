@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The inverse second derivative that the last steps of a minimisation imply.
+/// Approximation of the inverse second derivative from the last steps of a minimisation.
 
 #include <cstddef>
 #include <span>
@@ -9,24 +9,26 @@
 namespace shellmatch {
 
 /// The limited-memory BFGS matrix H of Nocedal & Wright (7.19) with the scaling (7.20): symmetric, positive
-/// definite, and H y = s for the newest step s and its change of gradient y. All memory is allocated at once.
+/// definite, and H y = s for the last step s and its change of gradient y. The constructor allocates all
+/// memory.
 class LimitedMemoryInverseHessian {
  public:
-  /// For n unknowns and up to `memory` >= 1 pairs. A pair is kept only if s.y > least_cosine |s||y|, so that
-  /// H stays positive definite.
+  /// For n unknowns and up to `memory` >= 1 pairs. A pair is stored only if s.y > least_cosine |s||y|, so
+  /// that H remains positive definite.
   LimitedMemoryInverseHessian(std::size_t n, std::size_t memory, double least_cosine);
 
   bool empty() const { return count_ == 0; }
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
 
-  /// Takes the step x0 -> x1 with gradients g0 -> g1, or refuses it for want of curvature: then where the
-  /// memory was full the oldest pair is lost, whose place it was written to.
+  /// Adds the pair of the step x0 -> x1 with gradients g0 -> g1, and returns whether its curvature suffices.
+  /// If it does not and the memory was full, the oldest pair is lost, because its memory has been
+  /// overwritten.
   bool add(std::span<const double> x0, std::span<const double> x1, std::span<const double> g0,
            std::span<const double> g1);
 
-  /// d = -H g by the two-loop recursion, algorithm 7.4: one sweep over the unknowns for each vector of
-  /// memory. Without any pair H is the identity.
+  /// d = -H g by the two-loop recursion, algorithm 7.4: one sweep over the unknowns for each stored vector.
+  /// Without pairs H is the identity.
   void descend(std::span<const double> g, std::span<double> d);
 
  private:
@@ -39,7 +41,7 @@ class LimitedMemoryInverseHessian {
   }
 
   double least_cosine_;
-  std::vector<Pair> pairs_;  // a ring; next_ is where the next pair goes
+  std::vector<Pair> pairs_;  // a ring buffer; next_ is the position of the next pair
   std::vector<double> alpha_;
   double gamma_ = 1;
   std::size_t next_ = 0, count_ = 0;

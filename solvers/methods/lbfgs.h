@@ -1,19 +1,19 @@
 #pragma once
 /// \file
-/// Our limited-memory BFGS: the robust default for large problems.
+/// Limited-memory BFGS, a robust first-order method for large problems.
 
 #include "solvers/options.h"
 
 namespace shellmatch {
 
-/// Algorithm 7.5 of Nocedal & Wright: the two-loop recursion 7.4 with the scaling (7.20), steps by the weak
-/// Wolfe conditions. The condition makes s.y positive, and the unit step is nearly always accepted, so a step
+/// Algorithm 7.5 of Nocedal & Wright: the two-loop recursion 7.4 with the scaling (7.20) and a line search by
+/// the weak Wolfe conditions. These make s.y positive, and the unit step is nearly always accepted, so a step
 /// costs little more than one evaluation with gradient.
 ///
 /// A trial that cannot be evaluated contracts the step. Pairs without positive curvature (s.y <= least_cosine
-/// |s||y|) are left out. Where the direction does not go down or its line search fails, the memory is dropped
-/// and the steepest descent tried; if that fails too the run ends with StopReason::no_descent.
-/// 2 `memory` + 5 vectors, all allocated before the loop.
+/// |s||y|) are not stored. Where the direction is not a descent direction or its line search fails, the
+/// memory is cleared and the steepest descent is tried; if that fails too, the method stops with
+/// StopReason::no_descent. Uses 2 `memory` + 5 vectors, allocated before the loop.
 class Lbfgs final : public Minimizer {
  public:
   explicit Lbfgs(const LbfgsOptions& options = {}) : options_(options) {}

@@ -12,8 +12,8 @@ namespace shellmatch {
 
 namespace {
 
-// Names the first number that is out of its range. Options that come from YAML were checked there already;
-// those of a program were not.
+// Throws for the first number that is out of its range. Options from YAML have been checked before; those set
+// by a program have not.
 struct RangeCheck {
   std::string path;
 

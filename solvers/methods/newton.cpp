@@ -22,7 +22,7 @@ class LinearSolver {
   /// From d = 0, until the residual is this share of what it was, in the preconditioner's norm.
   void solve(std::span<const double> g, std::span<double> d, double tolerance) {
     std::fill(d.begin(), d.end(), 0.0);
-    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(r_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) r_[i] = -g[i];
     });
     objective_.precondition(r_, z_);
@@ -37,7 +37,7 @@ class LinearSolver {
     const double slope = dot(g, d), curvature = dot(d, hp_);
     // The model g.d + d.Hd / 2 only falls from where this begins: where it is negative there is descent in the end.
     const double share = slope + 0.5 * curvature < 0 ? 1.0 : -slope / curvature;
-    for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(r_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         d[i] *= share;
         r_[i] = -g[i] - share * hp_[i];
@@ -57,7 +57,7 @@ class LinearSolver {
       const double curvature = dot(p_, hp_);
       if (!(curvature > 0)) break;  // a direction without stiffness: what has been found so far will do
       const double alpha = rz / curvature;
-      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for_chunks(r_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           d[i] += alpha * p_[i];
           r_[i] -= alpha * hp_[i];
@@ -67,7 +67,7 @@ class LinearSolver {
       const double next = dot(r_, z_);
       const double beta = next / rz;
       rz = next;
-      for_pieces(r_.size(), [&](std::size_t begin, std::size_t end) {
+      for_chunks(r_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) p_[i] = z_[i] + beta * p_[i];
       });
     }

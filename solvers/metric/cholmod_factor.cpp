@@ -8,7 +8,7 @@
 
 namespace shellmatch {
 
-/// CHOLMOD's objects, freed with it. Its workspace is written by every solve: one at a time.
+/// Owns CHOLMOD's objects. Every solve writes to the workspace, so solves must not run in parallel.
 struct SparseFactor::Content {
   Eigen::SparseMatrix<double> matrix;
   int n_components;
@@ -56,7 +56,7 @@ struct SparseFactor::Content {
     in = cholmod_zeros(n_rows(), static_cast<std::size_t>(n_components), CHOLMOD_REAL, &common);
   }
 
-  /// out = second(first(in)), where each is one of CHOLMOD's partial solves.
+  /// out = second(first(in)), where both are CHOLMOD's codes of partial solves.
   void solve(std::span<const double> from, int first, int second, std::span<double> to) {
     double* values = static_cast<double*>(in->x);
     const std::size_t n = n_rows(), m = static_cast<std::size_t>(n_components);

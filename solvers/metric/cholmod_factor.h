@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The factor of a metric that couples nodes, by SuiteSparse's CHOLMOD.
+/// Factor of a metric that couples nodes: the adapter of SuiteSparse's CHOLMOD.
 
-#include "solvers/metric/metric.h"
+#include "solvers/metric/metric_factor.h"
 
 #include <Eigen/SparseCore>
 
@@ -10,14 +10,15 @@
 
 namespace shellmatch {
 
-/// F = L^T P for a sparse M with P M P^T = L L^T, P a fill-reducing permutation: F^T F = M. The same scalar matrix
-/// serves every component. The factorisation is supernodal and leaves its dense blocks to the machine's BLAS: it does
-/// not depend on our number of threads, but another BLAS may round otherwise.
+/// F = L^T P for a sparse M with P M P^T = L L^T, where P is a fill-reducing permutation: F^T F = M. The same
+/// scalar matrix applies to every component. The factorisation is supernodal and uses the BLAS for dense
+/// blocks. Its result does not depend on the number of threads, but the rounding depends on the BLAS.
 class SparseFactor final : public MetricFactor {
  public:
   /// \param matrix symmetric, both triangles stored
   /// \param n_components unknown n_components * i + k is component k of row i
-  /// \throws InputError where the matrix is not positive definite; EnvironmentError where memory runs out
+  /// \throws InputError where the matrix is not positive definite; EnvironmentError where there is not enough
+  /// memory
   SparseFactor(Eigen::SparseMatrix<double> matrix, int n_components);
   ~SparseFactor() override;
 

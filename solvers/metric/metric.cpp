@@ -80,7 +80,7 @@ MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFact
   factor.apply(x, y);
   const std::vector<double> start = y;
   MinimizerSummary summary = minimizer.minimize(in_metric, y, stop, callback);
-  if (y != start) factor.solve(y, x);  // there and back is not the identity in floating point
+  if (y != start) factor.solve(y, x);  // F^-1 F is not the identity in floating point
   return summary;
 }
 

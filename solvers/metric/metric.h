@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// The metric as a linear change of variables around the objective, so that every method runs in every
+/// The metric as a linear change of variables of the objective, so that every method can be used in every
 /// metric.
 
+#include "solvers/metric/metric_factor.h"
 #include "solvers/minimizer.h"
 #include "solvers/options.h"
 
@@ -12,21 +13,7 @@
 
 namespace shellmatch {
 
-/// A metric M = F^T F on n unknowns, given by its factor F. In the variables y = F x the Euclidean inner
-/// product is that of M, and the Euclidean gradient F^-T g is F times the gradient M^-1 g in that metric.
-class MetricFactor {
- public:
-  virtual ~MetricFactor() = default;
-  virtual std::size_t size() const = 0;
-  /// y = F x
-  virtual void apply(std::span<const double> x, std::span<double> y) const = 0;
-  /// x = F^-1 y
-  virtual void solve(std::span<const double> y, std::span<double> x) const = 0;
-  /// z = F^-T g; z may be g itself.
-  virtual void solve_transposed(std::span<const double> g, std::span<double> z) const = 0;
-};
-
-/// F = D^{1/2}, the root of a diagonal such as the lumped mass matrix (metric l2).
+/// F = D^{1/2} for a diagonal matrix D such as the lumped mass matrix (metric l2).
 class DiagonalFactor final : public MetricFactor {
  public:
   /// \throws InputError where an entry is not positive and finite; the message names it.
@@ -40,13 +27,13 @@ class DiagonalFactor final : public MetricFactor {
   std::vector<double> root_, inverse_root_;
 };
 
-/// The factor of a metric for an objective; null where the change of variables would be the identity: metric
-/// euclidean, or an objective without mass or matrix. \throws InputError where the mass is not one positive number
-/// for each unknown, or the matrix is not positive definite.
+/// The factor of a metric for an objective; null where the change of variables is the identity: for metric
+/// euclidean and for objectives without mass or matrix. \throws InputError where the mass is not one positive
+/// number for each unknown, or the matrix is not positive definite.
 std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective& objective);
 
-/// The objective as a function of y = F x. Its lumped mass is empty: its metric is Euclidean. The L2 norm of the
-/// gradient remains that of the objective.
+/// The objective as a function of y = F x. Its lumped mass is empty, so its metric is Euclidean.
+/// l2_gradient_norm() is that of the original objective.
 class MetricObjective final : public Objective {
  public:
   /// Keeps references to both.
@@ -64,8 +51,9 @@ class MetricObjective final : public Objective {
   double l2_gradient_norm_ = 0;
 };
 
-/// Minimises in the metric: goes over to y, minimises, comes back. Gradient norms and steps of the record are
-/// those of the metric. Where the first point is the best it comes back bit by bit.
+/// Minimises in the metric: transforms x to y, minimises over y, and transforms the result back. Gradient
+/// norms and steps in the records are those of the metric. If the initial point is the best one, x is
+/// returned unchanged.
 MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
                                     Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback = {});

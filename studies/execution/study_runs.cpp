@@ -117,7 +117,7 @@ class Product {
 
     // A run of a study is one piece of work from the beginning, or its times tell nothing.
     run.options.resume = {.enabled = false};
-    const SolverOptions& solver = run.options.solver;
+    const LevelwiseSolverOptions& solver = run.options.solver;
     const bool own = !make_minimizer(solver)->uses_metric() && solver.levels.entries.empty();
     run.metric = own ? "own" : std::string(enum_name(solver.metric));
     if (run.metric == "own" && metric > 0) return;

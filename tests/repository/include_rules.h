@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which file may include what: docs/conventions.md, "Folders" and "Doors".
+/// Which file may include what: docs/conventions.md, "Folders" and "Adapters".
 
 #include "tests/repository/source_tree.h"
 
@@ -10,9 +10,9 @@ namespace shellmatch::repository {
 /// direction in which the folders depend on each other.
 std::vector<Finding> check_include_direction(const SourceTree& tree);
 
-/// Includes of other libraries: only behind the library's door, and in headers only the standard library and
-/// Eigen. Headers that the sources behind a door share (geometry/cgal_*.h) are read there only. Tests are
-/// free.
-std::vector<Finding> check_doors(const SourceTree& tree);
+/// Includes of other libraries: only in the library's adapter, and in headers only the standard library and Eigen.
+/// Headers that the sources of one adapter share (geometry/repair/cgal_repair_mesh.h) may be included by that adapter
+/// only. Tests may include any library.
+std::vector<Finding> check_adapters(const SourceTree& tree);
 
 }  // namespace shellmatch::repository

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/repository/include_rules.h"
-#include "tests/repository/mutation_rules.h"
+#include "tests/repository/structure_rules.h"
 #include "tests/repository/text_rules.h"
 #include "tests/support/folders.h"
 
@@ -25,12 +25,17 @@ TEST(Repository, IsSeen) {
 }
 
 TEST(Repository, IncludesRunOneWay) { expect_none(check_include_direction(this_repository())); }
-TEST(Repository, LibrariesEnterByTheirDoors) { expect_none(check_doors(this_repository())); }
+TEST(Repository, LibrariesAreIncludedByTheirAdaptersOnly) { expect_none(check_adapters(this_repository())); }
+TEST(Repository, FilesDoNotIncludeEachOther) { expect_none(check_unit_cycles(this_repository())); }
+TEST(Repository, RoomsAreSmall) { expect_none(check_room_sizes(this_repository())); }
+TEST(Repository, RoomsDoNotIncludeEachOther) {
+  expect_none(check_room_cycles(this_repository(), {"energies", "matching"}));
+}
+TEST(Repository, TestsMirrorTheFolders) { expect_none(check_test_folders(this_repository())); }
 TEST(Repository, FilesAreShort) { expect_none(check_lengths(this_repository())); }
 TEST(Repository, NamesNoMachine) { expect_none(check_machine_paths(this_repository())); }
 TEST(Repository, DocumentsPointToWhatIsThere) { expect_none(check_links(this_repository())); }
 TEST(Repository, InstalledPackageFindsAllDependencies) { expect_none(check_dependencies(this_repository())); }
-TEST(Repository, ListedErrorsCanBeMade) { expect_none(check_mutations(this_repository())); }
 
 }  // namespace
 }  // namespace shellmatch::repository

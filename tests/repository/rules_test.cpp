@@ -4,7 +4,7 @@
 #include <random>
 
 #include "tests/repository/include_rules.h"
-#include "tests/repository/mutation_rules.h"
+#include "tests/repository/structure_rules.h"
 #include "tests/repository/text_rules.h"
 
 // Every rule of the repository against planted faults, each beside a near miss that is allowed.
@@ -77,34 +77,34 @@ TEST_F(Rules, IncludedFilesExist) {
   expect_one(check_include_direction(tree()), "grid/octree/octree.cpp", 1);
 }
 
-TEST_F(Rules, ALibraryStaysBehindItsDoor) {
+TEST_F(Rules, ALibraryIsIncludedByItsAdapterOnly) {
   plant("geometry/repair/cgal_read.cpp", "#include <CGAL/Surface_mesh.h>\n");
   plant("geometry/mesh.cpp", "#include <cmath>\n#include <CGAL/Surface_mesh.h>\n");
-  expect_one(check_doors(tree()), "geometry/mesh.cpp", 2);
+  expect_one(check_adapters(tree()), "geometry/mesh.cpp", 2);
 }
 
-TEST_F(Rules, HeadersOfADoorStayBehindIt) {
+TEST_F(Rules, HeadersOfAnAdapterStayWithinIt) {
   plant("geometry/repair/cgal_mesh.h", "#include <CGAL/Surface_mesh.h>\n");
   plant("geometry/repair/cgal_read.cpp", "#include \"geometry/repair/cgal_mesh.h\"\n");
   plant("geometry/mesh.h", "\n#include \"geometry/repair/cgal_mesh.h\"\n");
-  expect_one(check_doors(tree()), "geometry/mesh.h", 2);
+  expect_one(check_adapters(tree()), "geometry/mesh.h", 2);
 }
 
 TEST_F(Rules, EnergiesSeeOnlyTheDualNumbersOfCeres) {
   plant("energies/terms/check.cpp", "#include <ceres/jet.h>\n#include <ceres/ceres.h>\n");
-  expect_one(check_doors(tree()), "energies/terms/check.cpp", 2);
+  expect_one(check_adapters(tree()), "energies/terms/check.cpp", 2);
 }
 
 TEST_F(Rules, HeadersStayFreeOfLibraries) {
   plant("base/error.h", "#include <fmt/core.h>\n");
   plant("grid/field.cpp", "#include <fmt/core.h>\n#include <unistd.h>\n");
   plant("grid/field.h", "#include <Eigen/Core>\n#include <vector>\n#include <fmt/core.h>\n");
-  expect_one(check_doors(tree()), "grid/field.h", 3);
+  expect_one(check_adapters(tree()), "grid/field.h", 3);
 }
 
 TEST_F(Rules, AnUnknownLibraryIsFound) {
   plant("grid/field.cpp", "#include <wonder/all.hpp>\n");
-  expect_one(check_doors(tree()), "grid/field.cpp", 1);
+  expect_one(check_adapters(tree()), "grid/field.cpp", 1);
 }
 
 TEST_F(Rules, LongFilesAreFound) {
@@ -154,7 +154,7 @@ TEST_F(Rules, DeadHeadingsAreFound) {
 TEST_F(Rules, FilesNamedInDocumentsExist) {
   plant("grid/octree/octree.cpp", "");
   plant("docs/theory.md",
-        "`grid/octree/octree.cpp`, `grid/oct*.cpp` and `out/deformed.ply`\n\n`grid/quadtree.cpp`\n");
+        "`grid/octree/octree.cpp`, `grid/octree/oct*.cpp` and `out/deformed.ply`\n\n`grid/quadtree.cpp`\n");
   expect_one(check_links(tree()), "docs/theory.md", 3);
 }
 
@@ -165,23 +165,72 @@ TEST_F(Rules, AForgottenDependencyIsFound) {
   expect_one(check_dependencies(tree()), "cmake/ShellmatchConfig.cmake.in", 0);
 }
 
-// One entry of two lines is right; the file has the second text twice and the third not at all.
-TEST_F(Rules, ErrorsThatCannotBeMadeAreFound) {
-  plant("tests/grid/CMakeLists.txt", "shellmatch_test(grid_octree SOURCES octree_test.cpp)\n");
-  plant("grid/octree/octree.cpp", "int a = 1;\n  int b = 2;\nint c = 2;\n");
-  const std::string good = "# a comment\ngrid/octree.cpp: grid_octree/Octree*\n- a = 1;\n-   int b\n+ a = 2;\n~ why\n\n";
-  const auto findings_for = [&](const std::string& text) {
-    plant("tests/mutations.txt", good + text);
-    return check_mutations(tree());
-  };
-  EXPECT_TRUE(findings_for("").empty());
-  expect_one(findings_for("- = 2;\n+ = 3;\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("- d = 1;\n+\n\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("\n+ int d;\n"), "tests/mutations.txt", 9);
-  expect_one(findings_for("- int a\n+ int a\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("grid/quadtree.cpp: grid_octree\n- b\n+ c\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("grid/octree/octree.cpp: octree\n- b\n+ d\n"), "tests/mutations.txt", 8);
-  expect_one(findings_for("grid/octree/octree.cpp:\n- b\n+ d\n"), "tests/mutations.txt", 8);
+// a includes b in its source, b includes c, and c's header leads back to a; d only looks at them.
+TEST_F(Rules, CyclesOfFilesAreFound) {
+  plant("grid/octree/a.h", "");
+  plant("grid/octree/a.cpp", "#include \"grid/octree/a.h\"\n#include \"grid/fields/b.h\"\n");
+  plant("grid/fields/b.h", "#include \"base/c.h\"\n");
+  plant("base/c.h", "");
+  plant("grid/octree/d.cpp", "#include \"grid/octree/a.h\"\n#include \"grid/fields/b.h\"\n");
+  EXPECT_TRUE(check_unit_cycles(tree()).empty()) << to_text(check_unit_cycles(tree()));
+  plant("base/c.h", "\n#include \"grid/octree/a.h\"\n");
+  expect_one(check_unit_cycles(tree()), "base/c.h", 2);
+}
+
+TEST_F(Rules, TwoCyclesAreTwoFindings) {
+  for (const std::string folder : {"base", "grid"}) {
+    plant(folder + "/x.h", "#include \"" + folder + "/y.h\"\n");
+    plant(folder + "/y.h", "#include \"" + folder + "/x.h\"\n");
+  }
+  const auto findings = check_unit_cycles(tree());
+  ASSERT_EQ(findings.size(), 2u) << to_text(findings);
+  EXPECT_EQ(findings[0].file, "base/x.h");
+  EXPECT_EQ(findings[1].file, "grid/x.h");
+}
+
+TEST_F(Rules, CrowdedRoomsAreFound) {
+  for (std::size_t i = 0; i < max_room_files; ++i) plant("grid/octree/f" + std::to_string(i) + ".cpp", "");
+  plant("grid/octree/notes.md", "");
+  plant("grid/octree/inner/g.cpp", "");
+  EXPECT_TRUE(check_room_sizes(tree()).empty());
+  plant("grid/octree/one_more.h", "");
+  expect_one(check_room_sizes(tree()), "grid/octree", 0);
+}
+
+// Files without a cycle may still couple their rooms both ways. Top folders are check_include_direction's matter.
+TEST_F(Rules, RoomsIncludeEachOtherOneWay) {
+  plant("grid/octree/a.h", "#include \"base/types.h\"\n");
+  plant("grid/fields/b.h", "#include \"grid/octree/a.h\"\n");
+  plant("grid/fields/c.h", "");
+  plant("grid/octree/test.h", "#include \"grid/octree/a.h\"\n");
+  plant("tests/grid/octree/d.h", "#include \"tests/grid/fields/e.h\"\n");
+  plant("tests/grid/fields/e.h", "");
+  plant("tests/grid/fields/f.h", "#include \"tests/grid/octree/d.h\"\n");
+  plant("base/types.h", "");
+  EXPECT_TRUE(check_room_cycles(tree()).empty()) << to_text(check_room_cycles(tree()));
+  plant("grid/octree/d.cpp", "#include \"grid/octree/a.h\"\n#include \"grid/fields/c.h\"\n");
+  EXPECT_TRUE(check_unit_cycles(tree()).empty()) << to_text(check_unit_cycles(tree()));
+  expect_one(check_room_cycles(tree()), "grid/fields/b.h", 1);
+  EXPECT_TRUE(check_room_cycles(tree(), {"grid"}).empty());
+}
+
+// The files directly in a top folder are a room as well.
+TEST_F(Rules, TheTopFolderIsARoom) {
+  plant("solvers/options.h", "#include \"solvers/libraries/options.h\"\n");
+  plant("solvers/libraries/options.h", "");
+  plant("solvers/objective.h", "");
+  plant("solvers/libraries/run.h", "#include \"solvers/objective.h\"\n");
+  expect_one(check_room_cycles(tree()), "solvers/options.h", 1);
+}
+
+TEST_F(Rules, TestsMirrorTheFolders) {
+  plant("grid/octree/octree.h", "");
+  plant("tests/grid/octree/octree_test.cpp", "");
+  plant("tests/grid/test_grids.h", "");
+  plant("tests/support/deep/folders.h", "");
+  EXPECT_TRUE(check_test_folders(tree()).empty()) << to_text(check_test_folders(tree()));
+  plant("tests/grid/quadtree/octree_test.cpp", "");
+  expect_one(check_test_folders(tree()), "tests/grid/quadtree", 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"

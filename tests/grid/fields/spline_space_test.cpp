@@ -14,10 +14,10 @@ using namespace test;
 template <int Dim>
 class Function {
  public:
-  Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal, std::size_t n_sharp = 1)
+  Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal, std::size_t n_quasi_interpolated = 1)
       : space_(space), coefficients_(space.n_coefficients(), 0.0) {
     space.coefficients(
-        1, n_sharp, [&](Index node, std::size_t) { return nodal[node]; },
+        1, n_quasi_interpolated, [&](Index node, std::size_t) { return nodal[node]; },
         [&](Index c, std::size_t) -> double& { return coefficients_[c]; });
   }
 
@@ -122,24 +122,24 @@ TYPED_TEST(Splines, ReproduceQuadraticFunctionsInside) {
   }
 }
 
-// Without sharpening nothing leaves the range of the values, whatever they are.
-TYPED_TEST(Splines, StayWithinTheRangeOfTheValuesIfNotSharp) {
+// Means over the corners never leave the range of the values, whatever these are.
+TYPED_TEST(Splines, MeansStayWithinTheRangeOfTheValues) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid = random_grid<Dim>(1, 3, 0.4, 8);
   const SplineSpace<Dim> space(grid);
   std::mt19937 random(8);
   const auto jagged = values<Dim>(grid, [&](const Vec<Dim>&) { return random() % 2 ? 1.0 : 20.0; });
-  const Function<Dim> plain(space, jagged, 0), sharp(space, jagged);
-  double least = 1e9, greatest = 0, least_of_sharp = 1e9;
+  const Function<Dim> means(space, jagged, 0), quasi(space, jagged);
+  double least = 1e9, greatest = 0, least_of_quasi = 1e9;
   for (int i = 0; i < 3000; ++i) {
     const Vec<Dim> x = random_point<Dim>(random);
-    least = std::min(least, plain(x));
-    greatest = std::max(greatest, plain(x));
-    least_of_sharp = std::min(least_of_sharp, sharp(x));
+    least = std::min(least, means(x));
+    greatest = std::max(greatest, means(x));
+    least_of_quasi = std::min(least_of_quasi, quasi(x));
   }
   EXPECT_GE(least, 1 - 1e-12);
   EXPECT_LE(greatest, 20 + 1e-12);
-  EXPECT_LT(least_of_sharp, 0) << "which is why roots are not";
+  EXPECT_LT(least_of_quasi, 0) << "which is why roots are not quasi-interpolated";
 }
 
 // Halving the cells divides the error by eight, and that of multilinear interpolation by four.

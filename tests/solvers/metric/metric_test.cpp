@@ -129,7 +129,7 @@ std::vector<double> times(const Eigen::SparseMatrix<double>& m, int n_components
 
 TEST(SparseFactor, CarriesTheInnerProductOfItsMatrix) {
   const auto problem = testing::weighted_bowl(60);
-  for (const Metric metric : {Metric::h1, Metric::h1_band}) {
+  for (const Metric metric : {Metric::h1, Metric::weighted_h1}) {
     const Eigen::SparseMatrix<double> m = problem->metric_matrix(metric);
     const SparseFactor factor(m, 3);
     ASSERT_EQ(factor.size(), 60u);
@@ -181,7 +181,7 @@ TEST(Metric, GradientNormIsThatOfTheMetricAndThatOfL2StandsBesideIt) {
       Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> rows(g.data(), 4, 3);
       double squared = product(g, g);
       if (metric == Metric::l2) squared = l2;
-      if (metric == Metric::h1 || metric == Metric::h1_band) {
+      if (metric == Metric::h1 || metric == Metric::weighted_h1) {
         const Eigen::MatrixXd dense = problem->metric_matrix(metric);
         squared = (rows.transpose() * dense.inverse() * rows).trace();
       }
@@ -214,7 +214,7 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
     // The lightest unknowns weigh 8^-5: without the mass their coordinates are known less well. The chains of h1 know
     // nothing of the masses, and Ceres' methods without memory creep there.
     const bool creeps = (options.name == "ceres_steepest_descent" || options.name == "ceres_ncg") &&
-                        (metric == Metric::h1 || metric == Metric::h1_band);
+                        (metric == Metric::h1 || metric == Metric::weighted_h1);
     const std::string wrong = creeps ? (summary.final_value < 1e-6 ? "" : "the value is above 1e-6")
                                      : problem->check(summary.final_value, x, 1e-10);
     EXPECT_EQ(wrong, "") << options.name << ", " << metric_name << ": " << summary.message << ", "

@@ -1,4 +1,4 @@
-#include "geometry/surface/exact_shape.h"
+#include "geometry/generate/exact_shape.h"
 
 #include "geometry/generate/families.h"
 
@@ -19,9 +19,9 @@ Mat<Dim> level_set_operator(const Vec<Dim>& gradient, const Mat<Dim>& hessian) {
   return p * hessian * p / gradient.norm();
 }
 
-// The point x of the ellipsoid nearest to y satisfies y - x = t x/a^2 with t > -min a^2, hence
-// sum (a y/(a^2 + t))^2 = 1, whose left side falls with t. Where even the smallest t leaves it below 1, y lies on the
-// medial disc, and the shortest axis takes what is missing.
+// The point x of the ellipsoid nearest to y satisfies y - x = t x/a^2 with t > -min a^2, hence sum (a y/(a^2
+// + t))^2 = 1, whose left side decreases with t. If it is below 1 even for the smallest t, y lies on the
+// medial disc, and the coordinate of x along the shortest axis follows from the equation of the ellipsoid.
 template <int Dim>
 double ellipsoid_distance(const Vec<Dim>& a, const Vec<Dim>& y) {
   int shortest = 0;
@@ -64,7 +64,7 @@ ExactShape<3> exact_torus(double major_radius, double minor_radius, const Vec<3>
             const Vec<3> y = x - centre;
             const double rho = std::hypot(y[0], y[1]), s = rho - major_radius;
             const Vec<3> radial(y[0] / rho, y[1] / rho, 0), around(-radial[1], radial[0], 0);
-            // F = (s^2 + z^2)/2, whose gradient has the length of the minor radius.
+            // F = (s^2 + z^2)/2, whose gradient has the norm of the minor radius.
             const Mat<3> hessian = radial * radial.transpose() + Vec<3>::UnitZ() * Vec<3>::UnitZ().transpose() +
                                    (s / rho) * around * around.transpose();
             return level_set_operator<3>(s * radial + y[2] * Vec<3>::UnitZ(), hessian);

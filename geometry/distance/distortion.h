@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What a deformation does to the surface it moves: stretching, shearing, folding. All functions compare two
-/// surfaces with the same facets, before (`reference`) and after (`deformed`).
+/// Distortion of a surface by a deformation: stretching, shearing, folding. All functions compare two
+/// surfaces with the same facets, before (`reference`) and after (`deformed`) the deformation.
 
 #include "geometry/distance/signed_distance.h"
 
@@ -10,30 +10,29 @@
 
 namespace shellmatch {
 
-/// Measure of every deformed facet divided by that of the same reference facet: area ratio in space, length
-/// ratio in the plane. NaN for a reference facet without measure.
+/// Ratio of the measures of every deformed facet and its reference facet: of areas in space, of lengths in
+/// the plane. NaN where the reference facet has measure 0.
 template <int Dim>
 std::vector<double> facet_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// The same for every vertex: sums over its facets, divided. NaN where the reference facets have no measure
-/// or there are none.
+/// The same for every vertex: the ratio of the sums over its facets. NaN where the sum of the reference is 0.
 template <int Dim>
 std::vector<double> vertex_measure_ratios(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// Singular values of the linear map that carries a reference triangle to the deformed one.
+/// Singular values of the linear map from a reference triangle to its deformed triangle.
 struct Stretch {
   double s1, s2;  ///< s1 >= s2 >= 0
 };
 /// One for each facet; NaN for a reference triangle without area.
 std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surface<3>& deformed);
 
-/// s1 / s2 for each facet: 1 where all angles are kept, infinite where the deformed triangle has no area. In
-/// the plane, where a segment has no angles, 1.
+/// s1 / s2 for each facet: 1 where angles are preserved, infinite where the deformed triangle has no area. In
+/// the plane it is always 1, because a segment has no angles.
 template <int Dim>
 std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// Facets whose normal and that of the template's facet nearest to their centre enclose more than a right
-/// angle.
+/// Facets whose normal forms an angle of more than 90 degrees with that of the template's facet nearest to
+/// their centre.
 template <int Dim>
 std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 
@@ -48,9 +47,9 @@ struct Distortion {
   Quantiles measure_ratio;                        ///< of facets
   Quantiles angle_distortion;                     ///< of facets
   std::size_t n_collapsed = 0;                    ///< facets with a measure ratio below 0.01
-  std::size_t n_facing_away = 0;                  ///< from the template's normal
-  std::size_t n_self_intersecting = 0;            ///< deformed facets that meet others than their neighbours
-  std::size_t n_self_intersecting_reference = 0;  ///< the same before
+  std::size_t n_facing_away = 0;                  ///< count_facing_away()
+  std::size_t n_self_intersecting = 0;            ///< deformed facets in self_intersecting_facets()
+  std::size_t n_self_intersecting_reference = 0;  ///< the same for the reference
 };
 
 /// All of the above. \pre `deformed` has the facets of `reference`.

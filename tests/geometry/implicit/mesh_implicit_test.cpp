@@ -1,8 +1,8 @@
 // Signed functions against brute force, and what the mesher of zero levels promises.
 #include "base/error.h"
 #include "geometry/generate/hand.h"
-#include "geometry/generate/implicit.h"
-#include "geometry/generate/mesh_quality.h"
+#include "geometry/implicit/mesh_implicit.h"
+#include "geometry/implicit/mesh_quality.h"
 
 #include <gtest/gtest.h>
 

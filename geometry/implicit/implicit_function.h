@@ -1,25 +1,22 @@
 #pragma once
 /// \file
-/// Smooth bodies from signed functions (negative inside, gradient of length about 1), and the mesher that
-/// turns such a function into a closed surface of well-shaped triangles.
+/// Signed functions of smooth bodies: negative inside, with a gradient of length about 1 near the zero level.
 
 #include "base/types.h"
-#include "geometry/surface/surface.h"
 
 #include <Eigen/Geometry>
 
 #include <functional>
 #include <span>
-#include <string_view>
 
 namespace shellmatch {
 
 /// Negative inside, positive outside, Lipschitz with a constant of at most 2.
 using ImplicitFunction = std::function<double(const Vec<3>&)>;
 
-/// Minimum of a and b, rounded where |a - b| < width and equal to the smaller elsewhere. Twice continuously
-/// differentiable in (a, b): width/6 max(1 - |a - b|/width, 0)^3 is subtracted, so that the blended surface
-/// has bounded curvature. width > 0, in units of length.
+/// A smooth minimum of a and b: min(a, b) - width/6 max(1 - |a - b|/width, 0)^3. It is twice continuously
+/// differentiable, so the blended surface has bounded curvature, and equals min(a, b) where |a - b| >= width.
+/// width > 0, in units of length.
 double smooth_union(double a, double b, double width);
 
 /// The part of `a` outside `b`, with the same rounding.
@@ -32,24 +29,18 @@ double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra
 /// \pre every half side is at least `radius` >= 0.
 double rounded_box(const Vec<3>& x, const Vec<3>& half_sides, double radius);
 
-/// Distance to the ellipsoid with the given semi-axes, centred at 0: exact zero, right slope there,
-/// approximate elsewhere.
+/// Approximate distance to the ellipsoid with the given semi-axes, centred at 0. The zero level and the
+/// gradient on it are exact.
 double ellipsoid_function(const Vec<3>& x, const Vec<3>& semi_axes);
 
-/// Distance to a plate: all points within `radius` of the convex polygon's prism of half thickness
+/// Distance to a plate: all points within `radius` of the prism over the convex polygon, with half thickness
 /// `half_thickness` about the plane x_3 = 0. The corners of the polygon run counter-clockwise in (x_1, x_2).
 double rounded_plate(const Vec<3>& x, std::span<const Vec<2>> polygon, double half_thickness, double radius);
 
 /// Gradient of f by central differences with the step 1e-5: accurate to about 1e-10 for these functions.
 Vec<3> implicit_gradient(const ImplicitFunction& f, const Vec<3>& x);
 
-/// Moves x along the gradient until |f| < 1e-12 or ten Newton steps are done.
+/// Moves x along the gradient by Newton steps until |f| < 1e-12, at most ten.
 Vec<3> project_to_zero(const ImplicitFunction& f, Vec<3> x);
-
-/// The zero level of f within [0.04, 0.96]^3 as a closed, outward oriented, two-manifold triangle surface
-/// with edges of about `edge_length` (in sides of the domain), its vertices on the zero level to rounding.
-/// The same bits for the same input, whatever the number of threads. \throws InputError naming `name` where
-/// edge_length is too coarse for the body's details or where the body leaves [0.05, 0.95]^3.
-Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name);
 
 }  // namespace shellmatch

@@ -1,4 +1,4 @@
-#include "geometry/generate/lattice_link.h"
+#include "geometry/implicit/lattice_link.h"
 
 namespace shellmatch {
 
@@ -10,7 +10,7 @@ bool are_neighbours(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return squared == 3 || squared == 4;
 }
 
-// Bit r of entry q: the neighbours q and r are neighbours of one another.
+// Bit r of entry q is set if the neighbours q and r are neighbours of each other.
 const std::array<unsigned, n_lattice_neighbours>& links() {
   static const auto table = [] {
     std::array<unsigned, n_lattice_neighbours> t{};
@@ -22,7 +22,7 @@ const std::array<unsigned, n_lattice_neighbours>& links() {
   return table;
 }
 
-// Is the set of neighbours (a bit for each) connected along lattice edges, and not empty?
+// True if the set of neighbours (a bit for each) is not empty and connected along lattice edges.
 bool connected(unsigned set) {
   unsigned reached = set & (~set + 1);  // its lowest bit
   for (unsigned before = 0; before != reached;) {

@@ -1,8 +1,8 @@
-#include "geometry/generate/lattice.h"
+#include "geometry/implicit/lattice.h"
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/generate/lattice_link.h"
+#include "geometry/implicit/lattice_link.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 using Site = std::int64_t;  // even: corner of a cube; odd: centre; divided by two: linear index of the cube
 constexpr double low = 0.04, high = 0.96;
 constexpr double short_threshold = 0.41, long_threshold = 0.25;  // fractions of an edge
-constexpr int block = 4;  // cubes along a side of the blocks that are skipped as a whole far from the surface
+constexpr int block = 4;  // cubes along a side of a block; blocks far from the surface are skipped
 
 class Lattice {
  public:
@@ -49,8 +49,8 @@ class Lattice {
     return moved == moved_.end() ? rest_position(s) : moved->second;
   }
 
-  // A block whose centre is farther from the surface than Lipschitz constant 2 times its half diagonal, one
-  // cube of margin included, has one sign throughout: it takes the value of its centre.
+  // A block, with a margin of one cube, has one sign if |f| at its centre exceeds the Lipschitz constant 2
+  // times half its diagonal. All its sites then get the value of the centre.
   void evaluate(const ImplicitFunction& f) {
     const int n_blocks = (n_ + block - 1) / block;
     values_.resize(2 * static_cast<std::size_t>(n_) * n_ * n_);
@@ -70,7 +70,7 @@ class Lattice {
               for (int i = first[0]; i < std::min(first[0] + block, n_); ++i)
                 for (const bool centre : {false, true}) {
                   const Site s = site(i, j, k, centre);
-                  // An exact zero would be a vertex that no cut accounts for: it counts as barely outside.
+                  // An exact zero would be a vertex that belongs to no cut; it is treated as barely outside.
                   const double value = active[b] ? f(rest_position(s)) : far;
                   values_[s] = value == 0 ? 1e-300 : value;
                 }
@@ -92,8 +92,8 @@ class Lattice {
             body(std::array<int, 3>{i, j, k});
   }
 
-  // Each of the three upper faces of a cube joins two centres; with every edge of the face they span a
-  // tetrahedron.
+  // Each of the three upper faces of a cube lies between two centres, which form a tetrahedron with every
+  // edge of the face.
   template <class Body>
   void for_each_tetrahedron(Body&& body) {
     for_each_cube([&](const std::array<int, 3>& c) {
@@ -126,9 +126,9 @@ class Lattice {
     return site(d[0], d[1], d[2], centre != other);
   }
 
-  // Sites are moved one after the other in a fixed order; a moved site lies on the surface and its edges have
-  // no cuts any more. Where two sheets of the surface pass close to a site, moving it would glue them
-  // together: it stays where the surface does not cut the sphere of its neighbours into two connected pieces.
+  // Sites are moved one by one in a fixed order. A moved site lies on the surface, and its edges are no
+  // longer cut. If two sheets of the surface pass close to a site, moving it would connect them; a site is
+  // therefore moved only if the surface divides the sphere of its neighbours into two connected parts.
   void move_close_sites() {
     for_each_cube([&](const std::array<int, 3>& c) {
       for (const bool centre : {false, true}) {
@@ -177,8 +177,8 @@ class Lattice {
     if ((x[b] - x[a]).cross(x[c] - x[a]).dot(outward) < 0) std::swap(b, c);
     std::array<Index, 3> key{a, b, c};
     std::sort(key.begin(), key.end());
-    // Two tetrahedra inside the body may share a face of three moved sites: a film without thickness, which
-    // both of them report and which is no part of the surface.
+    // Two tetrahedra inside the body may share a face of three moved sites. Both report this face, and it is
+    // not part of the surface.
     if (!facets_.emplace(key, std::array<Index, 3>{a, b, c}).second) facets_.erase(key);
   }
 
@@ -202,7 +202,7 @@ class Lattice {
     int n = 0;
     for (int i = 0; i < n_on; ++i) corners[n++] = vertex(on[i], on[i]);
     for (int i = 0; i < n_inside; ++i)
-      // Backwards on the second turn, so that four cuts come in cyclic order.
+      // Reversed for the second corner inside, so that four cuts are in cyclic order.
       for (int j = 0; j < n_outside; ++j)
         corners[n++] = vertex(inside[i], outside[i % 2 ? n_outside - 1 - j : j]);
     if (n == 3) {
@@ -222,7 +222,7 @@ class Lattice {
   std::vector<std::array<int, 3>> blocks_;
   std::unordered_map<Site, Vec<3>> moved_;
   std::unordered_map<std::uint64_t, Index> vertices_;
-  std::map<std::array<Index, 3>, std::array<Index, 3>> facets_;  // by sorted corners, so in a fixed order
+  std::map<std::array<Index, 3>, std::array<Index, 3>> facets_;  // by sorted corners, which fixes the order
   Surface<3> surface_;
 };
 

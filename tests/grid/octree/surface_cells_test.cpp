@@ -1,4 +1,4 @@
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 
 #include "grid/fields/sample.h"
 #include "tests/grid/test_grids.h"

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Nodal fields as plain doubles: n components per node, one node after the other.
+/// Nodal fields as arrays of doubles: n components per node, node by node.
 
 #include "base/types.h"
 
@@ -10,7 +10,7 @@
 
 namespace shellmatch {
 
-/// A symmetric matrix by its upper triangle, row after row: xx, xy, yy or xx, xy, xz, yy, yz, zz.
+/// The upper triangle of a symmetric matrix by rows: xx, xy, yy or xx, xy, xz, yy, yz, zz.
 template <int Dim>
 using SymmetricComponents = std::array<double, Dim*(Dim + 1) / 2>;
 
@@ -30,7 +30,7 @@ Mat<Dim> unpack_symmetric(const SymmetricComponents<Dim>& s) {
   return a;
 }
 
-/// The doubles of a field whose values are made of doubles alone: double, Vec or std::array.
+/// A view of a field as doubles. T consists of doubles only: double, Vec or std::array.
 template <class T>
 std::span<double> components_of(std::vector<T>& field) {
   static_assert(sizeof(T) % sizeof(double) == 0 && alignof(T) % alignof(double) == 0);

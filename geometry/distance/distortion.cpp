@@ -1,4 +1,4 @@
-#include "geometry/surface/distortion.h"
+#include "geometry/distance/distortion.h"
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -54,9 +54,9 @@ std::vector<double> vertex_measure_ratios(const Surface<Dim>& reference, const S
   return after;
 }
 
-// With an orthonormal frame (u, v) in the reference triangle, its edges are (l, 0) and (x, y); the map has
-// the columns g1 / l and (g2 - x g1 / l) / y, g1 and g2 being the deformed edges. s1^2 + s2^2 is the square
-// of its norm and s1 s2 the ratio of areas, from which s1 -+ s2 follow without cancellation in s2.
+// In an orthonormal frame of the reference triangle, its edges are (l, 0) and (x, y). With the deformed edges
+// g1 and g2, the columns of the map are g1 / l and (g2 - x g1 / l) / y. s1^2 + s2^2 is its squared norm and
+// s1 s2 the ratio of areas; s1 -+ s2 follow from these without cancellation in s2.
 std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surface<3>& deformed) {
   require_same_facets(reference, deformed);
   std::vector<Stretch> stretches;

@@ -26,8 +26,8 @@ inline constexpr std::array<std::array<int, 3>, n_lattice_neighbours> lattice_ne
                                                                                                  {0, 0, -2},
                                                                                                  {0, 0, 2}}};
 
-/// Does the surface cut the link, whose vertices have these values, into two connected pieces? Then the
-/// surface is a disc near the point, and stays one when the point is moved onto it.
+/// True if the surface divides the link, whose vertices have these values, into two connected parts. Then the
+/// surface is a disc near the point, also after the point has been moved onto it.
 bool link_is_cut_in_two(const std::array<double, n_lattice_neighbours>& values);
 
 }  // namespace shellmatch

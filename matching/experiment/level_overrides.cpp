@@ -1,4 +1,4 @@
-#include "base/level_overrides.h"
+#include "matching/experiment/level_overrides.h"
 
 #include "base/error.h"
 
@@ -9,7 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-constexpr int max_level = 15;  // of CascadeOptions
+constexpr int max_level = 15;  // the greatest that CascadeOptions::max_level may be
 
 /// The whole of `text` as a level, or 0.
 int parse_level(std::string_view text) {

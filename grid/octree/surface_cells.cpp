@@ -1,4 +1,4 @@
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +36,14 @@ bool meets_surface(const Octree<Dim>& grid, const std::vector<double>& nodal_dis
   const auto& cell = grid.cell(leaf);
   double least = 1, greatest = -1, farthest = 0;
   for (const Index node : cell.nodes) {
-    if (grid.free_index(node) == no_index) continue;  // interpolated values prove nothing
+    if (grid.free_index(node) == no_index) continue;  // interpolated values are not distances
     least = std::min(least, nodal_distance[node]);
     greatest = std::max(greatest, nodal_distance[node]);
     farthest = std::max(farthest, std::abs(nodal_distance[node]));
   }
   if (least <= 0 && greatest >= 0) return true;
   if (farthest > std::sqrt(double(Dim)) * cell.side())
-    return false;  // the leaf lies in a ball without surface
+    return false;  // the leaf lies within a ball that the surface does not meet
   return cube_meets_surface<Dim>(distance, grid.cell_centre(leaf), cell.side());
 }
 

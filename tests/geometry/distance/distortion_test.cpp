@@ -1,4 +1,4 @@
-#include "geometry/surface/distortion.h"
+#include "geometry/distance/distortion.h"
 
 #include "tests/geometry/surface/test_surfaces.h"
 

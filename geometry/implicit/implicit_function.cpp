@@ -1,9 +1,4 @@
-#include "geometry/generate/implicit.h"
-
-#include "base/error.h"
-#include "base/parallel.h"
-#include "geometry/generate/lattice.h"
-#include "geometry/generate/mesh_quality.h"
+#include "geometry/implicit/implicit_function.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +31,7 @@ double rounded_box(const Vec<3>& x, const Vec<3>& half_sides, double radius) {
 double ellipsoid_function(const Vec<3>& x, const Vec<3>& semi_axes) {
   const double level = x.cwiseQuotient(semi_axes).norm();
   const double slope = x.cwiseQuotient(semi_axes.cwiseAbs2()).norm();
-  // Near the centre the quotient has no limit; any value below -(smallest semi-axis)/2 serves there.
+  // The quotient has no limit at the centre; any value below -(smallest semi-axis)/2 is valid there.
   if (level < 1e-3) return -0.999 * semi_axes.minCoeff();
   return level * (level - 1) / slope;
 }
@@ -77,33 +72,6 @@ Vec<3> project_to_zero(const ImplicitFunction& f, Vec<3> x) {
     x -= value / std::max(gradient.squaredNorm(), 0.01) * gradient;
   }
   return x;
-}
-
-Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name) {
-  // The lattice yields edges of 0.78 times its spacing on average. Where two sheets of the surface come
-  // close, an unlucky lattice may glue them together: a slightly finer one is tried then.
-  Surface<3> surface;
-  for (const double finer : {1.0, 0.93, 0.86, 0.8}) {
-    surface = triangulate_on_lattice(f, finer * edge_length / 0.78);
-    if (is_closed_manifold(surface)) break;
-  }
-  const Box<3> box = bounding_box(surface.vertices);
-  if (!surface.vertices.empty() && (box.min.minCoeff() < 0.05 || box.max.maxCoeff() > 0.95))
-    throw_input_error("{}: with these parameters the body leaves [0.05, 0.95]^3; choose less extreme ones",
-                      name);
-  if (!is_closed_manifold(surface))
-    throw_input_error(
-        "{}: an edge length of {:g} is too coarse for the details of this body; choose a smaller one", name,
-        edge_length);
-  const auto project = [&](std::size_t v) { surface.vertices[v] = project_to_zero(f, surface.vertices[v]); };
-  parallel_for(surface.vertices.size(), project);
-  for (int round = 0; round < 3; ++round) {
-    swap_to_delaunay(surface);
-    smooth_tangentially(f, 2, surface);
-  }
-  parallel_for(surface.vertices.size(), project);
-  swap_to_delaunay(surface);
-  return surface;
 }
 
 }  // namespace shellmatch

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Options of the minimisers that come from libraries. The libraries' own stop rules are switched off: ours
-/// (StopOptions) hold for all methods.
+/// Options of the minimisers of external libraries. The libraries' own stop rules are disabled: StopOptions
+/// apply to all methods.
 
 #include "base/options.h"
 

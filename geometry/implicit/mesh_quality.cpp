@@ -1,4 +1,4 @@
-#include "geometry/generate/mesh_quality.h"
+#include "geometry/implicit/mesh_quality.h"
 
 #include "base/parallel.h"
 
@@ -15,7 +15,7 @@ std::uint64_t edge_key(Index from, Index to) {
   return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
 }
 
-// The facet left of each directed edge.
+// The facet to the left of each directed edge.
 using FacetOfEdge = std::unordered_map<std::uint64_t, Index>;
 
 FacetOfEdge facets_of_edges(const Surface<3>& s) {
@@ -107,7 +107,7 @@ bool is_closed_manifold(const Surface<3>& s) {
     }
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v) {
     if (n_facets[v] == 0) return false;
-    // Walk around v from facet to facet: the walk must come back after all of them.
+    // A walk around v from facet to facet must return after visiting all of them.
     Index f = start[v], n = 0;
     do {
       const auto& facet = s.facets[f];

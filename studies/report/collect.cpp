@@ -1,4 +1,4 @@
-#include "studies/execution/collect.h"
+#include "studies/report/collect.h"
 
 #include "base/error.h"
 #include "matching/output/output_folder.h"

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Improvement of a triangulated zero level without a change of topology, and checks of the result.
+
+#include "geometry/implicit/implicit_function.h"
+#include "geometry/surface/surface.h"
+
+namespace shellmatch {
+
+/// Flips edges of a closed two-manifold as long as the two angles opposite an edge sum to more than pi (the
+/// Delaunay criterion). An edge is not flipped if the new edge exists already or if a triangle would be
+/// inverted, as seen along the normal of the edge.
+void swap_to_delaunay(Surface<3>& surface);
+
+/// Moves every vertex within its tangent plane towards the mean of the triangles around it, and then back to
+/// the zero level of f by a simplified Newton step (with the gradient at the old position); `n_sweeps` times.
+void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& surface);
+
+/// True if every edge is shared by exactly two facets, with opposite directions, and the facets at every
+/// vertex form a single fan.
+bool is_closed_manifold(const Surface<3>& surface);
+
+}  // namespace shellmatch
