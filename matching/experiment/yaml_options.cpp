@@ -7,6 +7,7 @@
 #include "matching/experiment/yaml_document.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -102,6 +103,20 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   return std::nullopt;
 }
 
+// What a program has set may lie anywhere; a document and overrides are checked as they are read.
+void check_ranges(const OptionNode& section) {
+  for (const OptionNode& option : section.children) {
+    if (option.kind == OptionKind::section) check_ranges(option);
+    if (option.kind != OptionKind::integer && option.kind != OptionKind::real) continue;
+    for (const OptionScalar& value : option.get()) {
+      const double number = option.kind == OptionKind::real ? std::get<double>(value) : std::get<int>(value);
+      if (!std::isfinite(number) || !in_range(number, option.info))
+        throw_input_error("{}: {} is out of range; expected {}", option.path, scalar_text(value, option.kind),
+                          allowed_text(option));
+    }
+  }
+}
+
 // Defaults, then the document, then the overrides.
 ExperimentOptions resolve(YamlDocument* document, const std::string& path, const std::vector<Override>& overrides) {
   ExperimentOptions options;
@@ -169,6 +184,8 @@ void apply_override(ExperimentOptions& options, const std::string& assignment) {
 }
 
 void check_experiment(const ExperimentOptions& options) {
+  ExperimentOptions copy = options;
+  check_ranges(option_tree(copy));
   if (const std::optional<Conflict> conflict = find_conflict(options))
     throw_input_error("{}: {}", conflict->path, conflict->text);
 }
