@@ -48,8 +48,8 @@ int main() {
     const Shape<3> ball = make_shape(globe(30, [](const Vec<3>& x) { return x; }), "ball");
     const Shape<3> pear = make_shape(globe(45, [](const Vec<3>& x) -> Vec<3> {
       const double width = 1 - 0.03 * x.z();
-      return {width * x.x() + 0.02 * x.z() * x.z(), width * x.y() + 0.5, 1.3 * x.z()};
-    }), "leaning pear");
+      return {width * x.x() + 1, width * x.y() + 2, 1.3 * x.z()};
+    }), "pear");
 
     ExperimentOptions options = profile_defaults(Profile::standard);  // docs/options.md lists them all
     options.cascade.max_level = 5;

@@ -9,7 +9,7 @@
 #include "matching/experiment/generated_source.h"
 #include "matching/match_task.h"
 #include "matching/pictures/level_picture.h"
-#include "matching/output/result_folder.h"
+#include "matching/write_result.h"
 #include "matching/output/summary.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a matching gives back: values, which stand by themselves. matching/output/result_folder.h makes files of them.
+/// What a matching gives back: values, which stand by themselves. matching/write_result.h makes files of them.
 
 #include "geometry/surface/surface.h"
 #include "grid/fits/curvature.h"

@@ -7,7 +7,7 @@
 #include "matching/experiment/shape_source.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/history_file.h"
-#include "matching/output/result_folder.h"
+#include "matching/write_result.h"
 #include "matching/output/summary.h"
 #include "matching/run_matching.h"
 #include "tests/matching/output/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "matching/output/result_folder.h"
+#include "matching/write_result.h"
 
 #include "geometry/io/write_shape.h"
 #include "matching/experiment/yaml_options.h"
@@ -7,6 +7,7 @@
 #include "matching/pictures/level_picture.h"
 #include "matching/map_file/map_fields.h"
 #include "matching/output/summary.h"
+#include "matching/output/write_file.h"
 #include "render/canvas/plot.h"
 
 namespace shellmatch {
