@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 
 #include <fmt/core.h>
 
@@ -39,7 +39,7 @@ void apply(const ApplyCommand& command) {
   if (n_outside > 0)
     fmt::print(stderr, "{} of {} points lie outside the domain; they move with its nearest point\n", n_outside,
                shape.vertices.size());
-  parallel_for(shape.vertices.size(), [&](std::size_t v) { shape.vertices[v] = deformation.map_user(shape.vertices[v]); });
+  parallel_for(shape.vertices.size(), [&](std::size_t v) { shape.vertices[v] = deformation.apply(shape.vertices[v]); });
   write_output_file(command.output, shape);
 }
 

@@ -5,9 +5,9 @@
 #include "apps/interrupt.h"
 #include "apps/progress.h"
 #include "base/error.h"
-#include "matching/run_matching.h"
-#include "matching/output/verdict.h"
 #include "matching/experiment/yaml_options.h"
+#include "matching/result/verdict.h"
+#include "matching/run_matching.h"
 
 #include <filesystem>
 
@@ -18,9 +18,9 @@ namespace {
 void match(const ExperimentOptions& options, const std::string& output, const RunSettings& settings) {
   stop_loops_on_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
-  run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);
-  for (const std::string& line : verdict(read_summary((std::filesystem::path(output) / "summary.json").string())))
-    progress.note(line);
+  const AnyMatchResult result =
+      run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);
+  for (const std::string& line : verdict(summary_of(result))) progress.note(line);
   progress.note(fmt::format("written: {}", output));
 }
 

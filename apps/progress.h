@@ -4,7 +4,7 @@
 
 #include "apps/commands.h"
 #include "apps/time_left.h"
-#include "matching/run_matching.h"
+#include "matching/observer.h"
 
 #include <chrono>
 #include <string>

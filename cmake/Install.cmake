@@ -1,5 +1,5 @@
 # What `cmake --install` lays out: headers under include/shellmatch/, the modules as static libraries, the
-# program, the documentation, the experiments, and a package for find_package(shellmatch).
+# program, the documentation, the experiments, the examples, and a package for find_package(shellmatch).
 include(CMakePackageConfigHelpers)
 
 get_property(modules GLOBAL PROPERTY SHELLMATCH_MODULES)
@@ -25,7 +25,7 @@ if(TARGET shellmatch)
 endif()
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS)
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
 install(DIRECTORY studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies)
 

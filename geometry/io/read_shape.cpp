@@ -1,133 +1,119 @@
 #include "geometry/io/read_shape.h"
 
+#include "base/error.h"
+#include "geometry/io/input_file.h"
 #include "geometry/io/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
-#include "geometry/repair/repair.h"
+#include "geometry/repair/make_shape.h"
 
-#include <algorithm>
-#include <initializer_list>
+#include <utility>
 
 namespace shellmatch {
 namespace {
 
-enum class FileKind { mesh, outline, mask, points, unknown };
-
-FileKind kind_of(const std::string& path) {
-  const std::string extension = file_extension(path);
-  const auto is_one_of = [&](std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), extension) != list.end();
-  };
-  if (is_one_of({".obj", ".off", ".ply", ".stl"})) return FileKind::mesh;
-  if (is_one_of({".csv", ".txt", ".xy", ".dat"})) return FileKind::outline;
-  if (is_one_of({".png", ".pgm"})) return FileKind::mask;
-  if (extension == ".xyz") return FileKind::points;
-  return FileKind::unknown;
-}
-
 constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl";
 constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm";
 
-[[noreturn]] void unsupported(const std::string& path) {
-  const std::string extension = file_extension(path);
-  throw_input_error("{}: {}; supported are {}, {}", path,
+[[noreturn]] void unsupported(const InputFile& file) {
+  const std::string extension = file_extension(file.path());
+  throw_input_error("{}: {}; supported are {}, {}", file.path(),
                     extension.empty() ? "the name has no ending that tells the format"
                                       : "the format '" + extension + "' is not supported",
                     mesh_list, outline_list);
 }
 
-MeshFile read_mesh_file(const std::string& path) {
-  const std::string bytes = read_file_bytes(path), extension = file_extension(path);
-  if (extension == ".obj") return read_obj(path, bytes);
-  if (extension == ".off") return read_off(path, bytes);
-  if (extension == ".ply") return read_ply(path, bytes);
-  return read_stl(path, bytes);
+// The shape as it stands in the file. \pre the format is that of a mesh
+MeshFile parse_mesh(const InputFile& file) {
+  const std::string bytes = file.read();
+  switch (file.format()) {
+    case FileFormat::obj: return read_obj(file.path(), bytes);
+    case FileFormat::off: return read_off(file.path(), bytes);
+    case FileFormat::ply: return read_ply(file.path(), bytes);
+    default: return read_stl(file.path(), bytes);
+  }
 }
 
-OriginalShape<2> read_mask(const std::string& path, std::vector<std::string>& notes) {
-  const std::string bytes = read_file_bytes(path);
-  return mask_rings(file_extension(path) == ".png" ? read_png(path, bytes) : read_pgm(path, bytes), path,
-                    notes);
+// The same of an outline or a mask. \param closed as of read_points
+OriginalShape<2> parse_outline(const InputFile& file, bool closed, std::vector<std::string>& notes) {
+  const std::string bytes = file.read();
+  switch (file.format()) {
+    case FileFormat::png: return mask_rings(read_png(file.path(), bytes), file.path(), notes);
+    case FileFormat::pgm: return mask_rings(read_pgm(file.path(), bytes), file.path(), notes);
+    default: return read_points<2>(file.path(), bytes, closed);
+  }
+}
+
+Shape<3> mesh_of(const InputFile& file) {
+  MeshFile mesh = parse_mesh(file);
+  return make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes));
+}
+
+Shape<2> outline_of(const InputFile& file) {
+  std::vector<std::string> notes;
+  OriginalShape<2> original = parse_outline(file, true, notes);
+  return make_shape(std::move(original), file.path(), std::move(notes));
 }
 
 }  // namespace
 
-int dimension_of_file(const std::string& path) {
-  switch (kind_of(path)) {
-    case FileKind::mesh:
-      return 3;
-    case FileKind::outline:
-    case FileKind::mask:
-      return 2;
-    default:
-      return 0;
-  }
-}
+int dimension_of_file(const std::string& path) { return dimension_of(format_of(path)); }
 
 Shape<3> read_mesh(const std::string& path) {
-  require_file(path);
-  if (dimension_of_file(path) == 2)
-    throw_input_error(
-        "{}: an outline or mask is a shape of the plane, but a shape of space is wanted here: {}", path,
-        mesh_list);
-  if (dimension_of_file(path) != 3) unsupported(path);
-  MeshFile file = read_mesh_file(path);
-  Shape<3> shape{path, std::move(file.shape), {}, std::move(file.notes)};
-  shape.surface = mend_surface(shape.original, path, shape.notes);
-  return shape;
+  const InputFile file(path);
+  const int dimension = dimension_of(file.format());
+  if (dimension == 2)
+    throw_input_error("{}: an outline or mask is a shape of the plane, but a shape of space is wanted here: {}", path,
+                      mesh_list);
+  if (dimension != 3) unsupported(file);
+  return mesh_of(file);
 }
 
 Shape<2> read_outline(const std::string& path) {
-  require_file(path);
-  if (dimension_of_file(path) == 3)
-    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path,
-                      outline_list);
-  if (dimension_of_file(path) != 2) unsupported(path);
-  Shape<2> shape{path, {}, {}, {}};
-  shape.original = kind_of(path) == FileKind::mask ? read_mask(path, shape.notes)
-                                                   : read_points<2>(path, read_file_bytes(path), true);
-  shape.surface = mend_outline(shape.original, path, shape.notes);
-  return shape;
+  const InputFile file(path);
+  const int dimension = dimension_of(file.format());
+  if (dimension == 3)
+    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path, outline_list);
+  if (dimension != 2) unsupported(file);
+  return outline_of(file);
 }
 
 AnyShape read_shape(const std::string& path) {
-  if (dimension_of_file(path) == 2) return read_outline(path);
-  return read_mesh(path);
+  const InputFile file(path);
+  switch (dimension_of(file.format())) {
+    case 2: return outline_of(file);
+    case 3: return mesh_of(file);
+    default: unsupported(file);
+  }
 }
 
 OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std::string>* notes) {
-  require_file(path);
-  switch (kind_of(path)) {
-    case FileKind::mesh: {
-      MeshFile file = read_mesh_file(path);
-      if (file.shape.vertices.empty()) throw_input_error("{}: no vertices in it", path);
-      if (notes) notes->insert(notes->end(), file.notes.begin(), file.notes.end());
-      return std::move(file.shape);
-    }
-    case FileKind::outline:
-    case FileKind::points:
-      return read_points<3>(path, read_file_bytes(path), false);
-    case FileKind::mask:
+  const InputFile file(path);
+  switch (file.format()) {
+    case FileFormat::table:
+    case FileFormat::points:
+      return read_points<3>(path, file.read(), false);
+    case FileFormat::png:
+    case FileFormat::pgm:
       throw_input_error("{}: a mask is a shape of the plane, but this deformation is one of space", path);
-    default:
-      unsupported(path);
+    case FileFormat::unknown:
+      unsupported(file);
+    default: {
+      MeshFile mesh = parse_mesh(file);
+      if (mesh.shape.vertices.empty()) throw_input_error("{}: no vertices in it", path);
+      if (notes) notes->insert(notes->end(), mesh.notes.begin(), mesh.notes.end());
+      return std::move(mesh.shape);
+    }
   }
 }
 
 OriginalShape<2> read_points_or_outline_2d(const std::string& path, std::vector<std::string>* notes) {
-  require_file(path);
+  const InputFile file(path);
+  if (file.format() == FileFormat::unknown) unsupported(file);
+  if (dimension_of(file.format()) == 3)
+    throw_input_error("{}: a mesh is a shape of space, but this deformation is one of the plane", path);
   std::vector<std::string> own_notes;
-  switch (kind_of(path)) {
-    case FileKind::mask:
-      return read_mask(path, notes ? *notes : own_notes);
-    case FileKind::outline:
-    case FileKind::points:
-      return read_points<2>(path, read_file_bytes(path), false);
-    case FileKind::mesh:
-      throw_input_error("{}: a mesh is a shape of space, but this deformation is one of the plane", path);
-    default:
-      unsupported(path);
-  }
+  return parse_outline(file, false, notes ? *notes : own_notes);
 }
 
 }  // namespace shellmatch

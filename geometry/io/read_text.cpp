@@ -1,12 +1,8 @@
 #include "geometry/io/read_text.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace shellmatch {
 namespace {
@@ -24,38 +20,6 @@ std::string shown(std::string_view word) {
 }
 
 }  // namespace
-
-void require_file(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
-      throw_input_error("{}: cannot be opened ({})", path, error.message());
-    throw_input_error("{}: no such file; check the name and the folder", path);
-  }
-  if (fs::is_directory(status)) throw_input_error("{}: is a folder, not a file; name the file in it", path);
-}
-
-std::string read_file_bytes(const std::string& path) {
-  require_file(path);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw_input_error("{}: cannot be opened ({})", path, std::strerror(errno));
-  std::string bytes;
-  // Pipes and devices have no size: reading in pieces serves all of them.
-  std::string piece(1 << 20, '\0');
-  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
-    bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) throw_input_error("{}: cannot be read to its end ({})", path, std::strerror(errno));
-  if (bytes.empty()) throw_input_error("{}: the file is empty (0 bytes)", path);
-  return bytes;
-}
-
-std::string file_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), lower);
-  return extension;
-}
 
 std::optional<double> to_double(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);

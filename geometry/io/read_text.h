@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What every reader of a text format needs: the bytes of a file, its lines with their numbers, words and
-/// numbers, and errors that say where they are.
+/// What every reader of a text format needs: lines with their numbers, words and numbers, and errors that say
+/// where they are.
 
 #include "base/error.h"
 #include "base/text.h"
@@ -13,15 +13,6 @@
 #include <string_view>
 
 namespace shellmatch {
-
-/// \throws InputError where the file is missing or a folder.
-void require_file(const std::string& path);
-
-/// All bytes of a file. \throws InputError where it is missing, a folder, not readable or empty.
-std::string read_file_bytes(const std::string& path);
-
-/// The ending of a file name in lower case with its dot, ".ply"; empty where there is none.
-std::string file_extension(const std::string& path);
 
 /// The whole word as a number; "nan", "inf" and a leading plus are understood. Nothing where it is not one.
 std::optional<double> to_double(std::string_view word);

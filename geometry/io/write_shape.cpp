@@ -1,7 +1,7 @@
 #include "geometry/io/write_shape.h"
 
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "geometry/io/input_file.h"
 #include "geometry/repair/repair_steps.h"
 
 #include <fmt/format.h>

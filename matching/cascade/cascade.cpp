@@ -10,7 +10,6 @@
 #include "matching/cascade/level_metric.h"
 #include "matching/cascade/level_problem.h"
 #include "matching/experiment/level_solver.h"
-#include "matching/cascade/phase_clock.h"
 #include "matching/cascade/shape_fields.h"
 #include "solvers/methods/fallback.h"
 

@@ -9,21 +9,18 @@
 #include "grid/fits/curvature.h"
 #include "grid/octree/octree.h"
 #include "matching/cascade/deformation.h"
+#include "matching/cascade/phase_clock.h"
 #include "matching/experiment/options.h"
-#include "matching/run_matching.h"
+#include "matching/observer.h"
 
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace shellmatch {
-
-/// Seconds of wall time by phase of the run.
-using PhaseSeconds = std::map<std::string, double>;
 
 /// What came of one level.
 struct LevelResult {

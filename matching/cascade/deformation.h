@@ -19,8 +19,8 @@ struct Deformation {
   /// phi of a point of the unit domain; outside it, the displacement of the nearest point of the domain.
   Vec<Dim> operator()(const Vec<Dim>& x) const;
 
-  /// The same in the user's coordinates.
-  Vec<Dim> map_user(const Vec<Dim>& x) const { return placement.inverse((*this)(placement(x))); }
+  /// The same for a point in the coordinates of the shapes as the user gave them.
+  Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse((*this)(placement(x))); }
 };
 
 }  // namespace shellmatch

@@ -8,10 +8,13 @@
 
 namespace shellmatch {
 
+/// Seconds of wall time by phase of the run.
+using PhaseSeconds = std::map<std::string, double>;
+
 /// Adds the time from start(name) to the next start() or to destruction to seconds[name].
 class PhaseClock {
  public:
-  explicit PhaseClock(std::map<std::string, double>& seconds) : seconds_(seconds) {}
+  explicit PhaseClock(PhaseSeconds& seconds) : seconds_(seconds) {}
   ~PhaseClock() { stop(); }
   PhaseClock(const PhaseClock&) = delete;
   PhaseClock& operator=(const PhaseClock&) = delete;
@@ -28,7 +31,7 @@ class PhaseClock {
   }
 
  private:
-  std::map<std::string, double>& seconds_;
+  PhaseSeconds& seconds_;
   std::string phase_;
   std::chrono::steady_clock::time_point begin_;
 };

@@ -40,7 +40,22 @@ double cells_at(double measure, int min_level, int max_level) {
   return cells;
 }
 
+template <int Dim>
+double measure(const Surface<Dim>& s) {
+  double sum = 0;
+  for (std::size_t f = 0; f < s.facets.size(); ++f) sum += facet_measure(s, static_cast<Index>(f));
+  return sum;
+}
+
 }  // namespace
+
+template <int Dim>
+RefinedMeasures refined_measures(const Surface<Dim>& reference, const Surface<Dim>& template_shape,
+                                 const ExperimentOptions& options) {
+  const double first = measure(reference), both = first + measure(template_shape);
+  const bool smooth = options.coefficients.interpolation == FieldInterpolation::smooth;
+  return {.phi = refines_at_template(options) ? both : first, .fields = smooth ? both : 0};
+}
 
 template <int Dim>
 SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int max_level) {
@@ -57,7 +72,7 @@ SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int m
 
 template <int Dim>
 void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder) {
-  const std::uint64_t memory = available_memory_bytes(), disk = free_disk_bytes(folder);
+  const std::uint64_t memory = available_memory_bytes(), disk = folder.empty() ? 0 : free_disk_bytes(folder);
   const SizeEstimate size = estimate_size<Dim>(measures, min_level, max_level);
   const bool memory_fits = fits(size.memory_bytes, memory);
   // Nodes and cells are counted in 32 bits.
@@ -79,6 +94,8 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
       largest);
 }
 
+template RefinedMeasures refined_measures<2>(const Surface<2>&, const Surface<2>&, const ExperimentOptions&);
+template RefinedMeasures refined_measures<3>(const Surface<3>&, const Surface<3>&, const ExperimentOptions&);
 template SizeEstimate estimate_size<2>(const RefinedMeasures&, int, int);
 template SizeEstimate estimate_size<3>(const RefinedMeasures&, int, int);
 template void check_size<2>(const RefinedMeasures&, int, int, const std::string&);

@@ -2,10 +2,12 @@
 
 #include "base/error.h"
 #include "matching/output/checksum.h"
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 #include "matching/experiment/option_text.h"
+#include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
 #include "matching/output/process_info.h"
+#include "matching/output/write_file.h"
 #include "matching/experiment/yaml_options.h"
 
 #include <array>

@@ -3,7 +3,8 @@
 /// The part of a derivative check that follows the whole energy along directions: the Taylor remainder, and the
 /// Newton model of the second derivative.
 
-#include "matching/derivative_check/element_check.h"
+#include "matching/derivative_check/checked_energy.h"
+#include "matching/derivative_check/gradient_report.h"
 
 namespace shellmatch {
 

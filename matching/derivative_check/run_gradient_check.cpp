@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade/cascade.h"
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 #include "matching/cascade/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 

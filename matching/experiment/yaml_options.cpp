@@ -8,6 +8,7 @@
 #include "matching/experiment/yaml_document.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -88,12 +89,26 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
     return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
                                                      cascade.max_level, cascade.min_level)};
   if (options.energy.terms.factor("match"_term) == 0)
-    return Conflict{"energy.terms.factor("match"_term)", "0 leaves nothing that moves the reference; expected a number > 0"};
+    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
   if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
   for (const LevelOverrides::Entry& e : options.solver.levels.entries)
     if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), "solver.levels." + e.key()))
       return conflict;
   return std::nullopt;
+}
+
+// What a program has set may lie anywhere; a document and overrides are checked as they are read.
+void check_ranges(const OptionNode& section) {
+  for (const OptionNode& option : section.children) {
+    if (option.kind == OptionKind::section) check_ranges(option);
+    if (option.kind != OptionKind::integer && option.kind != OptionKind::real) continue;
+    for (const OptionScalar& value : option.get()) {
+      const double number = option.kind == OptionKind::real ? std::get<double>(value) : std::get<int>(value);
+      if (!std::isfinite(number) || !in_range(number, option.info))
+        throw_input_error("{}: {} is out of range; expected {}", option.path, scalar_text(value, option.kind),
+                          allowed_text(option));
+    }
+  }
 }
 
 // Defaults, then the document, then the overrides.
@@ -163,6 +178,8 @@ void apply_override(ExperimentOptions& options, const std::string& assignment) {
 }
 
 void check_experiment(const ExperimentOptions& options) {
+  ExperimentOptions copy = options;
+  check_ranges(option_tree(copy));
   if (const std::optional<Conflict> conflict = find_conflict(options))
     throw_input_error("{}: {}", conflict->path, conflict->text);
 }

@@ -39,7 +39,7 @@ ExperimentOptions make_experiment(const std::vector<Override>& overrides);
 /// to read_experiment. Does not check options against each other. \throws InputError
 void apply_override(ExperimentOptions& options, const std::string& assignment);
 
-/// Demands that hold between options, such as max_level >= min_level. \throws InputError
+/// The range of every number, and demands that hold between options, such as max_level >= min_level. \throws InputError
 void check_experiment(const ExperimentOptions& options);
 
 /// Paths of shapes and other inputs made absolute, so that the YAML that is written may lie anywhere.

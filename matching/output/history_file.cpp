@@ -1,7 +1,7 @@
 #include "matching/output/history_file.h"
 
 #include "base/error.h"
-#include "matching/output/output_folder.h"
+#include "matching/output/write_file.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,26 +2,12 @@
 /// \file
 /// history.csv: one line for each accepted step of the whole run.
 
+#include "matching/result/history.h"
 #include "render/canvas/plot.h"
-#include "solvers/minimizer.h"
 
 #include <string>
-#include <vector>
 
 namespace shellmatch {
-
-/// One line. The substeps of a level are minimisations with decreasing nu, counted from 1.
-struct HistoryRow {
-  int level = 0, substep = 0;
-  double nu = 0;
-  IterationRecord record;
-};
-
-/// All lines; `term_names` names IterationRecord::terms.
-struct History {
-  std::vector<std::string> term_names;
-  std::vector<HistoryRow> rows;
-};
 
 /// The columns level, substep, nu, solver, iteration, value, one for each term, gradient_norm, l2_gradient_norm, step,
 /// value_evaluations, gradient_evaluations, seconds; numbers such that reading gives the same bits back.

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "matching/output/json_members.h"
-#include "matching/output/output_folder.h"
 #include "matching/output/summary.h"
+#include "matching/output/write_file.h"
 
 #include <fstream>
 

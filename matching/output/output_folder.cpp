@@ -1,6 +1,8 @@
 #include "matching/output/output_folder.h"
 
 #include "base/error.h"
+#include "matching/output/leftovers.h"
+#include "matching/output/write_file.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -8,11 +10,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -20,29 +19,6 @@ namespace shellmatch {
 namespace fs = std::filesystem;
 
 namespace {
-
-// A file descriptor that closes itself.
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
- private:
-  int fd_;
-};
-
-[[noreturn]] void cannot_write(const std::string& path, int error) {
-  throw_environment_error("{}: cannot be written ({}); {}", path, std::strerror(error),
-                          error == ENOSPC || error == EDQUOT
-                              ? "make room on the disk or choose another folder with -o"
-                              : "choose a folder you may write to with -o");
-}
 
 // Has an earlier run written this folder?
 bool looks_like_output(const fs::path& folder) {
@@ -70,11 +46,6 @@ std::string foreign_thing(const fs::path& folder) {
   return "";
 }
 
-bool is_filled(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error) && !(fs::is_directory(path, error) && fs::is_empty(path, error));
-}
-
 void check_place(const fs::path& path, bool force) {
   if (!is_filled(path)) return;
   if (!fs::is_directory(path))
@@ -92,43 +63,6 @@ void check_place(const fs::path& path, bool force) {
   if (const std::string name = foreign_thing(path); !name.empty())
     throw_input_error("{}: not replaced, since '{}' in it is of no run; move that elsewhere or choose another folder with -o",
                       path.string(), name);
-}
-
-constexpr std::string_view lock_ending = ".lock", partial_infix = ".partial-";
-
-std::string lock_of(const fs::path& place) {
-  return (place.parent_path() / fmt::format(".{}{}", place.filename().string(), lock_ending)).string();
-}
-
-std::string partial_prefix(const fs::path& place) { return fmt::format(".{}{}", place.filename().string(), partial_infix); }
-
-// The output folder to which a lock or a hidden folder belongs; empty for any other name.
-std::string name_of_output(std::string_view hidden) {
-  if (!hidden.starts_with('.')) return "";
-  std::size_t end = hidden.rfind(partial_infix);
-  if (end == hidden.npos && hidden.ends_with(lock_ending)) end = hidden.size() - lock_ending.size();
-  return end == hidden.npos || end < 2 ? "" : std::string(hidden.substr(1, end - 1));
-}
-
-constexpr std::string_view set_aside = ".old";  // ends the name of an output folder that is being replaced
-
-// Of a run that was killed between the two steps of a replacement, the earlier result is all that there is: it stays.
-void remove_partial_folders(const fs::path& place) {
-  std::error_code error;
-  const std::string begin = partial_prefix(place);
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(place.parent_path(), error))
-    if (const std::string name = entry.path().filename().string();
-        name.starts_with(begin) && (!name.ends_with(set_aside) || is_filled(place)))
-      found.push_back(entry.path());
-  for (const fs::path& path : found) fs::remove_all(path, error);
-}
-
-// Delayed writing may find out here only that the disk is full.
-void synchronise(const std::string& path, int flags) {
-  Descriptor file(path, flags);
-  if (file.get() < 0 || (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS))
-    cannot_write(path, errno);
 }
 
 }  // namespace
@@ -153,7 +87,7 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
     cannot_write(parent.string(), error.value());
   }
   if (::access(parent.c_str(), W_OK) != 0) cannot_write(parent.string(), errno);
-  lock_.emplace(lock_of(place), FileLock::Kind::exclusive);
+  lock_.emplace(lock_name(place), FileLock::Kind::exclusive);
   if (lock_->state() == FileLock::State::taken)
     throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
   if (lock_->state() == FileLock::State::held) remove_partial_folders(place);
@@ -202,10 +136,10 @@ void OutputFolder::commit() {
     if (entry.is_directory())
       folders.push_back(entry.path().string());
     else
-      synchronise(entry.path().string(), O_RDONLY);
+      synchronise_file(entry.path().string());
   }
   if (error) cannot_write(partial_, error.value());
-  for (const std::string& folder : folders) synchronise(folder, O_RDONLY | O_DIRECTORY);
+  for (const std::string& folder : folders) synchronise_folder(folder);
 
   check_place(final_, force_);  // it may have been filled since
   if (is_filled(final_)) {
@@ -235,40 +169,6 @@ void OutputFolder::commit() {
   if (error) cannot_write(final_, error.value());
   committed_ = true;
   lock_.reset();
-}
-
-std::string partial_folder_name(const std::string& path) {
-  const fs::path place = path;
-  return (place.parent_path() / fmt::format("{}{}", partial_prefix(place), ::getpid())).string();
-}
-
-void remove_leftovers(const std::string& path) {
-  const FileLock lock(lock_of(path), FileLock::Kind::exclusive);
-  if (lock.state() == FileLock::State::held) remove_partial_folders(path);
-}
-
-void remove_leftovers_in(const std::string& parent) {
-  std::set<std::string> outputs;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error))
-    if (std::string name = name_of_output(entry.path().filename().string()); !name.empty()) outputs.insert(std::move(name));
-  for (const std::string& name : outputs) try {
-      remove_leftovers((fs::path(parent) / name).string());
-    } catch (const EnvironmentError&) {
-      // Of another user, perhaps. A run of that name will say so.
-    }
-}
-
-void write_file(const std::string& path, std::string_view contents) {
-  Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
-  if (file.get() < 0) cannot_write(path, errno);
-  while (!contents.empty()) {
-    const ssize_t written = ::write(file.get(), contents.data(), contents.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) cannot_write(path, errno);
-    contents.remove_prefix(static_cast<std::size_t>(written));
-  }
-  if (!file.close()) cannot_write(path, errno);
 }
 
 }  // namespace shellmatch

@@ -47,19 +47,4 @@ class OutputFolder {
   std::optional<FileLock> lock_;
 };
 
-/// The hidden name beside the output folder `path` under which it is worked on: the absolute path of
-/// `.NAME.partial-PID`.
-std::string partial_folder_name(const std::string& path);
-
-/// Removes what killed runs have left of the output folder `path`, hidden beside it, unless a run is at work there.
-/// \throws EnvironmentError if nothing can be written beside it
-void remove_leftovers(const std::string& path);
-
-/// The same for every output folder in `parent`, by the names of the locks and hidden folders that are there. A lock
-/// is held for a moment while it is looked at, so nobody may be about to start a run in `parent`. What cannot be removed stays.
-void remove_leftovers_in(const std::string& parent);
-
-/// Writes a whole file. \throws EnvironmentError naming the file: disk full, no permission.
-void write_file(const std::string& path, std::string_view contents);
-
 }  // namespace shellmatch

@@ -1,5 +1,5 @@
 #include "matching/output/json_members.h"
-#include "matching/output/output_folder.h"
+#include "matching/output/write_file.h"
 #include "studies/execution/run_result.h"
 
 #include <fstream>

@@ -1,7 +1,7 @@
 #include "studies/report/collect.h"
 
 #include "base/error.h"
-#include "matching/output/output_folder.h"
+#include "matching/output/write_file.h"
 #include "studies/report/study_plots.h"
 #include "studies/report/study_report.h"
 #include "studies/report/study_csv.h"

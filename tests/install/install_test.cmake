@@ -1,5 +1,5 @@
 # Installs BUILD_DIR below WORK_DIR, moves it (an installation must not remember where it was made), and
-# configures, builds and runs the program in CONSUMER_DIR against it.
+# configures, builds and runs the program in CONSUMER_DIR and the installed examples against it.
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -18,7 +18,7 @@ file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/made-here)
 file(RENAME ${WORK_DIR}/made-here ${WORK_DIR}/prefix)
 
-foreach(file bin/shellmatch include/shellmatch/base/error.h include/shellmatch/matching/experiment/options.h
+foreach(file bin/shellmatch include/shellmatch/matching/match_shapes.h include/shellmatch/base/error.h include/shellmatch/matching/experiment/options.h
         share/shellmatch/configs/hand.yaml share/shellmatch/studies/workflow/Snakefile)
   if(NOT EXISTS ${WORK_DIR}/prefix/${file})
     message(FATAL_ERROR "${file} was not installed")
@@ -29,4 +29,9 @@ run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -DC
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix ${flags})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
+
+run(${CMAKE_COMMAND} -S ${WORK_DIR}/prefix/share/doc/shellmatch/examples -B ${WORK_DIR}/build-examples -G ${GENERATOR}
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix ${flags})
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build-examples)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK_DIR}/build-examples --output-on-failure)
 run(${WORK_DIR}/prefix/bin/shellmatch --help)

@@ -2,10 +2,10 @@
 // nothing behind.
 
 #include "base/error.h"
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 #include "matching/derivative_check/gradient_report.h"
 #include "matching/run_matching.h"
-#include "matching/output/run_report.h"
+#include "matching/result/correspondence.h"
 #include "matching/output/summary.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "tests/geometry/surface/test_surfaces.h"
 
+#include "geometry/io/input_file.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "tests/support/folders.h"
 
@@ -84,7 +85,7 @@ Surface<2> polygon(int n, const std::function<double(double)>& radius) {
 std::optional<Surface<3>> data_surface(const std::string& file) {
   const std::filesystem::path path = data_folder() / file;
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const std::string bytes = read_file_bytes(path.string());
+  const std::string bytes = InputFile(path.string()).read();
   const auto original = (path.extension() == ".ply" ? read_ply : read_off)(path.string(), bytes).shape;
   Surface<3> s;
   s.vertices = original.vertices;

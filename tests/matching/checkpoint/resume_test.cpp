@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/stop.h"
 #include "matching/output/checksum.h"
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 #include "matching/output/history_file.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/run_matching.h"

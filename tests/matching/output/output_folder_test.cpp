@@ -1,4 +1,7 @@
 #include "matching/output/output_folder.h"
+
+#include "matching/output/leftovers.h"
+#include "matching/output/write_file.h"
 #include "base/error.h"
 #include "tests/matching/output/temporary_folder.h"
 

@@ -1,5 +1,8 @@
-// What a run reports, for deformations whose answer is known in closed form.
-#include "matching/output/run_report.h"
+// What a result says, for deformations whose answer is known in closed form.
+#include "matching/result/correspondence.h"
+#include "matching/map_file/map_fields.h"
+#include "matching/result/deformed_shape.h"
+#include "matching/result/figures.h"
 
 #include "geometry/generate/generate_shape.h"
 
@@ -52,7 +55,7 @@ Surface<Dim> moved(Surface<Dim> s, const Mat<Dim>& a) {
   return s;
 }
 
-TEST(RunReport, ThePlacementIsUndone) {
+TEST(MatchResult, ThePlacementIsUndone) {
   const Mat<2> a = (Mat<2>() << 1.1, 0.2, -0.1, 0.9).finished();
   const Vec<2> b(0.01, 0.02);
   const auto map = linear_map<2>(a, b);
@@ -79,7 +82,7 @@ TEST(RunReport, ThePlacementIsUndone) {
   }
 }
 
-TEST(RunReport, AreaRatiosInSpaceAreThoseOfAPolygonsPlane) {
+TEST(MatchResult, AreaRatiosInSpaceAreThoseOfAPolygonsPlane) {
   const auto map = linear_map<3>(Vec<3>(2, 1, 0.5).asDiagonal(), Vec<3>::Zero());
   OriginalShape<3> quads;
   for (const Vec<3>& x : {Vec<3>(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 5}, {0, 1, 5}, {0, 1, 6}, {0, 0, 6}})
@@ -90,7 +93,7 @@ TEST(RunReport, AreaRatiosInSpaceAreThoseOfAPolygonsPlane) {
   for (int v = 0; v < 8; ++v) EXPECT_NEAR(result.attributes[1].values[v], v < 4 ? 2 : 0.5, 1e-12);
 }
 
-TEST(RunReport, DistortionOfASimilarityAndOfAStretch) {
+TEST(MatchResult, DistortionOfASimilarityAndOfAStretch) {
   const Surface<3> reference = sphere();
   const auto distortion_of = [&](const Mat<3>& a) {
     const Surface<3> deformed = moved<3>(reference, a);
@@ -113,7 +116,7 @@ TEST(RunReport, DistortionOfASimilarityAndOfAStretch) {
 }
 
 // Weighted by the reference's lengths the mean is the length after over the length before, however it is cut.
-TEST(RunReport, MeanDistortionIsTheRatioOfTheWhole) {
+TEST(MatchResult, MeanDistortionIsTheRatioOfTheWhole) {
   const OriginalShape<2> square = uneven_square({});
   Surface<2> reference{square.vertices, {}};
   for (Index i = 0, n = static_cast<Index>(square.vertices.size()); i < n; ++i) reference.facets.push_back({i, (i + 1) % n});
@@ -123,12 +126,12 @@ TEST(RunReport, MeanDistortionIsTheRatioOfTheWhole) {
   EXPECT_FALSE(s.angle_distortion.has_value());
 }
 
-TEST(RunReport, CorrespondenceErrorIsTheMeanDistance) {
+TEST(MatchResult, CorrespondenceErrorIsTheMeanDistance) {
   const Correspondence<2> truth = {{2, {0, 0}}, {0, {1, 1}}};
   EXPECT_DOUBLE_EQ(correspondence_error<2>(truth, {{1, 1}, {9, 9}, {0, 3}}), 1.5);
 }
 
-TEST(RunReport, CellsKnowTheBandAndTheirDeterminant) {
+TEST(MatchResult, CellsKnowTheBandAndTheirDeterminant) {
   const Mat<2> a = (Mat<2>() << 1.1, 0.2, -0.1, 0.9).finished();
   const auto map = linear_map<2>(a, Vec<2>::Zero());
   std::vector<double> d1;
@@ -143,7 +146,7 @@ TEST(RunReport, CellsKnowTheBandAndTheirDeterminant) {
   }
 }
 
-TEST(RunReport, SubdividedCurvesKeepTheirLength) {
+TEST(MatchResult, SubdividedCurvesKeepTheirLength) {
   const Surface<2> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
   const Surface<2> fine = subdivided(square, 0.3);
   EXPECT_EQ(fine.facets.size(), 16u);

@@ -1,4 +1,4 @@
-#include "matching/output/deformation_file.h"
+#include "matching/map_file/deformation_file.h"
 #include "base/error.h"
 #include "matching/cascade/rebuild_grid.h"
 #include "tests/matching/output/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "matching/output/grid_picture.h"
+#include "matching/pictures/grid_picture.h"
 #include "render/canvas/image.h"
 #include "tests/grid/test_grids.h"
 #include "tests/matching/output/temporary_folder.h"

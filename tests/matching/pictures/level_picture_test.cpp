@@ -1,4 +1,4 @@
-#include "matching/output/level_picture.h"
+#include "matching/pictures/level_picture.h"
 #include "render/canvas/image.h"
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/render/test_shapes.h"

@@ -1,4 +1,4 @@
-#include "matching/output/grid_picture.h"
+#include "matching/pictures/grid_picture.h"
 
 #include "render/canvas/contours.h"
 #include "render/canvas/panel.h"

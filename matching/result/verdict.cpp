@@ -1,4 +1,4 @@
-#include "matching/output/verdict.h"
+#include "matching/result/verdict.h"
 
 #include <fmt/format.h>
 

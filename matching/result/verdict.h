@@ -2,7 +2,7 @@
 /// \file
 /// What to tell at the end of a run.
 
-#include "matching/output/summary.h"
+#include "matching/result/match_summary.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "matching/output/level_picture.h"
+#include "matching/pictures/level_picture.h"
 
 #include "base/error.h"
 #include "render/canvas/contours.h"

@@ -1,0 +1,80 @@
+#include "geometry/io/input_file.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr std::pair<std::string_view, FileFormat> endings[] = {
+    {".obj", FileFormat::obj},   {".off", FileFormat::off},   {".ply", FileFormat::ply},    {".stl", FileFormat::stl},
+    {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
+    {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".xyz", FileFormat::points}};
+
+}  // namespace
+
+std::string file_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+FileFormat format_of(const std::string& path) {
+  const std::string extension = file_extension(path);
+  for (const auto& [ending, format] : endings)
+    if (ending == extension) return format;
+  return FileFormat::unknown;
+}
+
+int dimension_of(FileFormat format) {
+  switch (format) {
+    case FileFormat::obj:
+    case FileFormat::off:
+    case FileFormat::ply:
+    case FileFormat::stl:
+      return 3;
+    case FileFormat::table:
+    case FileFormat::png:
+    case FileFormat::pgm:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+InputFile::InputFile(std::string path) : path_(std::move(path)), format_(format_of(path_)) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (!fs::exists(status)) {
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+      throw_input_error("{}: cannot be opened ({})", path_, error.message());
+    throw_input_error("{}: no such file; check the name and the folder", path_);
+  }
+  if (fs::is_directory(status)) throw_input_error("{}: is a folder, not a file; name the file in it", path_);
+}
+
+std::string InputFile::read() const {
+  std::ifstream stream(path_, std::ios::binary);
+  if (!stream) throw_input_error("{}: cannot be opened ({})", path_, std::strerror(errno));
+  std::string bytes;
+  // Pipes and devices have no size: reading in pieces serves all of them.
+  std::string piece(1 << 20, '\0');
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+    bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) throw_input_error("{}: cannot be read to its end ({})", path_, std::strerror(errno));
+  if (bytes.empty()) throw_input_error("{}: the file is empty (0 bytes)", path_);
+  return bytes;
+}
+
+}  // namespace shellmatch

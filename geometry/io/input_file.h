@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// A file on its way in: that it is there, what its name says of its format, and its bytes.
+
+#include <string>
+
+namespace shellmatch {
+
+/// The ending of a file name in lower case with its dot, ".ply"; empty where there is none.
+std::string file_extension(const std::string& path);
+
+/// What a name stands for by its ending; the contents are not asked.
+enum class FileFormat {
+  obj, off, ply, stl,  ///< meshes
+  table,               ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
+  points,              ///< .xyz: points alone
+  png, pgm,            ///< masks
+  unknown
+};
+FileFormat format_of(const std::string& path);
+
+/// Of the shapes in files of that format: 3 for meshes, 2 for tables and masks, 0 for what holds no shape.
+int dimension_of(FileFormat format);
+
+/// A file that exists and is not a folder.
+class InputFile {
+ public:
+  /// \throws InputError where it is missing or a folder
+  explicit InputFile(std::string path);
+
+  const std::string& path() const { return path_; }
+  FileFormat format() const { return format_; }
+  /// All of its bytes. \throws InputError where it cannot be read or is empty
+  std::string read() const;
+
+ private:
+  std::string path_;
+  FileFormat format_;
+};
+
+}  // namespace shellmatch

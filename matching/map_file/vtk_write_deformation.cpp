@@ -1,0 +1,146 @@
+#include "base/error.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/map_file/vtk_messages.h"
+#include "matching/output/file_checksum.h"
+#include "matching/output/process_info.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+namespace shellmatch {
+
+namespace {
+
+template <class Array>
+vtkNew<Array> new_array(const std::string& name, int n_components, Eigen::Index n_tuples) {
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(n_components);
+  array->SetNumberOfTuples(n_tuples);
+  return array;
+}
+
+// Vectors of the plane become vectors of space.
+template <class Array, class Entry>
+vtkNew<Array> vector_array(const std::string& name, int n_components, Index n, const Entry& entry) {
+  const int written = n_components == 2 ? 3 : n_components;
+  auto array = new_array<Array>(name, written, n);
+  for (Index i = 0; i < n; ++i)
+    for (int k = 0; k < written; ++k) array->SetTypedComponent(i, k, k < n_components ? static_cast<typename Array::ValueType>(entry(i, k)) : 0);
+  return array;
+}
+
+template <int Dim>
+void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
+  vtkNew<vtkIntArray> level;
+  level->SetName("level");
+  level->SetNumberOfTuples(static_cast<vtkIdType>(grid.leaves().size()));
+  data.Allocate(static_cast<vtkIdType>(grid.leaves().size()));
+  vtkIdType next = 0;
+  for (const Index leaf : grid.leaves()) {
+    const auto& cell = grid.cell(leaf);
+    vtkIdType nodes[n_corners<Dim>];
+    for (int c = 0; c < n_corners<Dim>; ++c) nodes[c] = cell.nodes[c];
+    data.InsertNextCell(Dim == 2 ? VTK_PIXEL : VTK_VOXEL, n_corners<Dim>, nodes);
+    level->SetValue(next++, cell.level);
+  }
+  data.GetCellData()->AddArray(level);
+}
+
+template <int Dim>
+void add_facts(const Similarity<Dim>& placement, vtkFieldData& facts) {
+  vtkNew<vtkIntArray> dimension;
+  dimension->SetName("dimension");
+  dimension->InsertNextValue(Dim);
+  facts.AddArray(dimension);
+  auto scale = new_array<vtkDoubleArray>("placement_scale", 1, 1);
+  scale->SetValue(0, placement.scale);
+  facts.AddArray(scale);
+  auto offset = new_array<vtkDoubleArray>("placement_offset", Dim, 1);
+  for (int k = 0; k < Dim; ++k) offset->SetTypedComponent(0, k, placement.offset[k]);
+  facts.AddArray(offset);
+  vtkNew<vtkStringArray> version;
+  version->SetName("program_version");
+  version->InsertNextValue(program_version());
+  facts.AddArray(version);
+}
+
+}  // namespace
+
+template <int Dim>
+void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
+                       const std::vector<NodalField>& nodal_fields,
+                       const std::vector<CellField>& cell_fields) {
+  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, nodal_fields, cell_fields);
+}
+
+template <int Dim>
+void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                       const Similarity<Dim>& placement, const std::vector<NodalField>& nodal_fields,
+                       const std::vector<CellField>& cell_fields) {
+  const Index n = grid.n_nodes();
+  SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
+  vtkNew<vtkUnstructuredGrid> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(n);
+  for (Index i = 0; i < n; ++i) {
+    const Vec<Dim> x = grid.node_position(i);
+    points->SetPoint(i, x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0);
+  }
+  data->SetPoints(points);
+  add_cells(grid, *data);
+  data->GetPointData()->AddArray(
+      vector_array<vtkDoubleArray>("phi", Dim, n, [&](Index i, int k) { return phi[i][k]; }));
+  data->GetPointData()->AddArray(vector_array<vtkFloatArray>("displacement", Dim, n, [&](Index i, int k) {
+    return phi[i][k] - grid.node_position(i)[k];
+  }));
+  for (const NodalField& field : nodal_fields) {
+    const int m = field.n_components;
+    SHELLMATCH_CHECK(m > 0 && field.values.size() == static_cast<std::size_t>(n) * m,
+                     "a nodal field has values for each node");
+    data->GetPointData()->AddArray(vector_array<vtkFloatArray>(
+        field.name, m, n, [&](Index i, int k) { return field.values[static_cast<std::size_t>(i) * m + k]; }));
+  }
+  for (const CellField& field : cell_fields) {
+    SHELLMATCH_CHECK(field.values.size() == grid.leaves().size(), "a cell field has a value for each leaf");
+    data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
+                                               [&](Index i, int) { return field.values[i]; }));
+  }
+  add_facts(placement, *data->GetFieldData());
+
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  const VtkMessages messages;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // higher ones take four times as long for a tenth less
+  writer->SetHeaderTypeToUInt64();
+  if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)
+    throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
+  append_checksum(path);
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
+  template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
+                                       const std::vector<NodalField>&, const std::vector<CellField>&);       \
+  template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
+                                       const Similarity<Dim>&, const std::vector<NodalField>&,               \
+                                       const std::vector<CellField>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

@@ -1,0 +1,30 @@
+#include "matching/match_shapes.h"
+
+#include "base/parallel.h"
+#include "matching/cascade/size_estimate.h"
+#include "matching/experiment/yaml_options.h"
+#include "matching/match_task.h"
+
+#include <utility>
+
+namespace shellmatch {
+
+template <int Dim>
+MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
+                              const ExperimentOptions& options, Observer& observer) {
+  check_experiment(options);
+  set_n_threads(options.threads);
+  RunClock clock;
+  Recorder recorder(observer);
+  MatchTask<Dim> task;
+  task.shapes = {reference, template_shape};
+  task.placement = task.shapes.place(options);
+  check_size<Dim>(refined_measures(task.shapes.reference.surface, task.shapes.template_shape.surface, options),
+                  options.cascade.min_level, options.cascade.max_level, "");
+  return run_task(std::move(task), options, recorder, clock);
+}
+
+template MatchResult<2> match_shapes<2>(const Shape<2>&, const Shape<2>&, const ExperimentOptions&, Observer&);
+template MatchResult<3> match_shapes<3>(const Shape<3>&, const Shape<3>&, const ExperimentOptions&, Observer&);
+
+}  // namespace shellmatch

@@ -1,0 +1,132 @@
+#include "matching/match_task.h"
+
+#include "geometry/distance/surface_distance.h"
+#include "matching/output/process_info.h"
+#include "matching/result/deformed_shape.h"
+#include "matching/result/figures.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+namespace {
+
+ShapeSummary shape_summary(const auto& shape) {
+  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes};
+}
+
+/// One matching, from the shapes in the unit domain to the result.
+template <int Dim>
+class Matching {
+ public:
+  Matching(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock)
+      : task_(std::move(task)),
+        options_(options),
+        recorder_(recorder),
+        clock_(clock),
+        d1_(reference_.surface),
+        d2_(template_.surface) {}
+
+  MatchResult<Dim> go() {
+    summary_.distance_before = two_sided_distance(reference_.surface, d2_);
+    std::optional<FinishedLevel<Dim>> before = resume();
+    recorder_.phase("matching");
+    auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
+                                   [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
+                                   clock_.phases, std::move(before));
+    summary_.interrupted = result.interrupted;
+    PhaseClock phase(clock_.phases);
+    phase.start("output");
+    MatchResult<Dim> complete = measured(std::move(result));
+    phase.stop();
+    complete.summary = summary_so_far();
+    complete.history = std::move(recorder_.history);
+    return complete;
+  }
+
+ private:
+  // Takes over what an earlier matching has told, so that the result tells all of it.
+  std::optional<FinishedLevel<Dim>> resume() {
+    if (!task_.before) return std::nullopt;
+    MatchSummary& s = task_.before->summary;
+    const int level = s.levels.back().level;
+    recorder_.history = std::move(task_.before->history);
+    recorder_.gradient_checks = s.gradient_checks.value_or(std::vector<GradientCheckSummary>{});
+    clock_.add_earlier(s.run);
+    summary_.levels = std::move(s.levels);
+    summary_.run = std::move(s.run);
+    summary_.run.resumed_after = summary_.run.resumed_after.value_or(std::vector<int>{});
+    summary_.run.resumed_after->push_back(level);
+    return FinishedLevel<Dim>{level, std::move(task_.before->map)};
+  }
+
+  void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
+    const auto& rows = recorder_.history.rows;
+    LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
+    const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
+    s.distance = two_sided_distance(
+        deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2_);
+    summary_.levels.push_back(std::move(s));
+    summary_.run.level_seconds.push_back(level.seconds);
+    if (task_.finished)
+      task_.finished({level, state, task_.shapes, task_.placement, deformed, d2_, summary_so_far(), recorder_.history});
+  }
+
+  // Everything but summary and history.
+  MatchResult<Dim> measured(CascadeResult<Dim> result) {
+    Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
+    summary_.distance = summary_.levels.back().distance;
+    add_distortion(summary_, reference_.surface, deformed, d2_);
+    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), task_.placement};
+    OriginalShape<Dim> moved = deformed_original(reference_.original, map, d2_);
+    if (!task_.truth.empty()) {
+      const double diagonal = bounding_box(template_.original.vertices).diagonal();
+      summary_.correspondence_error_before = correspondence_error(task_.truth, reference_.original.vertices) / diagonal;
+      summary_.correspondence_error = correspondence_error(task_.truth, moved.vertices) / diagonal;
+    }
+    std::vector<double> distance = distances_to(deformed.vertices, d2_);
+    return {std::move(map),
+            std::move(moved),
+            {},
+            {},
+            {reference_.surface, template_.surface, std::move(deformed), std::move(distance)},
+            std::move(result.reference),
+            std::move(result.target)};
+  }
+
+  MatchSummary summary_so_far() const {
+    MatchSummary s = summary_;
+    s.version = program_version();
+    s.profile = enum_name(options_.profile);
+    s.dimension = Dim;
+    s.reference = shape_summary(reference_);
+    s.template_shape = shape_summary(template_);
+    s.placement = {std::string(enum_name(options_.input.placement)), task_.placement.scale,
+                   {task_.placement.offset.begin(), task_.placement.offset.end()}};
+    if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
+    clock_.state(s.run);
+    return s;
+  }
+
+  MatchTask<Dim> task_;
+  const Shape<Dim>&reference_ = task_.shapes.reference, &template_ = task_.shapes.template_shape;
+  const ExperimentOptions& options_;
+  Recorder& recorder_;
+  RunClock& clock_;
+  SignedDistance<Dim> d1_, d2_;
+  MatchSummary summary_;
+};
+
+}  // namespace
+
+template <int Dim>
+MatchResult<Dim> run_task(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock) {
+  return Matching<Dim>(std::move(task), options, recorder, clock).go();
+}
+
+template MatchResult<2> run_task<2>(MatchTask<2>, const ExperimentOptions&, Recorder&, RunClock&);
+template MatchResult<3> run_task<3>(MatchTask<3>, const ExperimentOptions&, Recorder&, RunClock&);
+
+}  // namespace shellmatch

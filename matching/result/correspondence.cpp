@@ -1,0 +1,46 @@
+#include "matching/result/correspondence.h"
+
+#include "base/error.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace shellmatch {
+
+template <int Dim>
+Correspondence<Dim> read_correspondence(const std::string& path, std::size_t n_vertices) {
+  std::ifstream in(path);
+  if (!in) throw_input_error("{}: cannot be read; input.correspondence expects a file with lines 'index x y z'", path);
+  Correspondence<Dim> list;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    long index = 0;
+    if (!(words >> std::ws) || words.eof()) continue;
+    Vec<Dim> x;
+    bool good = static_cast<bool>(words >> index);
+    for (int k = 0; k < Dim; ++k) good = static_cast<bool>(words >> x[k]) && good;
+    if (!good || !x.allFinite())
+      throw_input_error("{}:{}: expected the index of a vertex and {} finite coordinates, found '{}'", path, number, Dim, line);
+    if (index < 0 || static_cast<std::size_t>(index) >= n_vertices)
+      throw_input_error("{}:{}: there is no vertex {}; the reference has {}, counted from 0", path, number, index, n_vertices);
+    list.emplace_back(static_cast<Index>(index), x);
+  }
+  if (list.empty()) throw_input_error("{}: holds no correspondence; expected lines 'index x y z'", path);
+  return list;
+}
+
+template <int Dim>
+double correspondence_error(const Correspondence<Dim>& truth, const std::vector<Vec<Dim>>& vertices) {
+  double sum = 0;
+  for (const auto& [i, x] : truth) sum += (vertices[i] - x).norm();
+  return sum / static_cast<double>(truth.size());
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                       \
+  template Correspondence<Dim> read_correspondence<Dim>(const std::string&, std::size_t); \
+  template double correspondence_error<Dim>(const Correspondence<Dim>&, const std::vector<Vec<Dim>>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

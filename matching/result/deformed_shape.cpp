@@ -1,0 +1,103 @@
+#include "matching/result/deformed_shape.h"
+
+#include "base/parallel.h"
+#include "grid/fields/interpolation.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+template <int Dim>
+Surface<Dim> subdivided(const Surface<Dim>& surface, double length) {
+  if constexpr (Dim == 3) {
+    (void)length;
+    return surface;
+  } else {
+    Surface<2> fine{surface.vertices, {}};
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+      const auto [a, b] = surface.facets[f];
+      const Vec<2> from = surface.vertices[a], edge = surface.vertices[b] - from;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / length)));
+      Index last = a;
+      for (int k = 1; k < pieces; ++k) {
+        fine.vertices.push_back(from + edge * (static_cast<double>(k) / pieces));
+        fine.facets.push_back({last, static_cast<Index>(fine.vertices.size()) - 1});
+        last = fine.facets.back()[1];
+      }
+      fine.facets.push_back({last, b});
+    }
+    return fine;
+  }
+}
+
+template <int Dim>
+Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+  Surface<Dim> deformed = reference;
+  parallel_for(deformed.vertices.size(), [&](std::size_t i) {
+    deformed.vertices[i] = evaluate(grid, phi, reference.vertices[i]);
+  });
+  return deformed;
+}
+
+namespace {
+
+/// Area that a polygon encloses, or the length of an edge of a ring.
+double polygon_measure(const std::vector<Vec<3>>& x, const std::vector<Index>& polygon) {
+  Vec<3> area = Vec<3>::Zero();
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    area += 0.5 * (x[polygon[k]] - x[polygon[0]]).cross(x[polygon[k + 1]] - x[polygon[0]]);
+  return area.norm();
+}
+
+/// Measures of what surrounds each vertex.
+template <int Dim>
+std::vector<double> vertex_measures(const OriginalShape<Dim>& shape) {
+  std::vector<double> sum(shape.vertices.size(), 0.0);
+  for (const auto& polygon : shape.polygons) {
+    if constexpr (Dim == 3) {
+      const double area = polygon_measure(shape.vertices, polygon);
+      for (const Index v : polygon) sum[v] += area;
+    } else {
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Index a = polygon[k], b = polygon[(k + 1) % polygon.size()];
+        const double length = (shape.vertices[a] - shape.vertices[b]).norm();
+        sum[a] += length;
+        sum[b] += length;
+      }
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+template <int Dim>
+OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
+                                     const SignedDistance<Dim>& template_distance) {
+  OriginalShape<Dim> moved = reference;
+  std::vector<double> distance(reference.vertices.size());
+  parallel_for(distance.size(), [&](std::size_t i) {
+    const Vec<Dim> y = deformation(deformation.placement(reference.vertices[i]));
+    moved.vertices[i] = deformation.placement.inverse(y);
+    distance[i] = std::abs(template_distance(y)) / deformation.placement.scale;
+  });
+  const std::vector<double> before = vertex_measures(reference), after = vertex_measures(moved);
+  std::vector<double> ratio(before.size());
+  for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = before[i] > 0 ? after[i] / before[i] : 1.0;
+  moved.attributes.push_back({"distance_to_template", "float", std::move(distance)});
+  moved.attributes.push_back({Dim == 3 ? "area_ratio" : "length_ratio", "float", std::move(ratio)});
+  return moved;
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template Surface<Dim> subdivided<Dim>(const Surface<Dim>&, double);                                                 \
+  template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
+  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \
+                                                     const SignedDistance<Dim>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

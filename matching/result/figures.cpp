@@ -1,0 +1,87 @@
+#include "matching/result/figures.h"
+
+#include "geometry/distance/surface_distance.h"
+#include "geometry/distance/distortion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
+  const auto quality = match_quality(deformed, template_distance);
+  const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
+  return {one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed)};
+}
+
+LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
+  const auto named = [](const TermValues& values) {
+    NamedValues list;
+    for (std::size_t t = 0; t < values.size(); ++t) list.emplace_back(term_names()[t], values[t]);
+    list.emplace_back("total", values.sum());
+    return list;
+  };
+  LevelSummary s;
+  s.level = r.start.level;
+  s.sigma = r.start.sigma;
+  s.nu = r.start.nu;
+  s.volume_weight = r.start.volume_weight;
+  s.n_substeps = r.start.n_substeps;
+  s.n_nodes = r.start.n_nodes;
+  s.n_free_nodes = r.start.n_free_nodes;
+  s.n_cells = r.start.n_cells;
+  s.n_band_cells = r.n_band_cells;
+  s.energy_minimised = named(r.minimised);
+  s.energy_reported = named(r.reported);
+  s.iterations = r.iterations;
+  s.value_evaluations = r.value_evaluations;
+  s.gradient_evaluations = r.gradient_evaluations;
+  s.gradient_norm = last.gradient_norm;
+  s.l2_gradient_norm = last.l2_gradient_norm;
+  s.solver = r.last.solver;
+  s.fallbacks = r.fallbacks;
+  s.stop_reason = enum_name(r.last.reason);
+  s.stop_message = r.last.message;
+  s.folds = r.folds;
+  s.band = r.band;
+  return s;
+}
+
+template <int Dim>
+void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
+                    const SignedDistance<Dim>& template_distance) {
+  const auto weighted = [&](const std::vector<double>& values) {
+    DistortionSummary d{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    double total = 0;
+    for (std::size_t f = 0; f < values.size(); ++f) {
+      if (!std::isfinite(values[f])) continue;
+      const double w = facet_measure(reference, static_cast<Index>(f));
+      d.mean += w * values[f];
+      total += w;
+      d.min = std::min(d.min, values[f]);
+      d.max = std::max(d.max, values[f]);
+    }
+    d.mean /= total;
+    return d;
+  };
+  summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
+  if constexpr (Dim == 3) {
+    // The largest change of an angle under a linear map with stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90 degrees.
+    std::vector<double> degrees = angle_distortions(reference, deformed);
+    for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
+    summary.angle_distortion = weighted(degrees);
+  }
+  summary.n_flipped_facets = count_facing_away(deformed, template_distance);
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
+  template TwoSidedDistance two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&); \
+  template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \
+                                    const SignedDistance<Dim>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

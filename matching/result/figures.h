@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The figures of a summary, from what was computed.
+
+#include "geometry/distance/signed_distance.h"
+#include "geometry/surface/surface.h"
+#include "matching/cascade/cascade.h"
+#include "matching/result/match_summary.h"
+
+namespace shellmatch {
+
+template <int Dim>
+TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
+
+LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
+
+/// Area (length) and angle distortion and facets that face away, over all facets.
+template <int Dim>
+void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
+                    const SignedDistance<Dim>& template_distance);
+
+}  // namespace shellmatch

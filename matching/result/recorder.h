@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// The observer that writes down what a matching tells of itself.
+
+#include "matching/observer.h"
+#include "matching/result/history.h"
+#include "matching/result/match_summary.h"
+
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// Keeps the history and the checks of derivatives, and passes everything on.
+class Recorder final : public Observer {
+ public:
+  /// `next` must outlive it.
+  explicit Recorder(Observer& next);
+
+  void note(const std::string& text) override { next_.note(text); }
+  void phase(const std::string& name) override { next_.phase(name); }
+  void level_started(const LevelStart& start) override;
+  bool iterated(const LevelStart& start, const IterationRecord& record) override;
+  void gradient_checked(const LevelStart& start, const GradientReport& report) override;
+  void level_finished(const LevelStart& start, const MinimizerSummary& summary) override {
+    next_.level_finished(start, summary);
+  }
+
+  History history;
+  std::vector<GradientCheckSummary> gradient_checks;
+  int level = 0;  ///< the one that was started last; 0: none
+
+ private:
+  Observer& next_;
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,64 @@
+#include "matching/write_result.h"
+
+#include "geometry/io/write_shape.h"
+#include "matching/experiment/yaml_options.h"
+#include "matching/pictures/grid_picture.h"
+#include "matching/output/history_file.h"
+#include "matching/pictures/level_picture.h"
+#include "matching/map_file/map_fields.h"
+#include "matching/output/summary.h"
+#include "matching/output/write_file.h"
+#include "render/canvas/plot.h"
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder) {
+  const MatchedSurfaces<Dim>& s = result.surfaces;
+  LevelPicture<Dim> picture;
+  picture.reference = &s.reference;
+  picture.template_shape = &s.template_shape;
+  picture.deformed = &s.deformed;
+  picture.distance = s.distance;
+  if constexpr (Dim == 2) {
+    picture.grid = &result.map.grid;
+    picture.phi = &result.map.phi;
+  }
+  write_level_picture(picture, folder.path_of("pictures/result.png"));
+  if constexpr (Dim == 3)
+    write_grid_picture(result.map.grid, s.reference, s.template_shape, "", folder.path_of("pictures/grid.png"));
+  write_plot(energy_plot(result.history), folder.path_of("pictures/energy.png"));
+}
+
+}  // namespace
+
+template <int Dim>
+void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder) {
+  if (options.pictures != Pictures::none) write_pictures(result, folder);
+  if constexpr (Dim == 3) write_ply(folder.path_of("deformed.ply"), result.deformed);
+  else write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
+  write_deformation(folder.path_of(deformation_file_name), result.map,
+                    nodal_fields(result.reference_fields, result.template_fields, options),
+                    cell_fields(result.map.grid, result.map.phi, result.reference_fields.distance,
+                                result.summary.levels.back().sigma));
+  write_history(result.history, folder.path_of("history.csv"));
+  write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
+}
+
+template <int Dim>
+void write_result(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
+  OutputFolder place(folder, force);
+  write_result_files(result, options, place);
+  write_summary(result.summary, place.path_of("summary.json"));
+  place.commit();
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
+  template void write_result<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
+  template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+
+}  // namespace shellmatch

@@ -1,0 +1,124 @@
+// Matching as a function of values: the same numbers as a run writes, and no file.
+
+#include "matching/match_shapes.h"
+
+#include "base/error.h"
+#include "geometry/repair/make_shape.h"
+#include "matching/experiment/shape_source.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/output/history_file.h"
+#include "matching/write_result.h"
+#include "matching/output/summary.h"
+#include "matching/run_matching.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace shellmatch {
+namespace {
+
+using testing::contents_of;
+using testing::message_of;
+using testing::TemporaryFolder;
+
+Shape<2> outline(const std::string& name) { return std::get<Shape<2>>(open_shape("generate:" + name)); }
+
+ExperimentOptions options_to(int max_level) {
+  ExperimentOptions o = profile_defaults(Profile::standard);
+  o.input.reference = "generate:ellipse/round";
+  o.input.template_file = "generate:ellipse/long";
+  o.cascade.max_level = max_level;
+  o.pictures = Pictures::result;
+  return o;
+}
+
+std::string lasting_summary(MatchSummary s) {
+  s.run = {};
+  return summary_json(s);
+}
+
+std::string lasting_history(History history) {
+  for (HistoryRow& row : history.rows) row.record.seconds = 0;
+  return history_csv(history);
+}
+
+TEST(MatchShapes, GivesWhatARunWrites) {
+  const TemporaryFolder tmp;
+  const ExperimentOptions o = options_to(5);
+  Observer quiet;
+  const AnyMatchResult returned = run_matching(o, tmp / "run", {}, quiet);
+  const MatchResult<2> result = match_shapes(outline("ellipse/round"), outline("ellipse/long"), o, quiet);
+
+  // A run knows where these vertices truly go; the function was not told.
+  const MatchSummary written = read_summary(tmp / "run/summary.json");
+  EXPECT_EQ(summary_json(summary_of(returned)), summary_json(written));
+  MatchSummary untold = written;
+  untold.correspondence_error.reset();
+  untold.correspondence_error_before.reset();
+  EXPECT_TRUE(written.correspondence_error);
+  EXPECT_EQ(lasting_summary(result.summary), lasting_summary(untold));
+  EXPECT_EQ(lasting_history(result.history), lasting_history(read_history(tmp / "run/history.csv")));
+
+  const Deformation<2> map = read_deformation<2>(tmp / "run");
+  ASSERT_EQ(map.phi.size(), result.map.phi.size());
+  for (const Vec<2>& x : {Vec<2>(0.1, 0.2), Vec<2>(-0.4, 0.3), Vec<2>(7, 7)})
+    EXPECT_EQ(map.apply(x), result.map.apply(x));
+
+  write_result(result, o, tmp / "written");
+  for (const char* file : {"deformed.csv", "deformation.vtu", "config.yaml", "pictures/result.png", "pictures/energy.png"})
+    EXPECT_EQ(contents_of(tmp / (std::string("written/") + file)), contents_of(tmp / (std::string("run/") + file))) << file;
+}
+
+// Every vertex comes back in its order and where the map has it, a seam that mending welds included.
+TEST(MatchShapes, VerticesKeepTheirOrderAndFollowTheMap) {
+  const OriginalShape<2> given = outline("ellipse/round").original;
+  OriginalShape<2> circle = given;
+  circle.vertices.push_back(circle.vertices.front());  // twice, and once without a segment
+  circle.polygons.front().push_back(static_cast<Index>(given.vertices.size()));
+  circle.vertices.emplace_back(0.25, 0.125);
+  circle.attributes.push_back({"label", "int", std::vector<double>(circle.vertices.size(), 7)});
+  Observer quiet;
+  const MatchResult<2> r = match_shapes(make_shape(circle, "circle"), outline("ellipse/long"), options_to(4), quiet);
+  ASSERT_EQ(r.deformed.vertices.size(), given.vertices.size() + 2);
+  EXPECT_EQ(r.deformed.polygons, circle.polygons);
+  for (std::size_t v = 0; v < circle.vertices.size(); ++v)
+    EXPECT_EQ(r.deformed.vertices[v], r.map.apply(circle.vertices[v])) << v;
+  ASSERT_EQ(r.deformed.attributes.size(), 3u);
+  EXPECT_EQ(r.deformed.attributes[0].values, circle.attributes[0].values);
+  EXPECT_EQ(r.surfaces.deformed.vertices.size(), r.surfaces.reference.vertices.size());
+  EXPECT_EQ(r.surfaces.distance.size(), r.surfaces.reference.vertices.size());
+  // At the surface's vertices the unit domain's distance is that of the summary, relative to the template's diagonal.
+  const double diagonal = bounding_box(r.surfaces.template_shape.vertices).diagonal();
+  for (const double d : r.surfaces.distance) EXPECT_LE(d / diagonal, r.summary.distance->deformed_to_template.max * 1.0001);
+}
+
+TEST(MatchShapes, AnObserverStopsItAndTheResultSaysSo) {
+  struct Stop final : Observer {
+    bool iterated(const LevelStart& start, const IterationRecord&) override { return start.level < 4; }
+  } stop;
+  const MatchResult<2> r = match_shapes(outline("ellipse/round"), outline("ellipse/long"), options_to(6), stop);
+  EXPECT_TRUE(r.summary.interrupted);
+  EXPECT_EQ(r.summary.levels.back().level, 4);
+  EXPECT_EQ(r.history.rows.back().level, 4);
+}
+
+TEST(MatchShapes, OptionsThatAProgramHasSetAreChecked) {
+  const Shape<2> circle = outline("ellipse/round");
+  Observer quiet;
+  const auto message = [&](auto change) {
+    ExperimentOptions o = options_to(4);
+    change(o);
+    return message_of<InputError>([&] { match_shapes(circle, circle, o, quiet); });
+  };
+  EXPECT_EQ(message([](ExperimentOptions& o) { o.cascade.max_level = 16; }),
+            "cascade.max_level: 16 is out of range; expected an integer, 1 <= x <= 15");
+  EXPECT_EQ(message([](ExperimentOptions& o) { o.cascade.nu = std::numeric_limits<double>::infinity(); }),
+            "cascade.nu: inf is out of range; expected a finite number, x > 0");
+  EXPECT_EQ(message([](ExperimentOptions& o) { o.cascade.min_level = 5; }),
+            "cascade.max_level: 4 is below cascade.min_level = 5; expected at least that");
+}
+
+}  // namespace
+}  // namespace shellmatch
