@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"

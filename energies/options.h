@@ -4,7 +4,7 @@
 
 #include "base/options.h"
 #include "energies/elements/boundary_condition.h"
-#include "energies/term_values.h"
+#include "energies/terms/term_values.h"
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #include "energies/assembly/element_oracle.h"
 
-#include "energies/assembly/element_fields.h"
+#include "energies/compiled/element_fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The energy element by element without compiled code, from the terms' own functors (energies/assembly/element_cost.h):
+/// The energy element by element without compiled code, from the terms' own functors (energies/compiled/element_cost.h):
 /// values, and derivatives by ceres::Jet. It shares the terms with the assembly and nothing of its code: what derivative
 /// checks hold the assembly against.
 

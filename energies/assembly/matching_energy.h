@@ -2,9 +2,9 @@
 /// \file
 /// E[phi] = E_match + E_mem + E_bend + E_vol, and the barrier against folds, on one grid: value and gradient.
 
-#include "energies/assembly/band.h"
+#include "energies/elements/band.h"
 #include "energies/assembly/band_report.h"
-#include "energies/assembly/energy_terms.h"
+#include "energies/compiled/energy_terms.h"
 #include "energies/elements/unknowns.h"
 #include "energies/elements/cell_blocks.h"
 #include "energies/options.h"

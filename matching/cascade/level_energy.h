@@ -2,7 +2,7 @@
 /// \file
 /// The energy of an experiment on one grid, with all that it refers to.
 
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
 #include "matching/experiment/options.h"
 

@@ -2,7 +2,7 @@
 /// \file
 /// The matching energy on one grid as a problem for the solvers: the only place where energies and solvers meet.
 
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
 #include "solvers/objective.h"
 

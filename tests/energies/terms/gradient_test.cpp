@@ -1,9 +1,9 @@
 // Gradients by the order of the Taylor remainder: every term, every volume density, both boundary conditions, in
 // the plane and in space, on grids with hanging nodes; and the same check catches wrong gradients.
 
-#include "energies/assembly/element_cost.h"
+#include "energies/compiled/element_cost.h"
 #include "energies/terms/term_names.h"
-#include "tests/energies/assembly/element_sums.h"
+#include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 #include "tests/support/taylor.h"

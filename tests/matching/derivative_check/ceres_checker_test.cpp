@@ -3,7 +3,7 @@
 
 #include "matching/derivative_check/ceres_checker.h"
 
-#include "energies/assembly/element_cost.h"
+#include "energies/compiled/element_cost.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 

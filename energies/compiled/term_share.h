@@ -3,7 +3,7 @@
 /// The list of terms is compiled in shares, each by a translation unit of its own (energies/CMakeLists.txt): no one
 /// of them takes long, however many terms there are.
 
-#include "energies/assembly/compiled_term.h"
+#include "energies/compiled/compiled_term.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // The fold margin of elements, and damping of Newton's step where it would use that up.
 
 #include "base/parallel.h"
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/elements/determinants.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 /// \file
 /// A term as the assembly calls it: its compiled code behind function pointers, eight quadrature points or elements at a
-/// time. energies/assembly/compile_term.h makes it from the term's type.
+/// time. energies/compiled/compile_term.h makes it from the term's type.
 
-#include "energies/assembly/element_fields.h"
-#include "energies/assembly/point_arrays.h"
+#include "energies/compiled/element_fields.h"
+#include "energies/compiled/point_arrays.h"
 #include "energies/autodiff/jet.h"
 #include "energies/densities/square_pack.h"
 #include "energies/densities/tangent_frames.h"
@@ -89,7 +89,7 @@ struct CompiledTerm {
   TermInfo info;
   std::span<const TermOption> own;
   std::variant<BandCode<Dim>, CellCode<Dim>, CornerCode<Dim>> code;
-  /// The term on one element by its own functor, without the compiled code (energies/assembly/element_cost.h).
+  /// The term on one element by its own functor, without the compiled code (energies/compiled/element_cost.h).
   double (*element_value)(const ElementFields<Dim>&, const double* dofs, double weight, const Material<double>&);
   Jet (*element_derivative)(const ElementFields<Dim>&, const Jet* dofs, double weight, const Material<double>&);
   /// Largest second derivative of the density where it rests; of a corner term, its scale on a cell of side 1.

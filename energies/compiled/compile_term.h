@@ -2,10 +2,10 @@
 /// \file
 /// Makes a CompiledTerm from a term's type: compile_term<Membrane<3>>().
 
-#include "energies/assembly/band_term_code.h"
-#include "energies/assembly/cell_term_code.h"
-#include "energies/assembly/compiled_term.h"
-#include "energies/assembly/element_cost.h"
+#include "energies/compiled/band_term_code.h"
+#include "energies/compiled/cell_term_code.h"
+#include "energies/compiled/compiled_term.h"
+#include "energies/compiled/element_cost.h"
 
 namespace shellmatch {
 

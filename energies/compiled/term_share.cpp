@@ -1,8 +1,8 @@
-// One share of the list of terms, SHELLMATCH_TERM_SHARE (energies/assembly/term_share.h).
+// One share of the list of terms, SHELLMATCH_TERM_SHARE (energies/compiled/term_share.h).
 
-#include "energies/assembly/term_share.h"
+#include "energies/compiled/term_share.h"
 
-#include "energies/assembly/compile_term.h"
+#include "energies/compiled/compile_term.h"
 #include "energies/terms/list.h"
 
 #include <utility>

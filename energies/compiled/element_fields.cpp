@@ -1,4 +1,4 @@
-#include "energies/assembly/element_fields.h"
+#include "energies/compiled/element_fields.h"
 
 #include "grid/fields/bump.h"
 

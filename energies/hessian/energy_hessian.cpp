@@ -1,8 +1,8 @@
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "energies/assembly/band_variables.h"
+#include "energies/hessian/band_variables.h"
 
 #include <Eigen/LU>
 

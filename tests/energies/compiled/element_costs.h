@@ -2,7 +2,7 @@
 /// \file
 /// The assembly against Ceres' differentiation of the element costs, for every term.
 
-#include "tests/energies/assembly/element_sums.h"
+#include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "energies/terms/term_names.h"
 

@@ -1,7 +1,7 @@
 // The examples of docs/autodiff.md and docs/adding-an-energy.md.
 
 #include "tests/energies/autodiff/compiled_against_jets.h"
-#include "tests/energies/assembly/element_sums.h"
+#include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/densities/random_matrices.h"
 #include "tests/support/taylor.h"

@@ -1,4 +1,4 @@
-#include "energies/assembly/band.h"
+#include "energies/elements/band.h"
 
 #include "grid/fields/bump.h"
 #include "tests/energies/matching_problem.h"

@@ -3,7 +3,7 @@
 /// The variables in which Newton's model of the band is made at a quadrature point, and how they depend on the degrees of
 /// freedom of the element. In few variables few modes are added to the element's matrix, which is what its time is.
 
-#include "energies/assembly/compiled_term.h"
+#include "energies/compiled/compiled_term.h"
 
 #include <array>
 #include <span>

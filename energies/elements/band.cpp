@@ -1,4 +1,4 @@
-#include "energies/assembly/band.h"
+#include "energies/elements/band.h"
 
 #include "base/error.h"
 #include "base/parallel.h"

@@ -1,7 +1,7 @@
 // The model of the second derivative: exact where nothing has to be removed, positive semidefinite
 // everywhere.
 
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/densities/stretch_hessian.h"
 #include "energies/densities/tangent_hessian.h"
 #include "energies/terms/term_names.h"

@@ -2,7 +2,7 @@
 /// \file
 /// The terms of one energy: those that the options choose from energies/terms/list.h, and terms from elsewhere.
 
-#include "energies/assembly/compiled_term.h"
+#include "energies/compiled/compiled_term.h"
 #include "energies/options.h"
 
 #include <deque>

@@ -1,7 +1,7 @@
-#include "energies/assembly/energy_terms.h"
+#include "energies/compiled/energy_terms.h"
 
 #include "base/error.h"
-#include "energies/assembly/term_share.h"
+#include "energies/compiled/term_share.h"
 #include "energies/terms/term_names.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// \file
 /// The compiled code of a band term: value, gradient and Newton's model at eight points.
 
-#include "energies/assembly/compiled_term.h"
+#include "energies/compiled/compiled_term.h"
 #include "energies/autodiff/compiled.h"
 #include "energies/densities/positive_hessian.h"
 #include "energies/terms/term_functors.h"

@@ -1,6 +1,6 @@
 // Second derivatives of the terms that every cell has.
 
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and gradient
 /// checker take it as it is; the compiled assembly is tested against it.
 
-#include "energies/assembly/element_fields.h"
+#include "energies/compiled/element_fields.h"
 #include "energies/autodiff/jet.h"
 #include "energies/terms/term_functors.h"
 

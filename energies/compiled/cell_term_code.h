@@ -2,7 +2,7 @@
 /// \file
 /// The compiled code of the terms that every cell has, on eight cells at a time.
 
-#include "energies/assembly/compiled_term.h"
+#include "energies/compiled/compiled_term.h"
 #include "energies/autodiff/compiled.h"
 #include "energies/autodiff/second_order.h"
 #include "energies/densities/positive_hessian.h"

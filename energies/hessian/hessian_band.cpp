@@ -1,7 +1,7 @@
 // Second derivatives of the band terms, eight elements at a time.
 
-#include "energies/assembly/band_variables.h"
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/band_variables.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/elements/sum_factorised_evaluator.h"
 
 #include <cmath>

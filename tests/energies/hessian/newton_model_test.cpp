@@ -1,7 +1,7 @@
 // What Newton's method relies on: the band's part of the model near a solution, and the restraint of steps that
 // would fold cells.
 
-#include "energies/assembly/energy_hessian.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"

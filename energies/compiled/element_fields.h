@@ -2,7 +2,7 @@
 /// \file
 /// What the terms read on one element.
 
-#include "energies/assembly/band.h"
+#include "energies/elements/band.h"
 #include "energies/elements/unknowns.h"
 #include "energies/fields/geometry_field.h"
 
