@@ -3,6 +3,9 @@
 //   level 3 is done
 //   level 4 is done
 //   level 5 is done
+//   1802 vertices moved, the north pole from z = 10.0 to 13.0
+//   the centre, which is no vertex, moves from z = 0.0 to -1.8
+//   mean distance 3e-04 there, 2e-04 back, in diagonals of the pear; 0 folded cells
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
 #include "matching/match_shapes.h"
@@ -48,7 +51,7 @@ int main() {
     const Shape<3> ball = make_shape(globe(30, [](const Vec<3>& x) { return x; }), "ball");
     const Shape<3> pear = make_shape(globe(45, [](const Vec<3>& x) -> Vec<3> {
       const double width = 1 - 0.03 * x.z();
-      return {width * x.x() + 1, width * x.y() + 2, 1.3 * x.z()};
+      return {width * x.x(), width * x.y(), 1.3 * x.z()};
     }), "pear");
 
     ExperimentOptions options = profile_defaults(Profile::standard);  // docs/options.md lists them all
@@ -56,10 +59,10 @@ int main() {
     Progress progress;
     const MatchResult<3> result = match_shapes(ball, pear, options, progress);
 
-    const Vec<3>&north = result.deformed.vertices.back(), centre = result.map.apply(Vec<3>::Zero());
-    std::printf("%zu vertices moved, the north pole to (%.1f, %.1f, %.1f)\n", result.deformed.vertices.size(), north.x(),
-                north.y(), north.z());
-    std::printf("the centre, which is no vertex, moves to (%.1f, %.1f, %.1f)\n", centre.x(), centre.y(), centre.z());
+    const Vec<3>& north = result.deformed.vertices.back();
+    const Vec<3> centre = result.map.apply(Vec<3>::Zero());
+    std::printf("%zu vertices moved, the north pole from z = 10.0 to %.1f\n", result.deformed.vertices.size(), north.z());
+    std::printf("the centre, which is no vertex, moves from z = 0.0 to %.1f\n", centre.z());
     const MatchSummary& summary = result.summary;
     std::printf("mean distance %.0e there, %.0e back, in diagonals of the pear; %ld folded cells\n",
                 summary.distance->deformed_to_template.mean, summary.distance->template_to_deformed.mean,
