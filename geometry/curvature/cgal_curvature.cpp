@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/curvature/jacobi_svd.h"
 
 // The least-squares problem of the fit is solved by Eigen.
 #ifndef CGAL_EIGEN3_ENABLED

@@ -5,6 +5,8 @@
 #include "grid/fits/matrix_root.h"
 #include "grid/fields/projection.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 
 namespace shellmatch {
@@ -136,9 +138,9 @@ CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<
       const Vec<Dim>& n = g.normal[free[i]];
       Mat<Dim> s = unpack_symmetric<Dim>(g.extended_shape[free[i]]) - n * n.transpose();
       if (cap > 0) {
-        const Eigenpairs<Dim> eigen = eigenpairs<Dim>(s);
-        const Vec<Dim> capped = eigen.values.cwiseMax(-cap).cwiseMin(cap);
-        s = eigen.vectors * capped.asDiagonal() * eigen.vectors.transpose();
+        const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(s);
+        const Vec<Dim> capped = eigen.eigenvalues().cwiseMax(-cap).cwiseMin(cap);
+        s = eigen.eigenvectors() * capped.asDiagonal() * eigen.eigenvectors().transpose();
       }
       g.extended_shape[free[i]] = pack_symmetric<Dim>(s);
     });

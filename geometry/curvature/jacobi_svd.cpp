@@ -1,3 +1,0 @@
-#include "geometry/curvature/jacobi_svd.h"
-
-template class Eigen::JacobiSVD<Eigen::MatrixXd>;
