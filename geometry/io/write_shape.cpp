@@ -13,7 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace shellmatch {
 namespace {
@@ -27,20 +26,19 @@ void check_attributes(const OriginalShape<Dim>& shape) {
 }
 
 template <int Dim>
-void append_point_line(fmt::memory_buffer& text, const OriginalShape<Dim>& shape, std::size_t v) {
+void append_point_line(std::string& text, const OriginalShape<Dim>& shape, std::size_t v) {
   for (int k = 0; k < Dim; ++k)
-    fmt::format_to(std::back_inserter(text), "{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
+    text += fmt::format("{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
   for (const VertexAttribute& a : shape.attributes)
-    fmt::format_to(std::back_inserter(text), ",{}", a.values[v]);
+    text += fmt::format(",{}", a.values[v]);
   text.push_back('\n');
 }
 
 template <int Dim>
 void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
   check_attributes(shape);
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), Dim == 2 ? "x,y" : "x,y,z");
-  for (const VertexAttribute& a : shape.attributes) fmt::format_to(std::back_inserter(text), ",{}", a.name);
+  std::string text = Dim == 2 ? "x,y" : "x,y,z";
+  for (const VertexAttribute& a : shape.attributes) text += fmt::format(",{}", a.name);
   text.push_back('\n');
   // True for the last point of each ring.
   std::vector<bool> last(shape.vertices.size(), false);
@@ -51,7 +49,7 @@ void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
     append_point_line(text, shape, v);
     if (last[v] && v + 1 < shape.vertices.size()) text.push_back('\n');
   }
-  replace_file(path, {text.data(), text.size()});
+  replace_file(path, text);
 }
 
 const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::string_view name) {
@@ -61,38 +59,36 @@ const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::strin
 }
 
 void write_obj(const std::string& path, const OriginalShape<3>& shape) {
-  fmt::memory_buffer text;
+  std::string text;
   const VertexAttribute* const colours[] = {attribute_named(shape, "red"), attribute_named(shape, "green"),
                                             attribute_named(shape, "blue")};
   const bool coloured = colours[0] && colours[1] && colours[2];
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
     const Vec<3>& x = shape.vertices[v];
-    fmt::format_to(std::back_inserter(text), "v {} {} {}", x.x(), x.y(), x.z());
+    text += fmt::format("v {} {} {}", x.x(), x.y(), x.z());
     if (coloured)
       for (const VertexAttribute* c : colours)
-        fmt::format_to(std::back_inserter(text), " {}",
-                       c->type == "uchar" ? c->values[v] / 255 : c->values[v]);
+        text += fmt::format(" {}", c->type == "uchar" ? c->values[v] / 255 : c->values[v]);
     text.push_back('\n');
   }
   for (const std::vector<Index>& polygon : shape.polygons) {
     text.push_back('f');
-    for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v + 1);
+    for (const Index v : polygon) text += fmt::format(" {}", v + 1);
     text.push_back('\n');
   }
-  replace_file(path, {text.data(), text.size()});
+  replace_file(path, text);
 }
 
 void write_off(const std::string& path, const OriginalShape<3>& shape) {
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
+  std::string text = fmt::format("OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
   for (const Vec<3>& x : shape.vertices)
-    fmt::format_to(std::back_inserter(text), "{} {} {}\n", x.x(), x.y(), x.z());
+    text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   for (const std::vector<Index>& polygon : shape.polygons) {
-    fmt::format_to(std::back_inserter(text), "{}", polygon.size());
-    for (const Index v : polygon) fmt::format_to(std::back_inserter(text), " {}", v);
+    text += fmt::format("{}", polygon.size());
+    for (const Index v : polygon) text += fmt::format(" {}", v);
     text.push_back('\n');
   }
-  replace_file(path, {text.data(), text.size()});
+  replace_file(path, text);
 }
 
 void write_stl(const std::string& path, const OriginalShape<3>& shape) {

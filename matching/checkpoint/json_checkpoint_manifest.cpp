@@ -23,7 +23,7 @@ std::optional<KeptManifest> read_manifest(const std::string& path) {
   if (!in) return std::nullopt;
   try {
     KeptManifest manifest;
-    set_from_json(Json::parse(in), manifest);
+    set_from_json(parse_json(in), manifest);
     return manifest;
   } catch (const Json::exception&) {
     // As good as none.

@@ -1,12 +1,9 @@
 #include "matching/derivative_check/gradient_report.h"
-
-#include <nlohmann/json.hpp>
+#include "matching/output/json_text.h"
 
 namespace shellmatch {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view word(TermCheck::State state) {
   switch (state) {
@@ -61,7 +58,7 @@ std::string gradient_report_json(const GradientReport& r) {
                {"volume_weight", r.volume_weight}, {"terms", Json::array()}};
   for (const TermCheck& t : r.terms) json["terms"].push_back(to_json(t));
   // File names may hold any bytes; JSON may not.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_text(json);
 }
 
 }  // namespace shellmatch

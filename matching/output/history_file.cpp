@@ -53,19 +53,18 @@ std::vector<std::string> term_names_of(std::string_view header, const std::strin
 
 std::string history_csv(const History& history) {
   std::string csv;
-  auto out = std::back_inserter(csv);
-  for (const std::string_view name : before_terms) fmt::format_to(out, "{},", name);
-  for (const std::string& name : history.term_names) fmt::format_to(out, "{},", name);
+  for (const std::string_view name : before_terms) csv += fmt::format("{},", name);
+  for (const std::string& name : history.term_names) csv += fmt::format("{},", name);
   for (const std::string_view name : after_terms)
-    fmt::format_to(out, "{}{}", name, name == "seconds" ? "\n" : ",");
+    csv += fmt::format("{}{}", name, name == "seconds" ? "\n" : ",");
   for (const HistoryRow& row : history.rows) {
     const IterationRecord& r = row.record;
     SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(),
                      "a history's line has a value for each term");
-    fmt::format_to(out, "{},{},{},{},{},{},", row.level, row.substep, row.nu, r.solver, r.iteration, r.value);
-    for (const double term : r.terms) fmt::format_to(out, "{},", term);
-    fmt::format_to(out, "{},{},{},{},{},{}\n", r.gradient_norm, r.l2_gradient_norm, r.step, r.value_evaluations,
-                   r.gradient_evaluations, r.seconds);
+    csv += fmt::format("{},{},{},{},{},{},", row.level, row.substep, row.nu, r.solver, r.iteration, r.value);
+    for (const double term : r.terms) csv += fmt::format("{},", term);
+    csv += fmt::format("{},{},{},{},{},{}\n", r.gradient_norm, r.l2_gradient_norm, r.step, r.value_evaluations,
+                       r.gradient_evaluations, r.seconds);
   }
   return csv;
 }

@@ -4,7 +4,7 @@
 /// describe(s, member) in the file that needs it, which calls member(key, s.value) for each of them. Shared by the
 /// sources that write JSON; shows the library's types.
 
-#include <nlohmann/json.hpp>
+#include "matching/output/json_text.h"
 
 #include <limits>
 #include <optional>
@@ -14,8 +14,6 @@
 #include <vector>
 
 namespace shellmatch {
-
-using Json = nlohmann::ordered_json;
 
 namespace json_detail {
 
@@ -82,8 +80,5 @@ void set_from_json(const Json& json, T& value) {
     });
   }
 }
-
-/// Texts such as names of files may hold any bytes; those that are no UTF-8 are replaced.
-inline std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 }  // namespace shellmatch

@@ -107,7 +107,7 @@ MatchSummary read_summary(const std::string& path) {
   if (!in) throw_input_error("{}: cannot be read; give the summary.json of an output folder", path);
   MatchSummary summary;
   try {
-    set_from_json(Json::parse(in), summary);
+    set_from_json(parse_json(in), summary);
   } catch (const Json::exception& e) {
     throw_input_error("{}: no summary of a run, or damaged ({})", path, e.what());
   }

@@ -1,13 +1,10 @@
 #include "matching/shape_report/curvature_report.h"
+#include "matching/output/json_text.h"
 #include "matching/output/process_info.h"
-
-#include <nlohmann/json.hpp>
 
 namespace shellmatch {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const ErrorQuantiles& q) { return {{"median", q.median}, {"p95", q.p95}}; }
 
@@ -47,7 +44,7 @@ std::string curvature_json(const CurvatureComparison<Dim>& c, const CurvatureSub
     if (l.formula_to_formula) level["formula_distance_to_formula"] = to_json(*l.formula_to_formula, Dim);
     json["levels"].push_back(level);
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 template std::string curvature_json<2>(const CurvatureComparison<2>&, const CurvatureSubject&);

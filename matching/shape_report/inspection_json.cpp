@@ -1,13 +1,12 @@
 #include "matching/shape_report/inspection.h"
-
-#include <nlohmann/json.hpp>
+#include "matching/output/json_text.h"
 
 #include <cmath>
 
 namespace shellmatch {
 
 std::string inspection_json(const Inspection& r) {
-  nlohmann::ordered_json json;
+  Json json;
   json["source"] = r.source;
   json["dimension"] = r.dimension;
   json["original"] = {{"vertices", r.n_original_vertices}, {"polygons", r.n_original_polygons}, {"attributes", r.attributes}};
@@ -26,7 +25,7 @@ std::string inspection_json(const Inspection& r) {
   json["level_of_edges"] = r.level_of_edges;
   json["notes"] = r.notes;
   // File names may hold any bytes; JSON may not.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return json_text(json);
 }
 
 }  // namespace shellmatch

@@ -36,7 +36,7 @@ std::optional<RunResult> read_run_result(const std::string& path) {
   std::ifstream in(path);
   if (!in) return std::nullopt;
   try {
-    const Json json = Json::parse(in);
+    const Json json = parse_json(in);
     RunResult result;
     set_from_json(json, result);
     const std::string status = json.at("status").get<std::string>();
