@@ -82,7 +82,7 @@ std::vector<Finding> check_adapters(const SourceTree& tree) {
     const std::string &file = include.file, &path = include.path;
     const int line = include.line;
     const std::string_view folder = top_folder(file);
-    if (folder == "tests" || !folder_table().contains(folder)) continue;
+    if (folder == "tests" || folder == "examples" || !folder_table().contains(folder)) continue;
     if (include.quoted) {
       if (is_private_header(path) && !is_private_header(file) &&
           !is_private_header(file_as_header(file)))

@@ -54,6 +54,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"studies", {"studies", "base", "solvers", "render", "matching"}},
       {"apps", {"apps", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies"}},
       {"bench", {"bench", "tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
+      {"examples", {"examples", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
       {"tests", {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies", "apps"}}};
   return table;
 }
