@@ -15,8 +15,8 @@
 #include "energies/terms/term_names.h"
 #include "matching/cascade/cascade.h"
 #include "matching/derivative_check/check_state.h"
-#include "matching/cascade/level_energy.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/level_energy.h"
+#include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 
 #include <benchmark/benchmark.h>

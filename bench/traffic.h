@@ -5,7 +5,7 @@
 /// cannot keep within a pass comes on top, so these are lower bounds.
 
 #include "energies/sparse/node_matrix.h"
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 /// A whole run: two files in, an output folder out, and checkpoints on the way.
 
 #include "matching/experiment/options.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 #include "matching/result/match_result.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 /// NAME.unfinished beside the output folder NAME.
 
 #include "geometry/surface/surface.h"
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
 #include "matching/experiment/options.h"
 #include "matching/output/summary.h"

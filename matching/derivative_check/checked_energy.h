@@ -3,7 +3,7 @@
 /// What the parts of a derivative check share: the energy that is checked, where, and how thoroughly.
 
 #include "energies/assembly/element_oracle.h"
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 
 #include <cstddef>
 #include <span>

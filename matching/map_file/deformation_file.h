@@ -3,7 +3,7 @@
 /// deformation.vtu: the map with its grid and all fields, as a VTK XML unstructured grid (binary, compressed)
 /// that ParaView opens and from which the program reads the map back.
 
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 
 #include <string>
 #include <vector>

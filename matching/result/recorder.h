@@ -2,7 +2,7 @@
 /// \file
 /// The observer that writes down what a matching tells of itself.
 
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 #include "matching/result/history.h"
 #include "matching/result/match_summary.h"
 

@@ -3,7 +3,7 @@
 #include "matching/derivative_check/gradient_check.h"
 
 #include "base/error.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 #include "energies/terms/term_names.h"

@@ -4,7 +4,7 @@
 /// describe(s, member) in the file that needs it, which calls member(key, s.value) for each of them. Shared by the
 /// sources that write JSON; shows the library's types.
 
-#include "matching/output/json_text.h"
+#include "matching/json/json_text.h"
 
 #include <limits>
 #include <optional>

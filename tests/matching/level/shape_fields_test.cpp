@@ -1,6 +1,6 @@
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 #include "matching/experiment/shape_source.h"
 #include "energies/terms/term_names.h"
 
