@@ -88,7 +88,7 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
     return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
                                                      cascade.max_level, cascade.min_level)};
   if (options.energy.terms.factor("match"_term) == 0)
-    return Conflict{"energy.terms.factor("match"_term)", "0 leaves nothing that moves the reference; expected a number > 0"};
+    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
   if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
   for (const LevelOverrides::Entry& e : options.solver.levels.entries)
     if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), "solver.levels." + e.key()))
