@@ -92,7 +92,8 @@ void check_alignment(const std::string& from, const std::string& to, int finest,
   const WithAlignment<Dim> matching(from, to, finest);
   EXPECT_EQ(matching.terms->names().back(), "normal_alignment");
   const auto newton = matching.minimise("newton", 10), first_order = matching.minimise("fletcher_reeves", 10);
-  EXPECT_EQ(newton.summary.reason, StopReason::relative_decrease) << newton.summary.message;
+  const StopReason reason = newton.summary.reason;
+  EXPECT_TRUE(reason == StopReason::relative_decrease || reason == StopReason::gradient_norm) << newton.summary.message;
   EXPECT_LE(newton.summary.iterations, most_steps);
   EXPECT_LT(newton.summary.final_value, first_order.summary.final_value);
   EXPECT_LT(newton.summary.final_value, 0.5 * newton.summary.initial_value);
@@ -122,7 +123,7 @@ void check_models(const std::string& from, const std::string& to, int level) {
     EXPECT_TRUE(newton.fallbacks.empty());
     EXPECT_EQ(newton.last.solver, "newton");
     EXPECT_LT(newton.last.final_value, (1 + 1e-3) * first_order.last.final_value);
-    EXPECT_LT(newton.iterations, first_order.iterations);
+    EXPECT_LT(10 * newton.iterations, first_order.iterations);
   }
 }
 TEST(NewtonTerms, EveryModelIsMinimisedInThePlane) { check_models<2>("circle/large", "ellipse/long", 5); }
