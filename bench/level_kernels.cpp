@@ -120,8 +120,7 @@ struct Duals {
   std::size_t n_points = 0;
 
   Duals()
-      : oracle(kernels->level->energy, kernels->level->unknowns, kernels->level->geometry.target,
-               kernels->options.energy) {
+      : oracle(kernels->level->energy, kernels->level->unknowns) {
     std::size_t n_seen = 0;
     for (std::size_t e = 0; e < kernels->level->unknowns.elements().size(); ++e)
       if (const auto points = oracle.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
