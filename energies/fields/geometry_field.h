@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// A shape as the energies see it, at any point: signed distance d, normal n and root of the classified shape
-/// operator. Of the template it is read at deformed positions: the one place where a coefficient depends on
+/// operator. Of the template it is read at deformed positions: the one position where a coefficient depends on
 /// phi.
 
 #include "energies/autodiff/jet.h"
@@ -74,11 +74,11 @@ class GeometryField {
   static constexpr int n_rest = n_values > autodiff::pack_size ? n_values - autodiff::pack_size : 0;
   static_assert(n_rest == 0 || n_rest == 2);
   typedef double Pair __attribute__((vector_size(16)));
-  struct Row {
+  struct CoefficientRow {
     Pack main;
     Pair rest;
   };
-  struct Place {
+  struct LocatedPoint {
     Index leaf;      ///< a cell's number, or SplineSpace's
     Vec<Dim> t;      ///< within the leaf, in [0, 1]
     Vec<Dim> slope;  ///< dt/dy: scale, or 0 where y is projected
@@ -88,17 +88,17 @@ class GeometryField {
   // Fills the rows: put(at), where at(row, i) refers to a number that is 0 so far.
   template <class Put>
   void store(std::size_t n_rows, const Put& put);
-  Place place_of(const Vec<Dim>& y) const;
+  LocatedPoint locate(const Vec<Dim>& y) const;
   double component(Index row, int i) const {
     return i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size];
   }
   // Value, then the derivatives by the coordinates.
   template <bool WithGradient>
-  void multilinear(const Place& p, Row* result) const;
+  void multilinear(const LocatedPoint& p, CoefficientRow* result) const;
   template <bool WithGradient>
-  void spline(const Place& p, Row* result) const;
+  void spline(const LocatedPoint& p, CoefficientRow* result) const;
   template <bool WithGradient>
-  void row(const Place& p, Row* result) const;
+  void row(const LocatedPoint& p, CoefficientRow* result) const;
   // What eight points read, on its way to one pack for each value.
   template <bool WithGradient>
   struct LaneRows {
@@ -134,13 +134,13 @@ struct GeometryPair {
 template <int Dim>
 template <class T>
 TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
-  Vec<Dim> place;
+  Vec<Dim> position;
   for (int k = 0; k < Dim; ++k) {
     if (autodiff::scalar_part(y[k]) < 0) y[k] = T(0.0);
     if (autodiff::scalar_part(y[k]) > 1) y[k] = T(1.0);
-    place[k] = autodiff::scalar_part(y[k]);
+    position[k] = autodiff::scalar_part(y[k]);
   }
-  const Index leaf = is_smooth() ? splines_->locate(place) : grid_->locate(place);
+  const Index leaf = is_smooth() ? splines_->locate(position) : grid_->locate(position);
   const int level = is_smooth() ? splines_->level_of(leaf) : grid_->cell(leaf).level;
   const auto corner = is_smooth() ? splines_->corner_of(leaf) : grid_->cell(leaf).corner;
   std::array<T, n_values> sum;

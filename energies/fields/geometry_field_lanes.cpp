@@ -14,16 +14,16 @@ using autodiff::pack_size;
 template <int Dim>
 typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
   LocatedPoints located{.y = y, .inside = {}, .leaf = {}};
-  std::array<std::array<double, pack_size>, Dim> place;
+  std::array<std::array<double, pack_size>, Dim> positions;
   for (int k = 0; k < Dim; ++k) {
     // In this order what is not a number, as in lanes that do not count, becomes 0.
     Pack& inside = located.inside[k];
     inside = y[k] > 0.0 ? y[k] : Pack{};
     inside = inside < 1.0 ? inside : Pack{} + 1.0;
-    place[k] = std::bit_cast<std::array<double, pack_size>>(inside);
+    positions[k] = std::bit_cast<std::array<double, pack_size>>(inside);
   }
   if (!is_smooth()) return located;
-  splines_->locate(place, located.leaf);
+  splines_->locate(positions, located.leaf);
   for (const Index l : located.leaf) splines_->prefetch(l);
   return located;
 }
