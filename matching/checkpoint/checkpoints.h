@@ -30,7 +30,7 @@ RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& r
 
 /// The map at the end of a level and all that was told until then.
 template <int Dim>
-struct KeptLevels {
+struct Checkpoint {
   Deformation<Dim> deformation;
   History history;
   MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, with the times until then
@@ -38,7 +38,7 @@ struct KeptLevels {
 
 /// The same while the run goes on.
 template <int Dim>
-struct LevelsSoFar {
+struct CheckpointView {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
   const Similarity<Dim>& placement;
@@ -48,10 +48,10 @@ struct LevelsSoFar {
 
 /// The folder in which finished levels are kept. It looks like an output folder, except that it holds no deformed shape;
 /// `apply` takes it. It is replaced as a whole after every level, so that a kill at any moment leaves one or the other.
-class LevelKeeper {
+class CheckpointFolder {
  public:
   /// Removes what a killed run was writing. \param output the absolute path of the run's output folder
-  LevelKeeper(const std::string& output, RunIdentity identity);
+  CheckpointFolder(const std::string& output, RunIdentity identity);
 
   const std::string& path() const { return path_; }
 
@@ -64,12 +64,12 @@ class LevelKeeper {
 
   /// What is kept, if anything. \pre obstacle() is empty \throws InputError for what is whole and yet no such state
   template <int Dim>
-  std::optional<KeptLevels<Dim>> read() const;
+  std::optional<Checkpoint<Dim>> read() const;
 
   /// \param pictures the folder of the run's pictures so far
   /// \throws EnvironmentError if it cannot be written: what was kept before then stays. \pre not is_foreign()
   template <int Dim>
-  void keep(const LevelsSoFar<Dim>& levels, const std::string& pictures);
+  void write(const CheckpointView<Dim>& checkpoint, const std::string& pictures);
 
   /// Brings the pictures of the kept levels into a new run's folder. \throws EnvironmentError
   void copy_pictures(const std::string& pictures) const;
@@ -85,7 +85,7 @@ class LevelKeeper {
 };
 
 /// Contents of the file that tells a kept state from any other folder.
-struct KeptManifest {
+struct CheckpointManifest {
   int format = 2;  ///< 1 had other checksums
   int level = 0;  ///< the last finished one
   std::string program, reference, template_shape;
@@ -95,9 +95,9 @@ struct KeptManifest {
   std::vector<File> files;  ///< all others
 };
 
-std::string manifest_json(const KeptManifest& manifest);
+std::string manifest_json(const CheckpointManifest& manifest);
 /// Nothing where the file is missing or damaged. It may be of another format.
-std::optional<KeptManifest> read_manifest(const std::string& path);
+std::optional<CheckpointManifest> read_manifest(const std::string& path);
 
 /// "cascade.nu: 0.0002, now 0.001" of the first option that differs between both and on which a run's levels depend;
 /// empty if there is none. Number of threads, place of the shapes' files and `resume` change no level.

@@ -38,7 +38,7 @@ struct GradientCheckSettings {
 
 /// Where an energy is checked: all that does not depend on the term.
 template <int Dim>
-struct CheckPlace {
+struct CheckContext {
   LevelEnergy<Dim>& level;
   const ElementOracle<Dim>& oracle;
   const std::vector<Vec<Dim>>& phi;

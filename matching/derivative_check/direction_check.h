@@ -10,11 +10,11 @@ namespace shellmatch {
 
 /// Adds the directions to `check`.
 template <int Dim>
-void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+void check_directions(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
                       TermCheck& check);
 
 /// Symmetry and sign of the Newton model, and its curvature along the directions checked before.
 template <int Dim>
-void check_hessian(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check);
+void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check);
 
 }  // namespace shellmatch

@@ -10,6 +10,6 @@ namespace shellmatch {
 
 /// Fills everything of `check` but directions and Newton model.
 template <int Dim>
-void check_elements(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check);
+void check_elements(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check);
 
 }  // namespace shellmatch

@@ -14,15 +14,15 @@ namespace shellmatch {
 /// For each coordinate, how far y may move either way without leaving its cell of the target, or the domain,
 /// or, if it lies outside, without coming back into it.
 template <int Dim>
-Vec<Dim> room_within_cell(const Octree<Dim>& grid, const Vec<Dim>& y);
+Vec<Dim> distance_to_cell_faces(const Octree<Dim>& grid, const Vec<Dim>& y);
 
 /// The same where a field is smooth across cells: only the domain's boundary counts.
 template <int Dim>
-Vec<Dim> room_of_field(const GeometryField<Dim>& field, const Vec<Dim>& y);
+Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y);
 
 /// Smallest room of the element's points in the band, in any direction; infinite where there are none.
 template <int Dim>
-double room_of_element(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
+double least_distance_to_kinks(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
                        const typename ElementOracle<Dim>::Dofs& dofs);
 
 struct HeldPoints {
