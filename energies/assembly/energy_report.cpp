@@ -24,7 +24,7 @@ template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
                            std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second-level cache
+  constexpr std::size_t elements_at_a_time = 1024;  // the band of so many elements fits the second-level cache
   const auto elements = unknowns.elements();
   const auto terms = std::make_shared<const EnergyTerms<Dim>>(options);
   const ChunkReport all = parallel_sum(elements.size(), elements_at_a_time, ChunkReport{}, [&](const Chunk& chunk) {

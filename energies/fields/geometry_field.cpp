@@ -55,11 +55,11 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
                                               bool keep_definite) {
   const NodalValues<Dim> nodal(grid, distance, normal, root);
   SplineSpace<Dim> splines(grid);
-  // Sharpening would overshoot at a sharp edge.
-  const std::size_t n_sharp = keep_definite ? 1 + Dim : n_values;
+  // Quasi-interpolation overshoots at sharp edges, so the roots would not stay positive definite.
+  const std::size_t n_quasi_interpolated = keep_definite ? 1 + Dim : n_values;
   GeometryField field;
   field.store(static_cast<std::size_t>(splines.n_coefficients()),
-              [&](const auto& at) { splines.coefficients(n_values, n_sharp, nodal, at); });
+              [&](const auto& at) { splines.coefficients(n_values, n_quasi_interpolated, nodal, at); });
   splines.forget_grid();
   field.splines_ = std::make_shared<const SplineSpace<Dim>>(std::move(splines));
   return field;
@@ -112,7 +112,7 @@ inline void GeometryField<Dim>::spline(const LocatedPoint& p, CoefficientRow* re
     return a;
   };
   const SplineFactors<Dim, double> factors(array_of(p.t), array_of(p.slope));
-  // One part of the rows at a time: whole packs, then the pairs.
+  // Sums one array of coefficients at a time: first the packs, then the pairs.
   const auto sum = [&](const auto& from, auto&& put) {
     sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
   };
