@@ -20,7 +20,7 @@ namespace shellmatch {
 
 namespace {
 
-/// One run, from the shapes as read to the output folder.
+/// One run, from the placed shapes to the output folder.
 template <int Dim>
 class Run {
  public:
@@ -79,7 +79,7 @@ class Run {
     if (checkpoints_ && !result.summary.interrupted) checkpoints_->remove();
   }
 
-  // What an earlier run has kept, if there is one and it is the same experiment.
+  // The checkpoint of an earlier run of the same experiment, if there is one.
   std::optional<MatchProgress<Dim>> read_checkpoint() {
     std::string obstacle = checkpoints_->obstacle();
     std::optional<Checkpoint<Dim>> checkpoint;
@@ -99,7 +99,7 @@ class Run {
     return MatchProgress<Dim>{std::move(checkpoint->deformation), std::move(checkpoint->history), std::move(checkpoint->summary)};
   }
 
-  // A run that cannot keep a level goes on all the same: it may never be stopped.
+  // Writes a checkpoint of a finished level. Failure is reported but does not end the run, which may never need it.
   void write_checkpoint(const LevelEnd<Dim>& end) {
     if (!checkpoints_ || end.level.last.reason == StopReason::interrupted) return;
     const double begin = clock_.seconds();
@@ -118,7 +118,7 @@ class Run {
     }
     last_checkpoint_ = clock_.seconds();
     clock_.phases["keeping"] += last_checkpoint_ - begin;
-    clock_.phases["output"] -= last_checkpoint_ - begin;  // whose clock is running
+    clock_.phases["output"] -= last_checkpoint_ - begin;  // the clock of this phase is running
   }
 
   void note_failed_checkpoint(int level, const std::string& why) {
@@ -155,9 +155,9 @@ class Run {
   OutputFolder& folder_;
   Recorder recorder_;
   RunClock& clock_;
-  MatchTask<Dim> task_;  // moved from once it is run
+  MatchTask<Dim> task_;  // moved from when the matching starts
   std::optional<CheckpointFolder> checkpoints_;
-  int checkpoint_level_ = 0;  // 0 is none
+  int checkpoint_level_ = 0;  // 0: there is no checkpoint
   double last_checkpoint_;
   bool writing_ = false;
 };

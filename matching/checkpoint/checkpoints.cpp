@@ -41,7 +41,7 @@ std::string surface_checksum(const Surface<Dim>& surface) {
   return Checksum().add(bytes_of(surface.vertices)).add(bytes_of(surface.facets)).text();
 }
 
-// Sources are told by what is in them; true positions are looked at when the run ends.
+// Shapes are compared by checksums of their contents; true positions are read only for the final report.
 bool changes_no_level(const std::string& option) {
   for (const char* path : {"input.reference", "input.template", "input.correspondence", "threads"})
     if (option == path) return true;
@@ -69,7 +69,7 @@ std::string first_change(const OptionNode& before, const OptionNode& now) {
   throw_environment_error("{}: cannot be written: {}", to, error.message());
 }
 
-// All files of `from`; none where there is no such folder.
+// Copies all files of `from`; does nothing where there is no such folder.
 void copy_files(const fs::path& from, const fs::path& to) {
   std::error_code error;
   if (!fs::is_directory(from, error)) return;
@@ -171,7 +171,7 @@ void CheckpointFolder::copy_pictures(const std::string& pictures) const {
 
 void CheckpointFolder::remove() {
   if (!is_ours()) return;
-  // Under a name that the next run clears away, so that a kill does not leave half of it.
+  // Renamed first to a name that the next run cleans up, so that a kill leaves no half-removed checkpoint.
   const fs::path place = path_, hidden = partial_folder_name(place);
   std::error_code error;
   fs::rename(place, hidden, error);

@@ -26,7 +26,7 @@ std::optional<CheckpointManifest> read_manifest(const std::string& path) {
     set_from_json(parse_json(in), manifest);
     return manifest;
   } catch (const Json::exception&) {
-    // As good as none.
+    // A damaged manifest counts as none.
   }
   return std::nullopt;
 }

@@ -21,7 +21,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Random, with every node moving by about the side of the smallest cell around it, neighbours partly together.
+/// A random direction that moves every node by about the side of the smallest cell around it: half of it a smooth
+/// field, half independent at each node.
 template <int Dim>
 std::vector<double> random_direction(const LevelEnergy<Dim>& level, unsigned seed) {
   const auto nodes = level.unknowns.nodes();
@@ -38,7 +39,7 @@ std::vector<double> random_direction(const LevelEnergy<Dim>& level, unsigned see
   return v;
 }
 
-/// The energy along phi + t v.
+/// The energy as a function of t along phi + t v.
 template <int Dim>
 class Along {
  public:
@@ -65,8 +66,8 @@ class Along {
   std::vector<Vec<Dim>> phi_;
 };
 
-/// Along one direction: the shorter the reach, the fewer points have to be held back; rounding decides how short it
-/// can be. Leaves the direction that served in `v`.
+/// Checks along one direction and returns the direction used in `v`. A shorter reach means that fewer nodes have to be
+/// fixed because of kinks; rounding errors bound it from below, so longer ones are tried in turn.
 template <int Dim>
 DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
                                unsigned seed, std::vector<double>& v) {
@@ -135,9 +136,9 @@ void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, 
     result.asymmetry = std::max(result.asymmetry, std::abs(dot(x, hy) - dot(y, hx)) / size);
     result.least_quotient = std::min(result.least_quotient, xhx / std::sqrt(dot(x, x) * dot(hx, hx)));
   }
-  if (!std::isfinite(result.least_quotient)) return;  // the model vanishes
+  if (!std::isfinite(result.least_quotient)) return;  // the model is 0
   check.hessian = result;
-  // The model is kept in single precision.
+  // The model is stored in single precision.
   if (!(result.asymmetry <= 1e-5)) check.faults.push_back("the Newton model is not symmetric");
   if (!(result.least_quotient >= -1e-5)) check.faults.push_back("the Newton model has a direction of negative curvature");
 }

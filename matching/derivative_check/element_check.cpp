@@ -21,7 +21,7 @@ double largest(std::span<const double> v) {
   return m;
 }
 
-/// One term on all elements: the assembly's gradients beside those of the functors.
+/// Checks one term on all elements: the assembly's gradients against those of the functors.
 template <int Dim>
 class ElementComparison {
  public:
@@ -53,7 +53,7 @@ class ElementComparison {
     parallel_for(elements_.size(), [&](std::size_t e) {
       values_[e] = oracle_.gradient(term_.weights, e, oracle_.dofs_of(e, context_.phi), by_jets_[e]);
       natural_[e] = oracle_.natural_size(term_.weights, e);
-      // Both sides round; where they are the rest of a cancellation they agree to its size only.
+      // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size only.
       const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
       double difference = 0;
       for (int i = 0; i < n; ++i) difference = std::max(difference, std::abs(by_jets_[e][i] - assembled(e)[i]));
@@ -67,7 +67,8 @@ class ElementComparison {
     if (!(check_.element_error <= 1)) check_.faults.push_back("element gradients differ from the functor's by dual numbers");
   }
 
-  // The sums over the elements, with hanging nodes treated by grid/octree/constraints.h and not by the assembly.
+  // Compares value and gradient with the sums over the element functors, whose hanging nodes are eliminated by
+  // grid/octree/constraints.h and not by the assembly.
   void compare_sums() {
     const Octree<Dim>& grid = context_.level.grid;
     double value = 0, size = 0;
@@ -99,7 +100,7 @@ class ElementComparison {
     return {assembled(e), largest(by_jets_[e]), values_[e], natural_[e]};
   }
 
-  // Elements all over the grid, and those that already look worst.
+  // A sample of the elements, spread over the grid, together with those of largest error so far.
   std::vector<std::size_t> sample(std::size_t most) const {
     if (acting_.size() <= most) return acting_;
     std::vector<std::size_t> chosen;
@@ -163,7 +164,7 @@ class ElementComparison {
       Dofs at;
       std::ranges::copy(dofs, at.begin());
       value = oracle_.value(term_.weights, e, at);
-      // Only asked for where the assembly has told it.
+      // Ceres requests the gradient at `dofs` only, where the assembly has computed it.
       if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
       return std::isfinite(value);
     };
@@ -183,7 +184,7 @@ class ElementComparison {
     for (std::size_t k = 0; k < n_wanted; ++k) chosen.push_back(fit[k * fit.size() / n_wanted]);
     if (!check_.faults.empty() && check_.worst) chosen.push_back(static_cast<std::size_t>(check_.worst->element));
     for (const std::size_t e : chosen) {
-      // The barrier has a jump in its third derivative, which Ceres' extrapolation notices: shorter steps miss it.
+      // The barrier's third derivative jumps, which disturbs Ceres' extrapolation; shorter steps avoid the jump.
       CeresVerdict verdict = probe(e, 1e-4);
       for (const double step : {1e-5, 1e-6})
         if (!verdict.passed) verdict = probe(e, step);
@@ -203,7 +204,7 @@ class ElementComparison {
   const AssembledTerm& term_;
   TermCheck& check_;
   std::vector<Dofs> by_jets_;
-  std::vector<double> values_, natural_, error_;  // of each element
+  std::vector<double> values_, natural_, error_;  // by element
   std::vector<std::size_t> acting_;
   std::size_t worst_by_differences_ = 0;
 };

@@ -15,7 +15,7 @@ TermCheck check_term(const CheckContext<Dim>& context, const CheckedEnergy<Dim>&
                      std::string_view name, bool has_newton_model) {
   TermCheck check;
   check.name = name;
-  if (!(weights.sum() > 0)) return check;  // off
+  if (!(weights.sum() > 0)) return check;  // the term is switched off
   AssembledTerm term{weights, 0, std::vector<double>(context.level.unknowns.size()), {}};
   TermValues values;
   if (!energy.evaluate(context.phi, weights, values, term.gradient, term.element_gradients))
