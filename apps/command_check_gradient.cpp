@@ -7,7 +7,7 @@
 #include "apps/progress.h"
 #include "base/error.h"
 #include "geometry/io/write_shape.h"
-#include "matching/derivative_check/run_gradient_check.h"
+#include "matching/run_gradient_check.h"
 
 #include <charconv>
 #include <iostream>

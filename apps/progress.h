@@ -4,7 +4,7 @@
 
 #include "apps/commands.h"
 #include "apps/time_left.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 
 #include <chrono>
 #include <string>

@@ -15,8 +15,8 @@
 #include "energies/terms/term_names.h"
 #include "matching/cascade/cascade.h"
 #include "matching/derivative_check/check_state.h"
-#include "matching/cascade/level_energy.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/level_energy.h"
+#include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 
 #include <benchmark/benchmark.h>
@@ -120,8 +120,7 @@ struct Duals {
   std::size_t n_points = 0;
 
   Duals()
-      : oracle(kernels->level->energy, kernels->level->unknowns, kernels->level->geometry.target,
-               kernels->options.energy) {
+      : oracle(kernels->level->energy, kernels->level->unknowns) {
     std::size_t n_seen = 0;
     for (std::size_t e = 0; e < kernels->level->unknowns.elements().size(); ++e)
       if (const auto points = oracle.band_points(e); !points.empty() && n_seen++ % 64 == 0) {

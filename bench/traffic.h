@@ -5,7 +5,7 @@
 /// cannot keep within a pass comes on top, so these are lower bounds.
 
 #include "energies/sparse/node_matrix.h"
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 
 #include <vector>
 
@@ -63,7 +63,7 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   t.value = finite + all_cells + band_pass;
   t.gradient = t.value + sum + n_accesses * vec;
   t.band_gradient = finite + band_pass + sum + n_accesses * vec;
-  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + 2 * sizeof(float)) + band_pass + sum + n_offsets +
+  t.newton_model = all_cells + n_cells * (2 * sizeof(double) + sizeof(float)) + band_pass + sum + n_offsets +
                    n_blocks * n_accesses / n_free * values +
                    n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));

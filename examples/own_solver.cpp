@@ -7,7 +7,7 @@
 //   newton: 8.3099 -> 0.1451, few steps, stopped by gradient_norm
 #include "examples/small_problem.h"
 #include "grid/fields/mass.h"
-#include "matching/cascade/level_problem.h"
+#include "matching/level/level_problem.h"
 #include "solvers/metric/metric.h"
 #include "solvers/methods/newton.h"
 #include "solvers/minimization_run.h"

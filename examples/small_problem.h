@@ -2,8 +2,8 @@
 // A small problem for the examples: two outlines on a uniform grid of the unit square, and the energy there.
 #include "geometry/generate/generate_shape.h"
 #include "geometry/repair/make_shape.h"
-#include "matching/cascade/level_energy.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/level_energy.h"
+#include "matching/level/shape_fields.h"
 
 namespace example {
 

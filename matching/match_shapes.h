@@ -4,7 +4,7 @@
 
 #include "geometry/surface/surface.h"
 #include "matching/experiment/options.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 #include "matching/result/match_result.h"
 
 namespace shellmatch {

@@ -1,7 +1,7 @@
 #include "matching/match_task.h"
 
 #include "geometry/distance/surface_distance.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
 

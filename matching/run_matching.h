@@ -3,7 +3,7 @@
 /// A whole run: reads two files and writes an output folder, with checkpoints of the finished levels.
 
 #include "matching/experiment/options.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 #include "matching/result/match_result.h"
 
 #include <string>

@@ -15,7 +15,7 @@
 #include "geometry/io/write_shape.h"
 #include "geometry/surface/facet_point.h"
 #include "grid/fields/sample.h"
-#include "grid/octree/elements.h"
+#include "grid/octree/surface_cells.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
-// One share of the list of terms, SHELLMATCH_TERM_SHARE (energies/compiled/term_share.h).
+// One share of the list of terms, SHELLMATCH_TERM_SHARE, in SHELLMATCH_TERM_DIM dimensions
+// (energies/compiled/term_share.h).
 
 #include "energies/compiled/term_share.h"
 
@@ -30,7 +31,6 @@ void compile_share(std::vector<CompiledTerm<Dim>>& terms) {
   compile_listed<Share>(AllTerms<Dim>{}, terms);
 }
 
-template void compile_share<2, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<2>>&);
-template void compile_share<3, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<3>>&);
+template void compile_share<SHELLMATCH_TERM_DIM, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<SHELLMATCH_TERM_DIM>>&);
 
 }  // namespace shellmatch

@@ -21,7 +21,7 @@ inline constexpr int n_bernstein_total = Dim == 2 ? 4 : 27;
 /// Bernstein coefficients of det(d phi/d xi), xi in the unit cell, from the positions of the corners (corner
 /// after corner, Dim components each). Divide by side^Dim for det Dphi. The first direction runs fastest.
 template <int Dim, class T>
-constexpr std::array<T, n_bernstein_total<Dim>> bernstein_determinant(const T* dofs) {
+[[gnu::noinline]] constexpr std::array<T, n_bernstein_total<Dim>> bernstein_determinant(const T* dofs) {
   constexpr int n = n_bernstein<Dim>, n_edges = n_corners<Dim> / 2, n_places = n_bernstein_total<Dim> / n;
   // d phi/d xi_k is the same all along xi_k, and multilinear in the other directions: differences along edges, in space
   // also half way between them, which are means.

@@ -148,16 +148,14 @@ TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
   sum.fill(T(0.0));
   const int per_axis = is_smooth() ? 3 : 2;
   const int n_local = is_smooth() ? SplineSpace<Dim>::n_local : n_corners<Dim>;
+  std::array<std::array<T, 3>, Dim> factor;  // along each axis
+  for (int k = 0; k < Dim; ++k) {
+    const T t = y[k] * static_cast<double>(1 << level) - static_cast<double>(corner[k]);
+    factor[k] = is_smooth() ? SplineWeights<T>(t).value : std::array<T, 3>{1.0 - t, t};
+  }
   for (int n = 0; n < n_local; ++n) {
     T weight(1.0);
-    for (int k = 0, rest = n; k < Dim; ++k, rest /= per_axis) {
-      const T t = y[k] * static_cast<double>(1 << level) - static_cast<double>(corner[k]);
-      const int i = rest % per_axis;
-      if (is_smooth())
-        weight = weight * (i == 0 ? 0.5 * (1.0 - t) * (1.0 - t) : i == 1 ? 0.5 + t * (1.0 - t) : 0.5 * t * t);
-      else
-        weight = weight * (i == 1 ? t : 1.0 - t);
-    }
+    for (int k = 0, rest = n; k < Dim; ++k, rest /= per_axis) weight = weight * factor[k][rest % per_axis];
     const Index row = is_smooth() ? splines_->coefficients_of(leaf)[n] : grid_->cell(leaf).nodes[n];
     for (int i = 0; i < n_values; ++i) sum[i] += weight * component(row, i);
   }

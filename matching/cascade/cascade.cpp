@@ -6,11 +6,11 @@
 #include "grid/fields/mass.h"
 #include "grid/octree/prolongation.h"
 #include "matching/derivative_check/gradient_check.h"
-#include "matching/cascade/level_energy.h"
-#include "matching/cascade/level_metric.h"
-#include "matching/cascade/level_problem.h"
+#include "matching/level/level_energy.h"
+#include "matching/level/level_metric.h"
+#include "matching/level/level_problem.h"
 #include "matching/experiment/level_solver.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 #include "solvers/methods/fallback.h"
 
 #include <fmt/format.h>

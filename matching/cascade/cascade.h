@@ -9,10 +9,10 @@
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/curvature.h"
 #include "grid/octree/octree.h"
-#include "matching/cascade/deformation.h"
-#include "matching/cascade/phase_clock.h"
+#include "matching/level/deformation.h"
+#include "matching/progress/phase_clock.h"
 #include "matching/experiment/options.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 
 #include <cstddef>
 #include <functional>

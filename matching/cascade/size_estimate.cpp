@@ -1,7 +1,7 @@
 #include "matching/cascade/size_estimate.h"
 
 #include "base/error.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 
 #include <algorithm>
 #include <cmath>

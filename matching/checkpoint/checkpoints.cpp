@@ -6,7 +6,7 @@
 #include "matching/experiment/option_text.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 #include "matching/output/write_file.h"
 #include "matching/experiment/yaml_options.h"
 

@@ -4,7 +4,7 @@
 /// the same command resumes a run that was stopped or killed.
 
 #include "geometry/surface/surface.h"
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
 #include "matching/experiment/options.h"
 #include "matching/output/summary.h"

@@ -1,4 +1,4 @@
-#include "matching/output/json_members.h"
+#include "matching/json/json_members.h"
 #include "matching/checkpoint/checkpoints.h"
 
 #include <fstream>

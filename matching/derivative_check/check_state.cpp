@@ -6,7 +6,7 @@
 #include "energies/assembly/folds.h"
 #include "grid/octree/constraints.h"
 #include "matching/derivative_check/random_field.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 
 #include <charconv>
 #include <cmath>

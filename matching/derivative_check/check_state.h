@@ -2,8 +2,8 @@
 /// \file
 /// The deformations at which derivatives can be checked.
 
-#include "matching/cascade/deformation.h"
-#include "matching/cascade/level_energy.h"
+#include "matching/level/deformation.h"
+#include "matching/level/level_energy.h"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 /// The energy that a derivative check examines, and the data that its parts share.
 
 #include "energies/assembly/element_oracle.h"
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 
 #include <cstddef>
 #include <span>

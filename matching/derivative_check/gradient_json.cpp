@@ -1,5 +1,5 @@
 #include "matching/derivative_check/gradient_report.h"
-#include "matching/output/json_text.h"
+#include "matching/json/json_text.h"
 
 namespace shellmatch {
 

@@ -5,7 +5,7 @@
 #include "geometry/surface/placement.h"
 #include "geometry/io/read_shape.h"
 #include "matching/experiment/options.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 
 #include <variant>
 

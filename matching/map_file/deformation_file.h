@@ -3,7 +3,7 @@
 /// deformation.vtu: the map with its grid and all fields as a VTK XML unstructured grid (binary, compressed). ParaView
 /// opens it, and the program reads the map back from it.
 
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/map_file/vtk_messages.h"
 #include "matching/output/file_checksum.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>

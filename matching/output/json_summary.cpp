@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "matching/output/json_members.h"
+#include "matching/json/json_members.h"
 #include "matching/output/summary.h"
 #include "matching/output/write_file.h"
 

@@ -4,7 +4,7 @@
 
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include "geometry/surface/surface.h"
 #include "grid/fits/curvature.h"
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 #include "matching/result/history.h"
 #include "matching/result/match_summary.h"
 

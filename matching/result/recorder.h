@@ -2,7 +2,7 @@
 /// \file
 /// An observer that records the history of a matching.
 
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 #include "matching/result/history.h"
 #include "matching/result/match_summary.h"
 

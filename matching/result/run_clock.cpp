@@ -1,7 +1,7 @@
 #include "matching/result/run_clock.h"
 
 #include "base/parallel.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 
 #include <algorithm>
 

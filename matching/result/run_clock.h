@@ -2,7 +2,7 @@
 /// \file
 /// Measures the cost of a matching for its summary.
 
-#include "matching/cascade/phase_clock.h"
+#include "matching/progress/phase_clock.h"
 #include "matching/result/match_summary.h"
 
 #include <chrono>

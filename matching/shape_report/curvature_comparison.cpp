@@ -10,7 +10,7 @@
 #include "grid/fields/fast_marching.h"
 #include "grid/fields/interpolation.h"
 #include "grid/fields/sample.h"
-#include "matching/cascade/phase_clock.h"
+#include "matching/progress/phase_clock.h"
 
 #include <Eigen/Geometry>
 

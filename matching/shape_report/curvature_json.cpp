@@ -1,6 +1,6 @@
 #include "matching/shape_report/curvature_report.h"
-#include "matching/output/json_text.h"
-#include "matching/output/process_info.h"
+#include "matching/json/json_text.h"
+#include "matching/progress/process_info.h"
 
 namespace shellmatch {
 

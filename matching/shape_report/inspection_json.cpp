@@ -1,5 +1,5 @@
 #include "matching/shape_report/inspection.h"
-#include "matching/output/json_text.h"
+#include "matching/json/json_text.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "matching/output/json_members.h"
+#include "matching/json/json_members.h"
 #include "matching/output/write_file.h"
 #include "studies/execution/run_result.h"
 

@@ -1,7 +1,7 @@
 #include "studies/execution/machine.h"
 
 #include "base/error.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 #include "studies/execution/revision.h"
 
 #include <sched.h>

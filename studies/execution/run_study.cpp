@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 #include "matching/output/summary.h"
 #include "matching/output/write_file.h"
 #include "studies/execution/child_process.h"

@@ -90,7 +90,8 @@ Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, Coefficien
       options(o.energy),
       unknowns(g, o.energy.boundary),
       geometry{field(g, reference, o.smooth), field(g, target_values, o.smooth), o.root_is_inverse},
-      energy(unknowns, geometry, options, o.sigma_over_h * g.finest_side(), o.points_per_direction) {}
+      sigma(o.sigma_over_h * g.finest_side()),
+      energy(unknowns, geometry, options, sigma, o.points_per_direction) {}
 
 template <int Dim>
 std::optional<TermValues> Problem<Dim>::values(const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {

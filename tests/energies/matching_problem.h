@@ -56,6 +56,7 @@ struct Problem {
   EnergyOptions options;
   Unknowns<Dim> unknowns;
   GeometryPair<Dim> geometry;
+  double sigma;  ///< half width of the band
   const GeometryField<Dim>& target = geometry.target;
   MatchingEnergy<Dim> energy;
 

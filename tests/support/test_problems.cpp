@@ -300,7 +300,7 @@ class WeightedBowl final : public TestProblem {
 
 }  // namespace
 
-void TestProblem::prepare_second_derivative(std::span<const double> x) {
+void TestProblem::prepare_second_derivative(std::span<const double> x, std::span<const float>) {
   const Entries entries = jacobian(x);
   int n_rows = 0;
   for (const auto& e : entries) n_rows = std::max(n_rows, e.row() + 1);

@@ -14,7 +14,7 @@ namespace shellmatch::testing {
 /// A model of the second derivative that is the identity, for objectives of which Newton's method is asked no more than
 /// good manners.
 struct UnitModel : SecondOrderObjective {
-  void prepare_second_derivative(std::span<const double>) override {}
+  void prepare_second_derivative(std::span<const double>, std::span<const float>) override {}
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
     std::copy(x.begin(), x.end(), y.begin());
   }
@@ -31,7 +31,7 @@ class TestProblem : public SecondOrderObjective {
   /// 2 J^T J is the second derivative.
   using Entries = std::vector<Eigen::Triplet<double>>;
   virtual Entries jacobian(std::span<const double> x) const = 0;
-  void prepare_second_derivative(std::span<const double> x) override;
+  void prepare_second_derivative(std::span<const double> x, std::span<const float> damping) override;
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override;
   void precondition(std::span<const double> r, std::span<double> z) const override;
 

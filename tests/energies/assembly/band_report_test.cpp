@@ -85,13 +85,13 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   const Problem<3> p(grid, fields, others, {.points_per_direction = 3});
   const auto phi = deformed<3>(grid, 0.01, 5);
   TermValues weights;
-  for (int t = 0; t < n_terms; ++t) weights.v[t] = 1.0 + t;
+  for (std::size_t t = 0; t < weights.size(); ++t) weights[t] = 1.0 + static_cast<double>(t);
   const double sigma = 2 * grid.finest_side();
   const EnergyReport report =
       report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, phi, weights);
   const TermValues whole = *p.values(phi, weights);
-  for (int t = 0; t < n_terms; ++t)
-    EXPECT_NEAR(report.values.v[t], whole.v[t], 1e-12 * whole.sum()) << term_names[t];
+  for (std::size_t t = 0; t < whole.size(); ++t)
+    EXPECT_NEAR(report.values[t], whole[t], 1e-12 * whole.sum()) << term_names()[t];
   EXPECT_GT(whole["match"_term], 0);
   const BandReport band = means_of(p, phi, {});
   EXPECT_NEAR(report.band.normal_angle, band.normal_angle, 1e-12);

@@ -85,12 +85,13 @@ TYPED_TEST(MetricMatrix, LeavesFixedNodesOut) {
 TYPED_TEST(MetricMatrix, OfTheEnergyBoundsItsVolumeTermFromAbove) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid = hanging_grid<Dim>(0.3);
-  for (const VolumeDensity density : {VolumeDensity::simplified, VolumeDensity::symmetric_dirichlet}) {
+  for (const std::string_view density : {"simplified", "symmetric_dirichlet"}) {
+    SCOPED_TRACE(density);
     ProblemOptions options;
-    options.energy.volume = density;
+    options.energy.terms.model("volume"_term) = density;
     const Problem<Dim> p(grid, linear_fields(grid), linear_fields(grid), options);
     const TermValues weights = only("volume"_term);
-    const auto m = metric_matrix<Dim>(grid, p.unknowns, p.energy, stiffness_of_energy<Dim>(options.energy, weights));
+    const auto m = metric_matrix<Dim>(grid, p.unknowns, p.energy, stiffness_of_energy<Dim>(p.energy.terms(), weights));
     const auto id = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
     for (unsigned seed = 1; seed < 4; ++seed) {
       const double t = 1e-4;

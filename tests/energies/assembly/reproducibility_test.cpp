@@ -22,11 +22,12 @@ template <int Dim>
 Bits evaluate_with(int threads, const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
                    const CoefficientFields<Dim>& target) {
   set_n_threads(threads);
-  ProblemOptions o{.energy = {.fold_threshold = 0.9}};
+  ProblemOptions o;
+  o.energy.terms.own("fold_threshold") = 0.9;
   const Problem<Dim> p(grid, reference, target, o);
   EXPECT_GT(p.energy.band().batches().size(), 64u) << "too few chunks to tell";
   TermValues weights, values, again;
-  for (double& w : weights.v) w = 1;
+  for (std::size_t t = 0; t < weights.size(); ++t) weights[t] = 1;
   const auto phi = deformed<Dim>(grid, 0.02, 3);
   std::vector<double> gradient(p.unknowns.size());
   EXPECT_TRUE(p.energy.evaluate(phi, weights, values, gradient));
@@ -34,7 +35,7 @@ Bits evaluate_with(int threads, const Octree<Dim>& grid, const CoefficientFields
   set_n_threads(0);
   Bits bits;
   for (const auto* v : {&values, &again})
-    for (const double x : v->v) bits.values.push_back(std::bit_cast<std::uint64_t>(x));
+    for (const double x : *v) bits.values.push_back(std::bit_cast<std::uint64_t>(x));
   for (const double x : gradient) bits.gradient.push_back(std::bit_cast<std::uint64_t>(x));
   bits.measure = p.energy.band().measure();
   return bits;

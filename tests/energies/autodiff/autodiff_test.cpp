@@ -155,5 +155,57 @@ struct ManyUsers {
 
 TEST(Autodiff, ManyUsersOfOneNode) { check<ManyUsers>(1e-13); }
 
+// Outputs that share parts of each other: every one of them has adjoints of its own.
+struct Several {
+  static constexpr int n_active = 4, n_passive = 2, n_outputs = 8;
+  template <class T, class P>
+  static constexpr std::array<T, n_outputs> evaluate(const T* x, const P* p) {
+    using autodiff::max_of;
+    using std::exp;
+    using std::sqrt;
+    const T s = x[0] * x[1] + p[0];
+    const T root = sqrt(s * s + 2.0);
+    return {root * x[2],                    // three of the inputs
+            T(3.0),                         // a constant
+            s, x[1] * x[0] + p[0],          // twice the same
+            exp(-x[3]) / root + s * x[3],   // all but x[2]
+            x[2],                           // an input
+            T(p[0] * p[1]),                 // nothing active
+            max_of(s, x[3]) * root - s / 3.0};
+  }
+};
+
+TEST(Autodiff, JacobianOfSeveralOutputs) {
+  for (unsigned seed = 0; seed < 10; ++seed) expect_jacobian_as_jets<Several>(random_inputs<Several>(seed), 1e-14);
+  expect_good_tape<Several>();
+  EXPECT_EQ(tape_of<Several>.outputs[2], tape_of<Several>.outputs[3]);
+}
+
+TEST(Autodiff, EveryOutputKnowsTheInputsThatItDependsOn) {
+  using Code = autodiff::Compiled<Several>;
+  constexpr bool expected[Several::n_outputs][Several::n_active] = {
+      {true, true, true, false},  {false, false, false, false}, {true, true, false, false},   {true, true, false, false},
+      {true, true, false, true},  {false, false, true, false},  {false, false, false, false}, {true, true, false, true}};
+  [&]<int... OI>(std::integer_sequence<int, OI...>) {
+    constexpr bool found[] = {Code::depends(OI / 4, OI % 4)...};
+    for (int oi = 0; oi < Several::n_outputs * 4; ++oi)
+      EXPECT_EQ(found[oi], expected[oi / 4][oi % 4]) << "output " << oi / 4 << ", input " << oi % 4;
+  }(std::make_integer_sequence<int, Several::n_outputs * 4>{});
+}
+
+// Without a value there is no derivative to speak of, but zeros: the caller's memory is not read.
+struct Constants {
+  static constexpr int n_active = 2, n_passive = 0, n_outputs = 2;
+  template <class T, class P>
+  static constexpr std::array<T, n_outputs> evaluate(const T*, const P*) {
+    return {T(1.5), T(-2.0)};
+  }
+};
+
+TEST(Autodiff, JacobianOfConstantsIsZero) {
+  expect_jacobian_as_jets<Constants>(random_inputs<Constants>(1));
+  expect_good_tape<Constants>();
+}
+
 }  // namespace
 }  // namespace shellmatch

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace shellmatch::test {
 
@@ -62,15 +64,56 @@ void expect_as_jets(const std::array<Inputs<Functor>, autodiff::pack_size>& poin
   }
 }
 
+/// All outputs and their derivatives at eight points, as numbers and as a pack, against Ceres; and what the code says of
+/// the outputs' dependences. \pre the outputs are finite there
+template <class Functor>
+void expect_jacobian_as_jets(const std::array<Inputs<Functor>, autodiff::pack_size>& points, double tolerance = 1e-13) {
+  using autodiff::Pack;
+  using Code = autodiff::Compiled<Functor>;
+  using Jet = ceres::Jet<double, Functor::n_active>;
+  constexpr int n_active = Functor::n_active, n_passive = Functor::n_passive, n = Functor::n_outputs;
+  static_assert(Code::n_outputs == n);
+  std::array<Pack, n_active> active{};
+  std::array<Pack, n_passive> passive{};
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    for (int i = 0; i < n_active; ++i) active[i][lane] = points[lane].active[i];
+    for (int i = 0; i < n_passive; ++i) passive[i][lane] = points[lane].passive[i];
+  }
+  const double unset = std::numeric_limits<double>::quiet_NaN();
+  std::array<Pack, n> pack_values;
+  std::array<Pack, n * n_active> pack_derivative;
+  for (Pack& d : pack_derivative) d = Pack{} + unset;
+  Code::jacobian(active.data(), passive.data(), pack_values.data(), pack_derivative.data());
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    const auto& in = points[lane];
+    std::array<Jet, n_active> jets;
+    for (int i = 0; i < n_active; ++i) jets[i] = Jet(in.active[i], i);
+    const std::array<Jet, n> expected = Functor::template evaluate<Jet, double>(jets.data(), in.passive.data());
+    std::array<double, n> values;
+    std::array<double, n * n_active> derivative;
+    derivative.fill(unset);
+    Code::jacobian(in.active.data(), in.passive.data(), values.data(), derivative.data());
+    for (int o = 0; o < n; ++o) {
+      for (const double v : {values[o], pack_values[o][lane]})
+        EXPECT_NEAR(v, expected[o].a, tolerance * (1 + std::abs(expected[o].a))) << "output " << o;
+      const double error = tolerance * (1 + expected[o].v.norm());
+      for (int i = 0; i < n_active; ++i)
+        for (const double d : {derivative[o * n_active + i], pack_derivative[o * n_active + i][lane]})
+          EXPECT_NEAR(d, expected[o].v[i], error) << "output " << o << ", input " << i;
+    }
+  }
+}
+
 template <class Functor>
 inline constexpr auto tape_of = autodiff::record<Functor>();
 
-/// Operands come first, every node but the result is used, and none stands twice.
+/// Operands come first, every node is used or a result, and none stands twice.
 template <class Functor>
 void expect_good_tape() {
   const auto& tape = tape_of<Functor>;
   using autodiff::Op;
   std::vector<char> used(tape.size, 0);
+  for (const int output : tape.outputs) used[static_cast<std::size_t>(output)] = 1;
   for (std::size_t i = 0; i < tape.size; ++i) {
     const autodiff::Node& n = tape.nodes[i];
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(tape.nodes[j].same_as(n)) << j << " and " << i;
@@ -82,7 +125,7 @@ void expect_good_tape() {
     // What is computed from constants alone should have been computed while recording.
     EXPECT_FALSE(tape.nodes[n.a].op == Op::constant && tape.nodes[n.b].op == Op::constant) << i;
   }
-  for (std::size_t i = 0; i + 1 < tape.size; ++i) EXPECT_TRUE(used[i]) << "node " << i << " is dead";
+  for (std::size_t i = 0; i < tape.size; ++i) EXPECT_TRUE(used[i]) << "node " << i << " is dead";
 }
 
 }  // namespace shellmatch::test

@@ -2,8 +2,8 @@
 /// \file
 /// Inputs to the recorded energy terms, generic and degenerate, and the checks on each of them.
 
-#include "energies/terms/fold_barrier.h"
-#include "energies/terms/integrands.h"
+#include "energies/terms/list.h"
+#include "energies/terms/term_functors.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
 
 #include <random>
@@ -11,10 +11,13 @@
 namespace shellmatch::test {
 
 /// Eight points each: the first generic, the second without normal, the third without Dphi and root, the fourth
-/// without mismatch, the others generic.
-template <class Term, int Dim>
+/// without mismatch, the others generic. The value, and the argument with its derivative.
+template <class Term>
 void check_band_term() {
-  using Functor = BandFunctor<Term, Dim>;
+  using Functor = BandFunctor<Term>;
+  using Argument = BandArgument<Term>;
+  constexpr int Dim = Term::dim;
+  static_assert(Term::own.empty(), "the last two passive inputs are lambda and mu");
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -29,14 +32,19 @@ void check_band_term() {
       if (lane == 3) p.active[0] = p.passive[0];
     }
     expect_as_jets<Functor>(points);
+    std::array<Inputs<Argument>, autodiff::pack_size> same;
+    for (int lane = 0; lane < autodiff::pack_size; ++lane) same[lane] = {points[lane].active, points[lane].passive};
+    expect_jacobian_as_jets<Argument>(same);
   }
   expect_good_tape<Functor>();
+  expect_good_tape<Argument>();
 }
 
 /// Generic Dphi, the identity, one that folds and one of rank 0.
-template <class Term, int Dim>
+template <class Term>
 void check_volume_term() {
-  using Functor = VolumeFunctor<Term, Dim>;
+  using Functor = CellFunctor<Term>;
+  constexpr int Dim = Term::dim;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -57,7 +65,7 @@ void check_volume_term() {
 /// Cells near and far from folding, the undeformed one, one that is flat and one that is turned inside out.
 template <int Dim>
 void check_barrier() {
-  using Functor = FoldBarrierFunctor<Dim>;
+  using Functor = CornerFunctor<FoldBarrier<Dim>>;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.15, 0.15);
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -66,7 +74,7 @@ void check_barrier() {
       auto& p = points[lane];
       for (int i = 0; i < Functor::n_active; ++i)
         p.active[i] = ((i / Dim) >> (i % Dim) & 1) + (lane == 1 ? 0.0 : uniform(random));
-      p.passive = {1 / 0.8};
+      p.passive = {1 / 0.8, 1, 1, 0.8};  // scale; lambda, mu and the threshold, which it does not read
       for (int i = 0; i < Functor::n_active; i += Dim) {
         if (lane == 2) p.active[i] = -p.active[i];
         if (lane == 3) p.active[i] = 0;

@@ -31,27 +31,12 @@ struct ElementSum {
     for (int i = 0; i < n; ++i) nodal[element.nodes[i / Dim]][i % Dim] += energy.v[i];
   }
 
-  Lame<double> lame() const { return {problem.options.lambda, problem.options.mu}; }
-
-  template <template <int> class BandTerm>
-  void add_band() {
-    const Band<Dim>& band = problem.energy.band();
-    const auto elements = problem.unknowns.elements();
-    for (std::size_t b = 0; b < band.batches().size(); ++b)
-      for (int lane = 0; lane < band.batches()[b].n_elements; ++lane)
-        add(elements[band.batches()[b].element[lane]],
-            BandElementCost<BandTerm, Dim>(band, b, lane, elements, problem.energy.shape(), problem.target, 1, lame()));
-  }
-
-  template <template <int> class VolumeTerm>
-  void add_volume() {
+  /// The term on every element, with weight 1.
+  template <class Term>
+  void add_term(std::array<double, Term::own.size()> own = {}) {
     for (const Element<Dim>& e : problem.unknowns.elements())
-      add(e, VolumeElementCost<VolumeTerm, Dim>(e.side, problem.energy.shape(), 1, lame()));
-  }
-
-  void add_barrier() {
-    for (const Element<Dim>& e : problem.unknowns.elements())
-      add(e, BarrierElementCost<Dim>(e.side, 1, problem.options.terms.own("fold_threshold")));
+      add(e, ElementCost<Term>(ElementFields<Dim>(e, problem.geometry, problem.sigma, problem.energy.shape()), 1,
+                               problem.options.lambda, problem.options.mu, own));
   }
 
   /// C^T of the derivative at the nodes, in the order of the grid's free nodes.

@@ -4,6 +4,7 @@
 #include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/densities/random_matrices.h"
+#include "tests/energies/terms/normal_alignment.h"
 #include "tests/support/taylor.h"
 
 namespace shellmatch {
@@ -50,21 +51,8 @@ TEST(Example, HowARecordedFunctorBecomesCode) {
   EXPECT_EQ((HalfSquare::evaluate<ceres::Jet<double, 2>, double>(jets, p).v[0]), 30);
 }
 
-// docs/adding-an-energy.md: |Dphi n1 - n2|^2 vanishes where phi carries the unit normals of the reference to those
-// of the template, as the theory of Kirchhoff and Love supposes of a thin shell.
-template <int Dim>
-struct KirchhoffLove {
-  template <class T, class P>
-  static constexpr T density(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                             const ReferencePoint<Dim, P>& x, const Lame<P>& lame) {
-    const auto carried = times(dphi, x.n1);
-    const auto n2 = renormalised(y.n2);
-    T sum(0.0);
-    for (int i = 0; i < Dim; ++i) sum = sum + (carried[i] - n2[i]) * (carried[i] - n2[i]);
-    return lame.mu * sum;
-  }
-};
-
+// docs/adding-an-energy.md: |Dphi n1 - s n2|^2.
+//
 // 1. It vanishes where it should: here, for rotations.
 TEST(Example, ANewTermVanishesForRotations) {
   std::mt19937 random(1);
@@ -72,13 +60,18 @@ TEST(Example, ANewTermVanishesForRotations) {
   const Vec<3> n1 = random_matrix<3, 1>(random).normalized();
   const TargetPoint<3, double> y{0, small<3>(q * n1), {}};
   const ReferencePoint<3, double> x{0, small<3>(n1), {}};
-  EXPECT_NEAR(KirchhoffLove<3>::density(y, small<double, 3>(q), x, Lame<double>{1, 1}), 0, 1e-15);
-  EXPECT_NEAR(KirchhoffLove<3>::density(y, small<double, 3>(2 * q), x, Lame<double>{1, 3}), 3, 1e-14);
+  const auto density = [&](const Mat<3>& a, double stretch) {
+    return band_density<NormalAlignment<3>>(y, small<double, 3>(a), x, Material<double>{1, 1, &stretch});
+  };
+  EXPECT_NEAR(density(q, 1), 0, 1e-15);
+  EXPECT_NEAR(density(2 * q, 1), 1, 1e-14);
+  EXPECT_NEAR(density(3 * q, 1), 4, 1e-14);
+  EXPECT_NEAR(density(2 * q, 2), 0, 1e-14);
 }
 
 // 2. The fast code is the functor.
 TEST(Example, ANewTermIsRecordedAsItIs) {
-  using Functor = BandFunctor<KirchhoffLove<3>, 3>;
+  using Functor = BandFunctor<NormalAlignment<3>>;
   std::array<Inputs<Functor>, autodiff::pack_size> points;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -88,6 +81,10 @@ TEST(Example, ANewTermIsRecordedAsItIs) {
   }
   expect_as_jets<Functor>(points);
   expect_good_tape<Functor>();
+  using Argument = BandArgument<NormalAlignment<3>>;
+  std::array<Inputs<Argument>, autodiff::pack_size> same;
+  for (std::size_t lane = 0; lane < points.size(); ++lane) same[lane] = {points[lane].active, points[lane].passive};
+  expect_jacobian_as_jets<Argument>(same);
 }
 
 // 3. Summed over the band, its gradient is the derivative of its value.
@@ -100,7 +97,7 @@ TEST(Example, ANewTermOnAGrid) {
     auto phi = start;
     for (std::size_t i = 0; i < phi.size(); ++i) phi[i] += t * direction[i];
     ElementSum<2> sum{problem, phi};
-    sum.add_band<KirchhoffLove>();
+    sum.add_term<NormalAlignment<2>>({1.2});
     double derivative = 0;
     for (std::size_t i = 0; i < phi.size(); ++i) derivative += sum.nodal[i].dot(direction[i]);
     return std::pair(sum.value, derivative);

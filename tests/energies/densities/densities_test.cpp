@@ -1,6 +1,9 @@
-#include "energies/densities/densities.h"
+// The densities themselves: where they vanish, what they are invariant under, their convexity and derivatives.
 
 #include "energies/autodiff/jet.h"
+#include "energies/densities/full_volume.h"
+#include "energies/densities/symmetric_dirichlet.h"
+#include "energies/densities/thin_shell.h"
 #include "tests/energies/densities/random_matrices.h"
 #include "tests/support/taylor.h"
 
@@ -12,26 +15,17 @@ namespace {
 using namespace test;
 
 // The densities as objects, so that one test serves all.
-struct ThinShell {
-  Lame<double> lame{1, 1};
+template <template <int> class Density>
+struct Of {
+  Material<double> material{1, 1};
   template <class T, int Dim>
   T operator()(const SmallMat<T, Dim>& a) const {
-    return thin_shell_density(a, lame);
+    return Density<Dim>::value(a, material);
   }
 };
-struct FullVolumeDensity {
-  template <class T, int Dim>
-  T operator()(const SmallMat<T, Dim>& a) const {
-    return full_volume_density(a);
-  }
-};
-struct SymmetricDirichletDensity {
-  double mu = 1;
-  template <class T, int Dim>
-  T operator()(const SmallMat<T, Dim>& a) const {
-    return symmetric_dirichlet_density(a, mu);
-  }
-};
+using ThinShell = Of<ThinShellDensity>;
+using FullVolume = Of<FullVolumeDensity>;
+using SymmetricDirichlet = Of<SymmetricDirichletDensity>;
 
 template <int Dim, class Density>
 double value(const Density& w, const Mat<Dim>& a) {
@@ -66,7 +60,7 @@ struct In {
 using Dimensions = ::testing::Types<In<2>, In<3>>;
 TYPED_TEST_SUITE(Densities, Dimensions);
 
-const Lame<double> materials[] = {{1, 1}, {0.3, 2}, {5, 0.1}};
+const Material<double> materials[] = {{1, 1}, {0.3, 2}, {5, 0.1}};
 
 TYPED_TEST(Densities, ThinShellVanishesAndIsStationaryOnRotations) {
   constexpr int Dim = TypeParam::dim;
@@ -91,8 +85,8 @@ TYPED_TEST(Densities, AllAreFrameIndifferent) {
   for (int i = 0; i < 20; ++i) {
     for (const auto& lame : materials) expect_indifferent(ThinShell{lame}, random_matrix<Dim>(random));
     const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
-    expect_indifferent(FullVolumeDensity{}, a);
-    expect_indifferent(SymmetricDirichletDensity{0.7}, a);
+    expect_indifferent(FullVolume{}, a);
+    expect_indifferent(SymmetricDirichlet{{1, 0.7}}, a);
   }
 }
 
@@ -123,7 +117,7 @@ TYPED_TEST(Densities, PolyconvexOnesAreConvexAlongRankOneLines) {
     for (const auto& lame : materials)
       EXPECT_GE(second_derivative<Dim>(ThinShell{lame}, 2 * random_matrix<Dim>(random), rank_one), -1e-7);
     const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.7, 2);
-    EXPECT_GE(second_derivative<Dim>(FullVolumeDensity{}, a, rank_one), -1e-6);
+    EXPECT_GE(second_derivative<Dim>(FullVolume{}, a, rank_one), -1e-6);
   }
 }
 
@@ -147,23 +141,23 @@ TYPED_TEST(Densities, FullVolumeIsThePapersAndStationaryAtRotations) {
   std::mt19937 random(5);
   for (int i = 0; i < 20; ++i) {
     const Mat<Dim> q = random_rotation<Dim>(random), a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
-    EXPECT_NEAR(value<Dim>(FullVolumeDensity{}, q), 0, 1e-12);
-    EXPECT_LT(derivative<Dim>(FullVolumeDensity{}, q).norm(), 1e-11);
-    EXPECT_NEAR(value<Dim>(FullVolumeDensity{}, a), papers(a) - at_identity, 1e-11 * papers(a));
+    EXPECT_NEAR(value<Dim>(FullVolume{}, q), 0, 1e-12);
+    EXPECT_LT(derivative<Dim>(FullVolume{}, q).norm(), 1e-11);
+    EXPECT_NEAR(value<Dim>(FullVolume{}, a), papers(a) - at_identity, 1e-11 * papers(a));
     // At I: p n^(p/2-1) |E|^2 + p (p-2) n^(p/2-2) (tr E)^2 from |A|^p, for n = 3 56 (tr E)^2 from |cof A|^4,
     // and s |E|^2 + s^2 (tr E)^2 from (det A)^-s.
     const Mat<Dim> strain = random_symmetric<Dim>(random, -1, 1);
     const double squares = strain.squaredNorm(), trace2 = strain.trace() * strain.trace(), root2 = std::sqrt(2.0);
     const double hessian = Dim == 3 ? (12 + 4 * 9) * squares + (8 + 56 + 4 * 81) * trace2
                                     : (4 * 3 + 3 * 4) * root2 * squares + (6 + 3 * 16) * root2 * trace2;
-    EXPECT_NEAR(second_derivative<Dim>(FullVolumeDensity{}, Mat<Dim>::Identity(), strain), hessian, 1e-4);
+    EXPECT_NEAR(second_derivative<Dim>(FullVolume{}, Mat<Dim>::Identity(), strain), hessian, 1e-4);
   }
 }
 
 TYPED_TEST(Densities, SymmetricDirichletWeighsAMatrixAndItsInverseAlike) {
   constexpr int Dim = TypeParam::dim;
   std::mt19937 random(6);
-  const SymmetricDirichletDensity w{0.7};
+  const SymmetricDirichlet w{{1, 0.7}};
   for (int i = 0; i < 20; ++i) {
     const Mat<Dim> q = random_rotation<Dim>(random), a = random_orientation_preserving<Dim>(random, 0.4, 2.5);
     EXPECT_NEAR(value<Dim>(w, q), 0, 1e-13);
@@ -183,13 +177,13 @@ TYPED_TEST(Densities, ThoseThatForbidFoldsAreNaNOrInfiniteThere) {
   for (int i = 0; i < 20; ++i) {
     Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.5, 2);
     a.col(0) = -a.col(0);
-    EXPECT_TRUE(std::isnan(value<Dim>(FullVolumeDensity{}, a)));
-    EXPECT_TRUE(std::isnan(value<Dim>(SymmetricDirichletDensity{}, a)));
+    EXPECT_TRUE(std::isnan(value<Dim>(FullVolume{}, a)));
+    EXPECT_TRUE(std::isnan(value<Dim>(SymmetricDirichlet{}, a)));
     EXPECT_TRUE(std::isfinite(value<Dim>(ThinShell{}, a)));
   }
   const Mat<Dim> zero = Mat<Dim>::Zero();
-  EXPECT_FALSE(std::isfinite(value<Dim>(FullVolumeDensity{}, zero)));
-  EXPECT_FALSE(std::isfinite(value<Dim>(SymmetricDirichletDensity{}, zero)));
+  EXPECT_FALSE(std::isfinite(value<Dim>(FullVolume{}, zero)));
+  EXPECT_FALSE(std::isfinite(value<Dim>(SymmetricDirichlet{}, zero)));
   EXPECT_TRUE(std::isfinite(value<Dim>(ThinShell{}, zero)));
 }
 
@@ -204,8 +198,8 @@ TYPED_TEST(Densities, DerivativesAgreeWithTheTaylorRemainder) {
     EXPECT_FALSE(has_derivative(line, 1.001 * slope + 1e-3));
   };
   for (const auto& lame : materials) check(ThinShell{lame});
-  check(FullVolumeDensity{});
-  check(SymmetricDirichletDensity{});
+  check(FullVolume{});
+  check(SymmetricDirichlet{});
 }
 
 }  // namespace

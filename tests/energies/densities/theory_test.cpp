@@ -1,7 +1,11 @@
-// What the paper proves or shows by example, on the integrands themselves where they can say it.
+// What the paper proves or shows by example, on the terms themselves where they can say it.
 
-#include "energies/densities/densities.h"
-#include "energies/terms/integrands.h"
+#include "energies/densities/thin_shell.h"
+#include "energies/terms/bending.h"
+#include "energies/terms/match.h"
+#include "energies/terms/membrane.h"
+#include "energies/terms/simplified_volume.h"
+#include "energies/terms/term_functors.h"
 #include "tests/energies/densities/random_matrices.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +56,7 @@ struct LemmaData {
     const TargetPoint<Dim, double> y{0, small<Dim>(n2()), small_symmetric<Dim>(power<Dim>(full_n(), 0.5))};
     const ReferencePoint<Dim, double> x{0, small<Dim>(n1()),
                                         small_symmetric<Dim>(p1 * power<Dim>(full_m(), -0.5) * p1)};
-    return Bending<Dim>::density(y, small(a), x, Lame<double>{1, 1});
+    return band_density<Bending<Dim>>(y, small(a), x, Material<double>{1, 1});
   }
 };
 
@@ -77,7 +81,7 @@ void check_lemma(unsigned seed) {
     ++n_bad;
     EXPECT_GT((d.lambda(bad).transpose() * d.lambda(bad) - Mat<Dim>::Identity()).norm(), 1e-5);
     EXPECT_GT(d.density(bad), 0);
-    EXPECT_NEAR(d.density(bad), thin_shell_density(small(d.lambda(bad)), Lame<double>{1, 1}), 1e-11);
+    EXPECT_NEAR(d.density(bad), ThinShellDensity<Dim>::value(small(d.lambda(bad)), Material<double>{1, 1}), 1e-11);
   }
   EXPECT_GT(n_bad, 40);
 }
@@ -91,7 +95,7 @@ TEST(Theory, LambdaIsOrthogonalExactlyWhereCurvaturesMatch) {
 template <int Dim>
 void check_formulas(unsigned seed) {
   std::mt19937 random(seed);
-  const Lame<double> lame{0.7, 1.3};
+  const Material<double> material{0.7, 1.3};
   for (int i = 0; i < 20; ++i) {
     const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
     const Mat<Dim> dphi = random_matrix<Dim>(random), root = random_symmetric<Dim>(random, 0.5, 2);
@@ -99,12 +103,12 @@ void check_formulas(unsigned seed) {
     const Mat<Dim> r1 = p1 * random_symmetric<Dim>(random, 0.5, 2) * p1;
     const TargetPoint<Dim, double> y{0.3, small<Dim>(0.8 * n2), small_symmetric<Dim>(root)};
     const ReferencePoint<Dim, double> x{-0.1, small<Dim>(n1), small_symmetric<Dim>(r1)};
-    const auto w = [&](const Mat<Dim>& a) { return thin_shell_density(small(a), lame); };
+    const auto w = [&](const Mat<Dim>& a) { return ThinShellDensity<Dim>::value(small(a), material); };
     const Mat<Dim> nn = n2 * n1.transpose();
-    EXPECT_NEAR(Match<Dim>::density(y, small(dphi), x, lame), 0.16, 1e-15);
-    EXPECT_NEAR(Membrane<Dim>::density(y, small(dphi), x, lame), w(p2 * dphi * p1 + nn), 1e-13);
-    EXPECT_NEAR(Bending<Dim>::density(y, small(dphi), x, lame), w(p2 * root * p2 * dphi * r1 + nn), 1e-12);
-    EXPECT_EQ(SimplifiedVolume<Dim>::density(small(dphi), lame), w(dphi));
+    EXPECT_NEAR(band_density<Match<Dim>>(y, small(dphi), x, material), 0.16, 1e-15);
+    EXPECT_NEAR(band_density<Membrane<Dim>>(y, small(dphi), x, material), w(p2 * dphi * p1 + nn), 1e-13);
+    EXPECT_NEAR(band_density<Bending<Dim>>(y, small(dphi), x, material), w(p2 * root * p2 * dphi * r1 + nn), 1e-12);
+    EXPECT_EQ(SimplifiedVolume<Dim>::Density::value(small(dphi), material), w(dphi));
   }
 }
 
@@ -121,9 +125,9 @@ TEST(Theory, ExtendedTangentialDerivativeOfTheIdentityDegenerates) {
   EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(0, 1))), 0, 1e-15);
   EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(-0.6, 0.8))), -0.6, 1e-15);
   // W stays finite there: the matrix is e2 e1^T, of norm 1 and determinant 0.
-  EXPECT_NEAR(Membrane<2>::density(TargetPoint<2, double>{0, small<2>(Vec<2>(0, 1)), {}},
+  EXPECT_NEAR(band_density<Membrane<2>>(TargetPoint<2, double>{0, small<2>(Vec<2>(0, 1)), {}},
                                    small<double, 2>(Mat<2>::Identity()),
-                                   ReferencePoint<2, double>{0, small<2>(Vec<2>(1, 0)), {}}, Lame<double>{1, 1}),
+                                   ReferencePoint<2, double>{0, small<2>(Vec<2>(1, 0)), {}}, Material<double>{1, 1}),
               0.5 + 1.5 * std::exp(1.0) - 2.75, 1e-14);
   std::mt19937 random(3);
   for (int i = 0; i < 20; ++i) {

@@ -1,6 +1,8 @@
 // The terms that the paper argues against: their formulas, and where convexity fails them.
 
-#include "energies/terms/integrands.h"
+#include "energies/densities/thin_shell.h"
+#include "energies/terms/list.h"
+#include "energies/terms/term_functors.h"
 #include "tests/energies/densities/random_matrices.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +12,7 @@ namespace {
 
 using namespace test;
 
-constexpr Lame<double> unit{1, 1};
+constexpr Material<double> unit{1, 1};
 
 template <int Dim>
 TargetPoint<Dim, double> target_point(const Vec<Dim>& n2, const Mat<Dim>& root = Mat<Dim>::Zero()) {
@@ -28,7 +30,7 @@ Mat<Dim> projection(const Vec<Dim>& n) {
 template <int Dim>
 void check_formulas(unsigned seed) {
   std::mt19937 random(seed);
-  const Lame<double> lame{0.7, 1.3};
+  const Material<double> material{0.7, 1.3};
   for (int i = 0; i < 20; ++i) {
     const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
                    n2 = random_matrix<Dim, 1>(random).normalized();
@@ -36,13 +38,13 @@ void check_formulas(unsigned seed) {
     const Mat<Dim> at2 = random_symmetric<Dim>(random, -1, 2), at1 = random_symmetric<Dim>(random, -1, 2);
     const auto y = target_point<Dim>(0.8 * n2, at2);  // n2 need not come as a unit vector
     const auto x = reference_point<Dim>(n1, at1);
-    const auto w = [&](const Mat<Dim>& a) { return thin_shell_density(small(a), lame); };
+    const auto w = [&](const Mat<Dim>& a) { return ThinShellDensity<Dim>::value(small(a), material); };
     const Mat<Dim> nn = n2 * n1.transpose(), flat = dphi * p1;
-    EXPECT_NEAR(MembraneWithoutP2<Dim>::density(y, small(dphi), x, lame), w(flat + nn), 1e-12);
-    EXPECT_NEAR(CauchyGreenMembrane<Dim>::density(y, small(dphi), x, lame),
+    EXPECT_NEAR(band_density<MembraneWithoutP2<Dim>>(y, small(dphi), x, material), w(flat + nn), 1e-12);
+    EXPECT_NEAR(band_density<CauchyGreenMembrane<Dim>>(y, small(dphi), x, material),
                 w(flat.transpose() * flat + n1 * n1.transpose()), 1e-12);
-    EXPECT_NEAR(BendingWithoutP2<Dim>::density(y, small(dphi), x, lame), w(at2 * dphi * at1 + nn), 1e-11);
-    EXPECT_NEAR(QuadraticBending<Dim>::density(y, small(dphi), x, lame),
+    EXPECT_NEAR(band_density<BendingWithoutP2<Dim>>(y, small(dphi), x, material), w(at2 * dphi * at1 + nn), 1e-11);
+    EXPECT_NEAR(band_density<QuadraticBending<Dim>>(y, small(dphi), x, material),
                 (dphi.transpose() * at2 * dphi - at1).squaredNorm(), 1e-12);
   }
 }
@@ -71,13 +73,13 @@ TEST(Comparison, CauchyGreenMembraneIsNotRankOneConvex) {
   // The program's W in the place of F: zero at both ends, W(diag(1/2, 1)) = 5/8 + 1/16 + 3/2 e^(1/2) - 11/4
   // between.
   const auto naive = [&](double l) {
-    return CauchyGreenMembrane<2>::density(target_point<2>(e2), small(on_segment(l)), reference_point<2>(e2),
+    return band_density<CauchyGreenMembrane<2>>(target_point<2>(e2), small(on_segment(l)), reference_point<2>(e2),
                                            unit);
   };
   EXPECT_NEAR(naive(0), 0, 1e-14);
   EXPECT_NEAR(naive(1), 0, 1e-14);
   EXPECT_NEAR(naive(0.5), 0.625 + 0.0625 + 1.5 * std::exp(0.5) - 2.75, 1e-14);
-  EXPECT_NEAR(CauchyGreenMembrane<2>::density(target_point<2>(e2), small<double, 2>(Mat<2>::Identity()),
+  EXPECT_NEAR(band_density<CauchyGreenMembrane<2>>(target_point<2>(e2), small<double, 2>(Mat<2>::Identity()),
                                               reference_point<2>(e2), unit),
               0, 1e-14);
 }
@@ -101,14 +103,14 @@ void check_rank_one_convexity(unsigned seed) {
       return density(small<double, Dim>(a)) -
              0.5 * (density(small<double, Dim>(a - line)) + density(small<double, Dim>(a + line)));
     };
-    EXPECT_LE(excess([&](const auto& m) { return Membrane<Dim>::density(y, m, x, unit); }), 1e-12);
-    EXPECT_LE(excess([&](const auto& m) { return Bending<Dim>::density(y, m, x, unit); }), 1e-11);
-    EXPECT_LE(excess([&](const auto& m) { return MembraneWithoutP2<Dim>::density(y, m, x, unit); }), 1e-12);
-    EXPECT_LE(excess([&](const auto& m) { return BendingWithoutP2<Dim>::density(y, m, x, unit); }), 1e-11);
+    EXPECT_LE(excess([&](const auto& m) { return band_density<Membrane<Dim>>(y, m, x, unit); }), 1e-12);
+    EXPECT_LE(excess([&](const auto& m) { return band_density<Bending<Dim>>(y, m, x, unit); }), 1e-11);
+    EXPECT_LE(excess([&](const auto& m) { return band_density<MembraneWithoutP2<Dim>>(y, m, x, unit); }), 1e-12);
+    EXPECT_LE(excess([&](const auto& m) { return band_density<BendingWithoutP2<Dim>>(y, m, x, unit); }), 1e-11);
     naive_fails +=
-        excess([&](const auto& m) { return CauchyGreenMembrane<Dim>::density(y, m, x, unit); }) > 1e-3;
+        excess([&](const auto& m) { return band_density<CauchyGreenMembrane<Dim>>(y, m, x, unit); }) > 1e-3;
     quadratic_fails +=
-        excess([&](const auto& m) { return QuadraticBending<Dim>::density(curved, m, flat, unit); }) > 1e-3;
+        excess([&](const auto& m) { return band_density<QuadraticBending<Dim>>(curved, m, flat, unit); }) > 1e-3;
   }
   EXPECT_GT(naive_fails, 10);
   EXPECT_GT(quadratic_fails, 10);
@@ -125,7 +127,7 @@ TEST(Comparison, QuadraticBendingIsNotConvexOnThePapersSegment) {
   const Vec<3> e3 = Vec<3>::UnitZ();
   const auto density = [&](double t) {
     const Mat<3> a = Mat<3>::Identity() - t * Vec<3>::UnitX() * Vec<3>::UnitX().transpose();
-    return QuadraticBending<3>::density(target_point<3>(e3, projection<3>(e3)), small(a),
+    return band_density<QuadraticBending<3>>(target_point<3>(e3, projection<3>(e3)), small(a),
                                         reference_point<3>(e3, projection<3>(e3)), unit);
   };
   for (const double t : {0.0, 0.5, 0.625, 0.75})

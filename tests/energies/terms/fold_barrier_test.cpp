@@ -1,7 +1,8 @@
 #include "energies/terms/fold_barrier.h"
-#include "energies/elements/element_batch.h"
 
 #include "energies/autodiff/jet.h"
+#include "energies/elements/element_batch.h"
+#include "energies/terms/term_functors.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
@@ -26,16 +27,16 @@ T barrier_of(const T& length, double threshold) {
   for (int c = 0; c < n_corners<Dim>; ++c)
     for (int k = 0; k < Dim; ++k)
       dofs[c * Dim + k] = T(static_cast<double>((c >> k) & 1)) * (k == 0 ? length : T(1.0));
-  const double scale = 1 / threshold;
-  return FoldBarrierFunctor<Dim>::template evaluate<T, double>(dofs.data(), &scale);
+  const double passive[] = {1 / threshold, 1, 1, threshold};
+  return CornerFunctor<FoldBarrier<Dim>>::template evaluate<T, double>(dofs.data(), passive);
 }
 
 template <class T>
-struct FoldBarrier : ::testing::Test {};
+struct Barrier : ::testing::Test {};
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(FoldBarrier, Dimensions);
+TYPED_TEST_SUITE(Barrier, Dimensions);
 
-TYPED_TEST(FoldBarrier, IsTheFormulaAndEndsAtTheFold) {
+TYPED_TEST(Barrier, IsTheFormulaAndEndsAtTheFold) {
   constexpr int Dim = TypeParam::value;
   const double d0 = 0.3;
   for (const double x : {0.01, 0.1, 0.5, 0.9, 0.999})
@@ -47,7 +48,7 @@ TYPED_TEST(FoldBarrier, IsTheFormulaAndEndsAtTheFold) {
 }
 
 // Value, slope and curvature vanish together at the threshold: as (1 - x)^3, (1 - x)^2 and 1 - x.
-TYPED_TEST(FoldBarrier, IsTwiceContinuouslyDifferentiableAtTheThreshold) {
+TYPED_TEST(Barrier, IsTwiceContinuouslyDifferentiableAtTheThreshold) {
   constexpr int Dim = TypeParam::value;
   const double d0 = 0.3;
   using Jet = ceres::Jet<double, 1>;
@@ -65,10 +66,16 @@ struct BarrierProblem {
   CoefficientFields<Dim> fields = exact_fields<Dim>(grid, sphere<Dim>(0.28));
   Problem<Dim> problem;
   explicit BarrierProblem(double threshold)
-      : problem(grid, fields, fields, {.energy = {.fold_threshold = threshold}}) {}
+      : problem(grid, fields, fields, with_threshold(threshold)) {}
+
+  static ProblemOptions with_threshold(double threshold) {
+    ProblemOptions o;
+    o.energy.terms.own("fold_threshold") = threshold;
+    return o;
+  }
 };
 
-TYPED_TEST(FoldBarrier, CostsNothingAwayFromFoldsAndGrowsTowardsThem) {
+TYPED_TEST(Barrier, CostsNothingAwayFromFoldsAndGrowsTowardsThem) {
   constexpr int Dim = TypeParam::value;
   const BarrierProblem<Dim> b(0.1);
   const auto squeezed = [&](double to) {
@@ -86,11 +93,12 @@ TYPED_TEST(FoldBarrier, CostsNothingAwayFromFoldsAndGrowsTowardsThem) {
 }
 
 // The barrier is stricter than the volume densities: it sees folds between the quadrature points.
-TYPED_TEST(FoldBarrier, SeesWhatQuadraturePointsMiss) {
+TYPED_TEST(Barrier, SeesWhatQuadraturePointsMiss) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid(1);
   const auto fields = exact_fields<Dim>(grid, sphere<Dim>(0.3));
-  ProblemOptions o{.energy = {.terms.model("volume"_term) = "full"}};
+  ProblemOptions o;
+  o.energy.terms.model("volume"_term) = "full";
   const Problem<Dim> p(grid, fields, fields, o);
   auto phi = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
   for (Index node = 0; node < grid.n_nodes(); ++node)
@@ -100,7 +108,7 @@ TYPED_TEST(FoldBarrier, SeesWhatQuadraturePointsMiss) {
 }
 
 // det Dphi itself, not that by the unit cell's coordinates.
-TYPED_TEST(FoldBarrier, TheLeastDeterminantOfAnEnlargementIsItsOwn) {
+TYPED_TEST(Barrier, TheLeastDeterminantOfAnEnlargementIsItsOwn) {
   constexpr int Dim = TypeParam::value;
   ElementBatch<Dim> batch;
   for (int lane = 0; lane < batch.n_lanes; ++lane) {
@@ -113,7 +121,7 @@ TYPED_TEST(FoldBarrier, TheLeastDeterminantOfAnEnlargementIsItsOwn) {
 }
 
 // Of cells that are hardly bent, of such that fold, and of affine ones, where the bound is the determinant.
-TYPED_TEST(FoldBarrier, NoCoefficientIsBelowTheBoundOfAllOfThem) {
+TYPED_TEST(Barrier, NoCoefficientIsBelowTheBoundOfAllOfThem) {
   constexpr int Dim = TypeParam::value;
   std::mt19937 random(9);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -146,7 +154,7 @@ TYPED_TEST(FoldBarrier, NoCoefficientIsBelowTheBoundOfAllOfThem) {
 }
 
 // phi = (XY, YZ, ZX) with X = 2x - 1 and so on: middles vanish, det Dphi = 16 XYZ, and the bound is reached.
-TEST(FoldBarrierBound, IsReachedWhereAllColumnsChangeTheirSigns) {
+TEST(BarrierBound, IsReachedWhereAllColumnsChangeTheirSigns) {
   ElementBatch<3> batch;
   batch.inverse_side = autodiff::Pack{} + 1.0;
   for (int c = 0; c < 8; ++c) {
@@ -159,7 +167,7 @@ TEST(FoldBarrierBound, IsReachedWhereAllColumnsChangeTheirSigns) {
 }
 
 // No coefficient changes by more than the bound that the edges give.
-TYPED_TEST(FoldBarrier, CoefficientsChangeByNoMoreThanTheBound) {
+TYPED_TEST(Barrier, CoefficientsChangeByNoMoreThanTheBound) {
   constexpr int Dim = TypeParam::value;
   std::mt19937 random(4);
   std::uniform_real_distribution<double> u(-1, 1);

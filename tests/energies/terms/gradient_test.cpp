@@ -2,6 +2,7 @@
 // the plane and in space, on grids with hanging nodes; and the same check catches wrong gradients.
 
 #include "energies/compiled/element_cost.h"
+#include "energies/terms/membrane.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
@@ -56,8 +57,6 @@ class Along {
   std::vector<double> x_, v_;
 };
 
-constexpr VolumeDensity densities[] = {VolumeDensity::simplified, VolumeDensity::full, VolumeDensity::symmetric_dirichlet};
-
 template <class T>
 struct Gradient : ::testing::Test {
   static constexpr int Dim = T::value;
@@ -68,22 +67,21 @@ struct Gradient : ::testing::Test {
   template <class Body>
   void for_each_term(const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
     for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet}) {
-      for (const VolumeDensity volume : densities) {
+      for (const std::string_view volume : {"simplified", "full", "symmetric_dirichlet"}) {
         ProblemOptions o;
         o.energy.lambda = 0.7;
-        o.energy.volume = volume;
+        o.energy.terms.model("volume"_term) = volume;
         o.energy.boundary = boundary;
         o.energy.terms.own("fold_threshold") = 0.9;
         for_each_term_of(o, target, amplitude, body);
       }
       // The terms to compare with, one of each at a time.
-      for (const auto& [membrane, bending] : {std::pair{MembraneModel::no_p2, BendingModel::no_p2},
-                                              std::pair{MembraneModel::cauchy_green, BendingModel::quadratic}}) {
+      for (const auto& [membrane, bending] : {std::pair{"no_p2", "no_p2"}, std::pair{"cauchy_green", "quadratic"}}) {
         ProblemOptions o;
         o.energy.lambda = 0.7;
         o.energy.boundary = boundary;
-        o.energy.membrane = membrane;
-        o.energy.bending = bending;
+        o.energy.terms.model("membrane"_term) = membrane;
+        o.energy.terms.model("bending"_term) = bending;
         for_each_term_of(o, target, amplitude, body);
       }
     }
@@ -92,14 +90,15 @@ struct Gradient : ::testing::Test {
   template <class Body>
   void for_each_term_of(const ProblemOptions& o, const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
     const bool fixed = o.energy.boundary == BoundaryCondition::dirichlet;
-    const bool compares = o.energy.membrane != MembraneModel::thin_shell;
+    const auto model = [&](Term term) { return o.energy.terms.model(term).name(); };
+    const bool compares = model("membrane"_term) != "thin_shell";
     const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
-    for (int t = 0; t < n_terms; ++t) {
-      const Term term = static_cast<Term>(t);
+    for (std::size_t t = 0; t < term_names().size(); ++t) {
+      const Term term{t};
       if (compares && term != "membrane"_term && term != "bending"_term) continue;
-      if (!compares && term != "volume"_term && o.energy.volume != VolumeDensity::simplified) continue;
-      SCOPED_TRACE(fmt::format("{}, {}, volume {}, membrane {}, bending {}", term_names[t], enum_name(o.energy.boundary),
-                               enum_name(o.energy.volume), enum_name(o.energy.membrane), enum_name(o.energy.bending)));
+      if (!compares && term != "volume"_term && model("volume"_term) != "simplified") continue;
+      SCOPED_TRACE(fmt::format("{}, {}, volume {}, membrane {}, bending {}", term_names()[t], enum_name(o.energy.boundary),
+                               model("volume"_term), model("membrane"_term), model("bending"_term)));
       // Far enough for the barrier to act.
       const double size = term == "barrier"_term ? 3 * amplitude : amplitude;
       body(problem, deformed<Dim>(grid, size, 5, fixed), term);
@@ -143,7 +142,7 @@ TYPED_TEST(Gradient, RemainderIsOfSecondOrderAcrossCellsOfASmoothTarget) {
   const double to_face = -smooth.energy.shape().points[0].xi[0] * this->grid.finest_side();
   const auto on_faces = at_nodes<D>(this->grid, [&](const Vec<D>& x) { return Vec<D>(x + to_face * Vec<D>::Unit(0)); });
   for (const Term term : {"match"_term, "membrane"_term, "bending"_term}) {
-    SCOPED_TRACE(term_names[static_cast<int>(term)]);
+    SCOPED_TRACE(term_names()[static_cast<std::size_t>(term)]);
     Along<D> line(smooth, deformed<D>(this->grid, 0.02, 5), only(term), 2);
     EXPECT_TRUE(has_derivative(line, line.derivative()));
     EXPECT_FALSE(has_derivative(line, 1.01 * line.derivative()));
@@ -174,7 +173,7 @@ class FrozenMembrane {
       const auto& point = problem_.energy.band().point(batch_, q);
       SmallVec<T, Dim> y;
       SmallMat<T, Dim> dphi;
-      detail::deformation_at<Dim>(dofs, problem_.energy.shape().points[q], side_, y, dphi);
+      deformation_at<Dim>(dofs, problem_.energy.shape().points[q], side_, y, dphi);
       SmallVec<double, Dim> place;
       for (int k = 0; k < Dim; ++k) place[k] = autodiff::scalar_part(y[k]);
       const TargetPoint<Dim, double> p = problem_.target.template at<double>(place);
@@ -182,8 +181,8 @@ class FrozenMembrane {
       for (int k = 0; k < Dim; ++k) frozen.n2[k] = T(p.n2[k]);
       ReferencePoint<Dim, double> x{};
       for (int k = 0; k < Dim; ++k) x.n1[k] = point.reference[1 + k][lane_];
-      const Lame<double> lame{problem_.options.lambda, problem_.options.mu};
-      *energy += point.weight[lane_] * Membrane<Dim>::density(frozen, dphi, x, lame);
+      const Material<double> material{problem_.options.lambda, problem_.options.mu};
+      *energy += point.weight[lane_] * band_density<Membrane<Dim>>(frozen, dphi, x, material);
     }
     return true;
   }

@@ -1,6 +1,6 @@
 // What the whole energy must be in cases that are known in closed form, and how fast it tends there.
 
-#include "energies/densities/densities.h"
+#include "energies/densities/thin_shell.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
@@ -82,7 +82,7 @@ TermValues motion_values(const Octree<Dim>& grid, MakeFields&& fields) {
   auto [reference, target] = fields(grid);
   const Problem<Dim> p(grid, std::move(reference), std::move(target));
   TermValues weights;
-  for (double& w : weights.v) w = 1;
+  for (std::size_t t = 0; t < weights.size(); ++t) weights[t] = 1;
   return p.values(at_nodes<Dim>(grid, motion<Dim>()), weights).value();
 }
 
@@ -93,7 +93,7 @@ TermValues motion_orders(MakeFields&& fields, int level = coarse_level<Dim>) {
   EXPECT_LT(std::abs(fine["volume"_term]), 1e-12);
   EXPECT_EQ(fine["barrier"_term], 0);
   TermValues orders;
-  for (int t = 0; t < n_terms; ++t) orders.v[t] = std::log2(coarse.v[t] / fine.v[t]);
+  for (std::size_t t = 0; t < orders.size(); ++t) orders[t] = std::log2(coarse[t] / fine[t]);
   return orders;
 }
 
@@ -122,7 +122,7 @@ TYPED_TEST(Identities, RigidMotionsWithComputedCoefficients) {
     return std::pair(std::move(pair.reference), std::move(pair.target));
   });
   for (const Term term : {"match"_term, "membrane"_term, "bending"_term})
-    EXPECT_GT(orders[term], 3) << term_names[static_cast<int>(term)];
+    EXPECT_GT(orders[term], 3) << term_names()[static_cast<std::size_t>(term)];
 }
 
 // A rotated torus, which has curvatures of both signs: where one of them is small, C cuts it, which leaves a kink.
@@ -132,7 +132,7 @@ TEST(Identities, RotatedTorusCostsNothingInTheLimit) {
     return std::pair(exact_fields<3>(grid, shape), exact_fields<3>(grid, image));
   });
   for (const Term term : {"match"_term, "membrane"_term, "bending"_term})
-    EXPECT_GT(orders[term], 2.5) << term_names[static_cast<int>(term)];
+    EXPECT_GT(orders[term], 2.5) << term_names()[static_cast<std::size_t>(term)];
 }
 
 // W(diag(by, by, 1))
@@ -140,7 +140,7 @@ template <int Dim>
 double stretched(double by) {
   Vec<Dim> diagonal = Vec<Dim>::Constant(by);
   diagonal[Dim - 1] = 1;
-  return thin_shell_density(small<double, Dim>(diagonal.asDiagonal()), Lame<double>{1, 1});
+  return ThinShellDensity<Dim>::value(small<double, Dim>(diagonal.asDiagonal()), Material<double>{1, 1});
 }
 
 // Spheres of radii R and R + d, and the map that moves all points outward by d: it stretches by r = 1 + d/R

@@ -4,7 +4,9 @@
 // of the second, closes the curve in the limit of large k; for finite k a start r that is smaller by about
 // R/k does.
 
-#include "energies/terms/integrands.h"
+#include "energies/terms/cauchy_green_membrane.h"
+#include "energies/terms/membrane.h"
+#include "energies/terms/term_functors.h"
 #include "tests/energies/densities/random_matrices.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +58,7 @@ double density(double along, double out) {
   dphi << along, 0, out, 1;
   const TargetPoint<2, double> y{0, small<2>(normal), {}};
   const ReferencePoint<2, double> x{0, small<2>(normal), {}};
-  return Membrane::density(y, small(dphi), x, Lame<double>{1, 1});
+  return band_density<Membrane>(y, small(dphi), x, Material<double>{1, 1});
 }
 
 template <class Membrane>

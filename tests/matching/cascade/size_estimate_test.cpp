@@ -1,7 +1,7 @@
 #include "matching/cascade/size_estimate.h"
 #include "base/error.h"
 #include "grid/octree/octree.h"
-#include "matching/cascade/field_grid.h"
+#include "matching/level/field_grid.h"
 #include "matching/experiment/shape_source.h"
 #include "tests/matching/output/temporary_folder.h"
 

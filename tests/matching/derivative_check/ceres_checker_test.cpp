@@ -4,6 +4,7 @@
 #include "matching/derivative_check/ceres_checker.h"
 
 #include "energies/compiled/element_cost.h"
+#include "energies/terms/list.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 
@@ -45,14 +46,12 @@ void check_terms() {
   std::vector<double> dofs;
   for (const Index node : element.nodes) dofs.insert(dofs.end(), phi[node].begin(), phi[node].end());
 
-  const Lame<double> lame{1, 1};
-  const auto& shape = p.energy.shape();
-  const auto elements = p.unknowns.elements();
+  const ElementFields<Dim> fields(element, p.geometry, ProblemOptions{}.sigma_over_h * grid.finest_side(), p.energy.shape());
   const double weight = std::pow(element.side, -Dim);  // so that the derivatives are of order 1
-  check(BandElementCost<Match, Dim>(band, batch, 1, elements, shape, p.target, weight, lame), dofs, element.side);
-  check(BandElementCost<Membrane, Dim>(band, batch, 1, elements, shape, p.target, weight, lame), dofs, element.side);
-  check(BandElementCost<Bending, Dim>(band, batch, 1, elements, shape, p.target, weight, lame), dofs, element.side);
-  check(VolumeElementCost<FullVolume, Dim>(element.side, shape, weight, lame), dofs, element.side);
+  check(ElementCost<Match<Dim>>(fields, weight, 1, 1), dofs, element.side);
+  check(ElementCost<Membrane<Dim>>(fields, weight, 1, 1), dofs, element.side);
+  check(ElementCost<Bending<Dim>>(fields, weight, 1, 1), dofs, element.side);
+  check(ElementCost<FullVolume<Dim>>(fields, weight, 1, 1), dofs, element.side);
 }
 
 TEST(CeresChecker, AcceptsElementCostsInThePlane) { check_terms<2>(); }

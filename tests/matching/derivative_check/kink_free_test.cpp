@@ -30,7 +30,7 @@ void check_direction() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
   const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
                        exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))));
-  const ElementOracle<Dim> oracle(p.energy, p.unknowns, p.target, p.options);
+  const ElementOracle<Dim> oracle(p.energy, p.unknowns);
   const auto phi = deformed<Dim>(grid, 0.04, 7);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-1, 1);

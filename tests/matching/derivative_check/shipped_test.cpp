@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "energies/assembly/folds.h"
-#include "matching/derivative_check/run_gradient_check.h"
+#include "matching/run_gradient_check.h"
 #include "matching/experiment/yaml_options.h"
 #include "tests/support/folders.h"
 

@@ -1,6 +1,6 @@
 #include "matching/map_file/deformation_file.h"
 #include "base/error.h"
-#include "matching/cascade/rebuild_grid.h"
+#include "matching/level/rebuild_grid.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "matching/output/summary.h"
 #include "base/error.h"
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ class Bowl final : public SecondOrderObjective {
     }
     return true;
   }
-  void prepare_second_derivative(std::span<const double>) override { products.push_back(0); }
+  void prepare_second_derivative(std::span<const double>, std::span<const float>) override { products.push_back(0); }
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
     ++products.back();
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = factor_ * static_cast<double>(i + 1) * x[i];
@@ -61,7 +61,7 @@ TEST(Newton, SolvesSystemsAsWellAsTheModelPredicts) {
   EXPECT_EQ(products(4, 0.5, 0.01), products(4, 0.01, 0.01));
 }
 
-/// A quadratic function of three unknowns whose model is stiffened along one direction after the first step of all.
+/// A quadratic function of three unknowns. Its one region is damped along one direction, after the first step of all.
 class Stiffened final : public SecondOrderObjective {
  public:
   explicit Stiffened(double stiffness) : stiffness_(stiffness) {}
@@ -74,7 +74,7 @@ class Stiffened final : public SecondOrderObjective {
     }
     return true;
   }
-  void prepare_second_derivative(std::span<const double>) override { added_ = 0; }
+  void prepare_second_derivative(std::span<const double>, std::span<const float>) override { added_ = 0; }
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
     ++n_products;
     double along = 0;
@@ -82,20 +82,21 @@ class Stiffened final : public SecondOrderObjective {
     for (std::size_t i = 0; i < 3; ++i) y[i] = curvature[i] * x[i] + added_ * along * direction[i];
   }
   void precondition(std::span<const double> r, std::span<double> z) const override { std::ranges::copy(r, z.begin()); }
-  bool restrain(std::span<const double>, std::span<const double> d) override {
+  std::size_t n_regions() const override { return 1; }
+  std::vector<RegionDamping> regions_beyond_model(std::span<const double>, std::span<const double> d) override {
     if (added_ > 0) {
-      restrained_step.assign(d.begin(), d.end());
-      return false;
+      regularised_step.assign(d.begin(), d.end());
+      return {};
     }
     n_products_before = n_products;
-    added_ = stiffness_;
-    return true;
+    return {{0, stiffness_}};
   }
+  void add_damping(std::span<const RegionDamping> regions) override { added_ += regions[0].factor; }
 
   static constexpr std::array<double, 3> slope{0, 3, 8}, curvature{100, 1, 10}, direction{-1, 3, 1};
   mutable int n_products = 0;
   int n_products_before = 0;
-  std::vector<double> restrained_step;
+  std::vector<double> regularised_step;
 
  private:
   double stiffness_, added_ = 0;
@@ -110,24 +111,24 @@ MinimizerSummary one_step(Stiffened& objective, const NewtonOptions& options) {
 }
 
 // What the step solves in the end is the stiffened system; nothing is done where next to nothing has changed.
-TEST(Newton, GoesOnFromAStepThatWasRestrained) {
+TEST(Newton, GoesOnFromAStepThatWasRegularised) {
   Stiffened little(1e-6), much(50);
   one_step(little, {.max_forcing = 1e-4, .min_forcing = 1e-4});
   EXPECT_EQ(little.n_products_before, 2) << "the slope has two components";
   EXPECT_EQ(little.n_products - little.n_products_before, 1) << "with the step itself";
   one_step(much, {.max_forcing = 1e-9, .min_forcing = 1e-9});
-  ASSERT_EQ(much.restrained_step.size(), 3u);
+  ASSERT_EQ(much.regularised_step.size(), 3u);
   std::vector<double> residual(3);
-  much.apply_second_derivative(much.restrained_step, residual);
+  much.apply_second_derivative(much.regularised_step, residual);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(residual[i], -Stiffened::slope[i], 1e-6);
 }
 
 // With so few iterations, found by trial, going on from the step as it was would lead upwards.
-TEST(Newton, DescendsAfterRestraintsThoughIterationsAreFew) {
+TEST(Newton, DescendsAfterRegularisationThoughIterationsAreFew) {
   Stiffened objective(1e4);
   const MinimizerSummary summary = one_step(objective, {.max_forcing = 1e-9, .min_forcing = 1e-9, .max_linear_iterations = 2});
   double slope = 0;
-  for (std::size_t i = 0; i < 3; ++i) slope += Stiffened::slope[i] * objective.restrained_step[i];
+  for (std::size_t i = 0; i < 3; ++i) slope += Stiffened::slope[i] * objective.regularised_step[i];
   EXPECT_LT(slope, 0);
   EXPECT_EQ(summary.iterations, 1);
   EXPECT_LT(summary.final_value, 0);

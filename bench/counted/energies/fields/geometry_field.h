@@ -5,7 +5,7 @@
 /// shape is functions, and bench/count_flops counts the look-up by hand.
 
 #include "energies/autodiff/pack.h"
-#include "energies/terms/integrands.h"
+#include "energies/fields/coefficients.h"
 #include "grid/octree/octree.h"
 
 #include <array>
@@ -48,6 +48,24 @@ class GeometryField {
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];
     for (int k = 0; k < Dim; ++k)
       for (int i = 0; i < n_values; ++i) derivative[k][i][0] = d[k][i];
+  }
+
+  template <class T>
+  TargetPoint<Dim, T> at(const SmallVec<T, Dim>& y) const {
+    Vec<Dim> x;
+    for (int k = 0; k < Dim; ++k) x[k] = autodiff::scalar_part(y[k]);
+    std::array<Values, Dim> d;
+    const Values v = value(x, d);
+    std::array<T, n_values> sum;
+    for (int i = 0; i < n_values; ++i) {
+      sum[i] = T(v[i]);
+      for (int k = 0; k < Dim; ++k) sum[i] += d[k][i] * (y[k] - x[k]);
+    }
+    TargetPoint<Dim, T> p;
+    p.d2 = sum[0];
+    for (int i = 0; i < Dim; ++i) p.n2[i] = sum[1 + i];
+    for (int i = 0; i < n_symmetric<Dim>; ++i) p.root.v[i] = sum[1 + Dim + i];
+    return p;
   }
 
  private:

@@ -1,4 +1,4 @@
-#include "matching/cascade/field_grid.h"
+#include "matching/level/field_grid.h"
 
 #include "base/parallel.h"
 #include "grid/fields/fast_marching.h"

@@ -1,6 +1,6 @@
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 #include "matching/experiment/shape_source.h"
 #include "energies/terms/term_names.h"
 
@@ -188,12 +188,12 @@ void check_identical(const std::string& name) {
     AtLevel<Dim> at(d, d, o, 4);
     LevelEnergy<Dim> level(at.grid, at.fields.geometry(at.grid), o);
     TermValues ones, values;
-    for (double& w : ones.v) w = 1;
+    for (std::size_t t = 0; t < ones.size(); ++t) ones[t] = 1;
     ASSERT_TRUE(level.energy.evaluate(identity_map(at.grid), ones, values, {}));
     EXPECT_GT(level.energy.band().n_active_points(), 100u);
     for (const Term term : {"match"_term, "membrane"_term, "bending"_term, "volume"_term})
       EXPECT_LT(std::abs(values[term]), term == "bending"_term ? 1e-3 : 1e-10)
-          << term_names[static_cast<int>(term)] << ", " << enum_name(interpolation);
+          << term_names()[static_cast<std::size_t>(term)] << ", " << enum_name(interpolation);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "matching/cascade/rebuild_grid.h"
+#include "matching/level/rebuild_grid.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "matching/cascade/level_problem.h"
+#include "matching/level/level_problem.h"
 
 #include "base/error.h"
 

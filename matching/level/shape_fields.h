@@ -7,7 +7,7 @@
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/curvature.h"
 #include "grid/octree/octree.h"
-#include "matching/cascade/field_grid.h"
+#include "matching/level/field_grid.h"
 #include "matching/experiment/options.h"
 
 #include <optional>

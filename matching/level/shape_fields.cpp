@@ -1,4 +1,4 @@
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 
 #include "base/parallel.h"
 #include "grid/octree/constraints.h"

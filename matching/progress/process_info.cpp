@@ -1,4 +1,4 @@
-#include "matching/output/process_info.h"
+#include "matching/progress/process_info.h"
 
 #include "base/error.h"
 

@@ -1,4 +1,4 @@
-#include "matching/cascade/deformation.h"
+#include "matching/level/deformation.h"
 
 #include "grid/fields/interpolation.h"
 

@@ -4,7 +4,7 @@
 /// describe(s, member), in the source that needs it, which calls member(key, s.value) for every member. For the sources
 /// that write JSON; it exposes types of the JSON library.
 
-#include "matching/output/json_text.h"
+#include "matching/json/json_text.h"
 
 #include <limits>
 #include <optional>

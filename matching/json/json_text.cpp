@@ -1,4 +1,4 @@
-#include "matching/output/json_text.h"
+#include "matching/json/json_text.h"
 
 #include <istream>
 

@@ -1,4 +1,4 @@
-#include "matching/cascade/level_metric.h"
+#include "matching/level/level_metric.h"
 
 #include "energies/assembly/metric_matrix.h"
 

@@ -1,10 +1,10 @@
-#include "matching/derivative_check/run_gradient_check.h"
+#include "matching/run_gradient_check.h"
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade/cascade.h"
 #include "matching/map_file/deformation_file.h"
-#include "matching/cascade/shape_fields.h"
+#include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "matching/derivative_check/check_state.h"
 #include "matching/derivative_check/gradient_check.h"
-#include "matching/observer.h"
+#include "matching/progress/observer.h"
 
 #include <optional>
 

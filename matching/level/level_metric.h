@@ -2,7 +2,7 @@
 /// \file
 /// The matrices of the metrics h1 and h1_band, which couple nodes, for the energy of one level.
 
-#include "matching/cascade/level_energy.h"
+#include "matching/level/level_energy.h"
 
 #include <Eigen/SparseCore>
 

@@ -1,0 +1,7 @@
+#include "tests/energies/hessian/newton_jacobian_tests.h"
+
+namespace shellmatch {
+namespace {
+SHELLMATCH_NEWTON_JACOBIAN_TESTS(3)
+}  // namespace
+}  // namespace shellmatch

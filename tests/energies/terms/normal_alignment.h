@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// A term that is not in energies/terms/list.h: what a user adds from outside.
+
+#include "energies/densities/square.h"
+#include "energies/terms/term.h"
+
+namespace shellmatch::test {
+
+/// |Dphi n1 - s n2|^2 vanishes where phi carries the unit normals of the reference to s times those of the template: with
+/// s = 1, as the theory of Kirchhoff and Love supposes of a thin shell.
+template <int Dim>
+struct NormalAlignment : BandTerm<Dim> {
+  static constexpr TermInfo info{
+      .name = "normal_alignment",
+      .meaning = "normals are carried to normals",
+      .weight = {"normal_alignment_weight", 1, {.min = 0, .meaning = "factor on the term; 0 switches it off"}}};
+  static constexpr std::array<TermOption, 1> own{
+      {{"normal_stretch", 1, {.min = 0, .meaning = "s: length of the carried normals"}}}};
+  using Density = SquareDensity<Dim>;
+
+  template <class T, class P>
+  static constexpr SmallVec<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
+                                             const ReferencePoint<Dim, P>& x, const Material<P>& c) {
+    const auto carried = times(dphi, x.n1);
+    const auto n2 = renormalised(y.n2);
+    SmallVec<T, Dim> gap;
+    for (int i = 0; i < Dim; ++i) gap[i] = carried[i] - c.own[0] * n2[i];
+    return gap;
+  }
+};
+
+}  // namespace shellmatch::test
