@@ -1,4 +1,4 @@
-// `apply`: moves a mesh, a contour or points by a deformation that a run has found.
+// `apply`: moves a mesh, a contour or points by the deformation of a run.
 
 #include "apps/commands.h"
 #include "apps/output_file.h"

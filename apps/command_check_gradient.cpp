@@ -1,4 +1,4 @@
-// `check-gradient`: is every term's gradient the derivative of its value?
+// `check-gradient`: checks that every term's gradient is the derivative of its value.
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"

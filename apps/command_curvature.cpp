@@ -1,4 +1,4 @@
-// `curvature`: the curvatures that grids see of a shape, against those of its mesh and against formulas.
+// `curvature`: compares the curvatures that grids resolve of a shape with those of its mesh and with formulas.
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"

@@ -1,4 +1,4 @@
-// `generate`: one of the built-in shapes into a file, or a list of them.
+// `generate`: writes one of the built-in shapes to a file, or lists them.
 
 #include "apps/commands.h"
 #include "apps/output_file.h"
@@ -53,7 +53,7 @@ void list_one(const GeneratorInfo& info) {
                              p.info.unit.empty() ? "" : ", ", range_text(p.info), p.default_value);
 }
 
-// \throws InputError for an unknown name, with those that there are
+// \throws InputError for an unknown name, with the known ones
 GeneratorInfo info_of(const std::string& name) {
   std::vector<std::string> names;
   for (GeneratorInfo& info : generator_catalogue()) {

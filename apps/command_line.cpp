@@ -13,7 +13,7 @@ namespace shellmatch {
 
 namespace {
 
-// All commands side by side: CLI11 fills the one that is named.
+// The data of all commands. CLI11 fills those of the command that is named.
 struct Commands {
   MatchCommand match;
   RunCommand run;
@@ -37,7 +37,7 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity, const char* more) {
   command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::verbose); }, more);
 }
 
-// What all commands that read an experiment have in common.
+// The options that all commands reading an experiment share.
 void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning, const char* verbose_meaning) {
   command.add_option("--placement", settings.placement,
                      "fit moves both shapes into the unit domain together, as-is leaves them where they are")
@@ -102,8 +102,7 @@ void describe(CLI::App& app, Commands& commands) {
   match->add_option("TEMPLATE", commands.match.template_shape, "the shape it is to match")->required()->type_name("");
   add_run_settings(*match, commands.match.settings, "output folder (required)");
 
-  CLI::App* run =
-      add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
+  CLI::App* run = add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
   run->add_option("CONFIG", commands.run.config, "the YAML file")->required()->type_name("");
   add_run_settings(*run, commands.run.settings, "output folder; without it out/NAME for NAME.yaml");
 
@@ -162,7 +161,7 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
   return names;
 }
 
-// "--levels" and "-o" of every option that the command knows.
+// The names of all options of the command, such as "--levels" and "-o".
 std::vector<std::string> names_of_options(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -172,7 +171,7 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
   return names;
 }
 
-// CLI11 says what it could not use; what was meant can be seen from the words themselves.
+// CLI11's complaint names the words it could not use; the suggestion is made from the words themselves.
 [[noreturn]] void explain(const CLI::App& app, const std::vector<std::string>& words, const std::string& complaint) {
   const std::vector<std::string> commands = names_of_commands(app);
   const auto named = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] != '-'; });
@@ -208,7 +207,7 @@ Command parse_command_line(const std::vector<std::string>& words) {
   CLI::App app{help_text::program, "shellmatch"};
   describe(app, commands);
   try {
-    // CLI11 takes the words from the back.
+    // CLI11 expects the words in reverse order.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
     return PrintCommand{app.help()};

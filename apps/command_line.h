@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The adapter of CLI11: from the words of the command line to a command.
+/// The adapter of CLI11: parses the words of the command line into a command.
 
 #include "apps/commands.h"
 
@@ -9,8 +9,8 @@
 
 namespace shellmatch {
 
-/// \param words those after the program's name
-/// \throws InputError in one line, with the nearest valid spelling of a misspelt command or option
+/// \param words the arguments without the program's name
+/// \throws InputError of one line, with the nearest valid spelling of a misspelt command or option
 Command parse_command_line(const std::vector<std::string>& words);
 
 }  // namespace shellmatch

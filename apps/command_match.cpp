@@ -1,4 +1,4 @@
-// `match` and `run`: an experiment from the command line and, for the latter, a YAML file.
+// `match` and `run`: run an experiment given on the command line or by a YAML file.
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"

@@ -1,4 +1,4 @@
-// `study`: many runs from one file, and what they amount to.
+// `study`: performs the runs that a file describes, and evaluates them.
 
 #include "apps/commands.h"
 #include "apps/interrupt.h"
@@ -44,7 +44,7 @@ int number_of_jobs(const std::string& text) {
   return jobs;
 }
 
-// The runs of these names, in their order; all where there is no name.
+// The runs of these names, in their order; all runs if `only` is empty.
 std::vector<StudyRun> chosen(const std::vector<StudyRun>& runs, const std::vector<std::string>& only) {
   if (only.empty()) return runs;
   std::vector<std::string> names;
@@ -62,7 +62,7 @@ std::vector<StudyRun> chosen(const std::vector<StudyRun>& runs, const std::vecto
   return list;
 }
 
-// An executable other than this one, as a path that execv takes.
+// The path of another executable, checked to be one that execv accepts.
 std::string checked_program(const std::string& program) {
   if (program.empty()) return "";
   const std::string path = std::filesystem::absolute(program).string();

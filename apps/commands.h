@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The commands of the program, as plain data and what executes them.
+/// The commands of the program as plain data, and the functions that execute them.
 
 #include "matching/experiment/options.h"
 
@@ -11,14 +11,14 @@
 
 namespace shellmatch {
 
-/// How much is said while a command works; errors are always told.
+/// How many messages a command writes. Errors are always reported.
 enum class Verbosity { quiet, normal, verbose };
 
-/// What `match` and `run` have in common. Empty texts were not given.
+/// The settings that `match` and `run` share. A setting that was not given is an empty text.
 struct RunSettings {
-  std::string output;                ///< folder
+  std::string output;                ///< output folder
   std::string levels, placement, profile, threads;
-  std::vector<std::string> assignments;  ///< of --set, in their order
+  std::vector<std::string> assignments;  ///< values of --set, in their order
   Verbosity verbosity = Verbosity::normal;
   bool force = false, restart = false;
 };
@@ -34,9 +34,9 @@ struct RunCommand {
 };
 
 struct GenerateCommand {
-  std::string shape;    ///< "hand" or "hand/bent"; empty to list all
-  std::string output;   ///< file
-  std::vector<std::string> assignments;  ///< parameter=value
+  std::string shape;    ///< "hand" or "hand/bent"; empty to list all shapes
+  std::string output;   ///< output file
+  std::vector<std::string> assignments;  ///< PARAMETER=VALUE
   std::string edge_length;
   bool list = false, force = false;
 };
@@ -59,7 +59,7 @@ struct CurvatureCommand {
 
 struct CheckGradientCommand {
   std::string config;
-  std::string level, state, directions, json;  ///< empty where not given; json is a file
+  std::string level, state, directions, json;  ///< empty if not given; json is the name of a file
   RunSettings settings;                        ///< without output and levels
 };
 
@@ -70,14 +70,14 @@ struct ConfigCommand {
 
 struct StudyCommand {
   std::string study, output;
-  std::vector<std::string> assignments;  ///< of --set: options of an experiment, for all runs
+  std::vector<std::string> assignments;  ///< values of --set: options of an experiment, for all runs
   std::vector<std::string> only;         ///< names of runs; empty for all
   std::string jobs, program;
   bool list = false, collect = false, retry = false;
   Verbosity verbosity = Verbosity::normal;
 };
 
-/// A text that was asked for: help or version.
+/// Prints a text that was requested: help or version.
 struct PrintCommand {
   std::string text;
 };
@@ -85,13 +85,13 @@ struct PrintCommand {
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
                              CheckGradientCommand, ConfigCommand, StudyCommand, PrintCommand>;
 
-/// A check was made and did not pass: exit code 1.
+/// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Each throws InputError, EnvironmentError, CheckFailed or, where it was stopped by a signal, Interrupted.
+/// Executes a command. \throws InputError, EnvironmentError, CheckFailed, or Interrupted if a signal stopped it
 void execute(const MatchCommand& command);
 void execute(const RunCommand& command);
 void execute(const GenerateCommand& command);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The options of the command line that change an experiment.
+/// Overrides of an experiment by the options of the command line.
 
 #include "apps/commands.h"
 #include "matching/experiment/yaml_options.h"
@@ -9,11 +9,11 @@
 
 namespace shellmatch {
 
-/// In the order in which they are to be applied: named options first, so that --set wins over them.
-/// \throws InputError for what cannot be understood
+/// The overrides in the order of their application: named options first, so that --set takes precedence.
+/// \throws InputError for invalid values
 std::vector<Override> overrides_of(const RunSettings& settings);
 
-/// The experiment of a YAML file with these settings, both shapes named. \throws InputError
+/// Reads the experiment of a YAML file, with these settings; both shapes must be named. \throws InputError
 ExperimentOptions read_run_options(const std::string& config, const RunSettings& settings);
 
 }  // namespace shellmatch

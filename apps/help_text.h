@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What `--help` says besides the list of options.
+/// The texts that `--help` prints besides the list of options.
 
 namespace shellmatch::help_text {
 

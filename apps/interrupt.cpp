@@ -8,7 +8,7 @@ namespace shellmatch {
 
 namespace {
 
-volatile std::sig_atomic_t requested = 0;  // the signal that has come
+volatile std::sig_atomic_t requested = 0;  // number of the signal received; 0: none
 
 extern "C" void note_interrupt(int signal) { requested = signal; }
 
@@ -17,7 +17,7 @@ extern "C" void note_interrupt(int signal) { requested = signal; }
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_interrupt;
-  // The handler serves once, and interrupted system calls go on.
+  // The first signal resets the handler, so that a second one ends the program; interrupted system calls are restarted.
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);

@@ -1,19 +1,19 @@
 #pragma once
 /// \file
-/// Ctrl-C and SIGTERM as a polite request. A second one ends the program at once.
+/// Handles Ctrl-C and SIGTERM as a request to stop. A second signal ends the program at once.
 
 namespace shellmatch {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the program.
+/// Installs handlers that record SIGINT and SIGTERM instead of ending the program.
 void catch_interrupts();
 
-/// Besides, parallel loops end with Stopped (base/stop.h) once one has come.
+/// Makes parallel loops end with Stopped (base/stop.h) once a signal has been received.
 void stop_loops_on_interrupts();
 
-/// Has one come?
+/// Whether a signal has been received.
 bool interrupt_requested();
 
-/// The exit code of a program that stopped for it, as the shell counts it: 128 + the signal's number, 130 for Ctrl-C.
+/// The exit code of a program stopped by the signal, in the shell's convention: 128 + its number, 130 for Ctrl-C.
 int interrupt_exit_code();
 
 }  // namespace shellmatch

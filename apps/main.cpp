@@ -1,4 +1,4 @@
-// The program: words to a command, a command to its work, failures to exit codes.
+// The program: parses the command line, executes the command and translates failures to exit codes.
 
 #include "apps/command_line.h"
 #include "apps/interrupt.h"

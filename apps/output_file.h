@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The one file that `generate` and `apply` write, and reports.
+/// Checks and writes the single file that `generate` and `apply` produce, and checks the files of reports.
 
 #include "geometry/surface/surface.h"
 
@@ -8,14 +8,14 @@
 
 namespace shellmatch {
 
-/// Refuses, before any work is done, a file that cannot be written: one that exists without `force`, a
-/// folder, a file in no folder, an ending that stands for no format of that dimension. \throws InputError
+/// Checks before any work is done that the file can be written. \throws InputError if it exists and `force` is false,
+/// if it is a folder or lies in none, or if its extension stands for no format of that dimension
 void check_output_file(const std::string& path, int dimension, bool force);
 
-/// The same for a report of any ending. \throws InputError
+/// The same for a report, whose extension is arbitrary. \throws InputError
 void check_report_file(const std::string& path, bool force);
 
-/// By the ending of the name; whole or not at all. \throws EnvironmentError
+/// Writes a shape in the format of the file's extension, atomically. \throws EnvironmentError
 void write_output_file(const std::string& path, const OriginalShape<2>& shape);
 void write_output_file(const std::string& path, const OriginalShape<3>& shape);
 

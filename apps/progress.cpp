@@ -52,7 +52,7 @@ void Progress::line(const std::string& text) {
 void Progress::rewrite(const std::string& text) {
   last_rewrite_ = now();
   pending_ = true;
-  // A line that wraps could not be rewritten.
+  // The line is cut to the terminal's width, because a wrapped line cannot be rewritten.
   std::fputs(fmt::format("\r{}\x1b[K", text.substr(0, terminal_width() - 1)).c_str(), stderr);
   std::fflush(stderr);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a run tells the user on the way.
+/// Reports the progress of a run to the user.
 
 #include "apps/commands.h"
 #include "apps/time_left.h"
@@ -11,9 +11,9 @@
 
 namespace shellmatch {
 
-/// Writes to stderr: on a terminal one line that is rewritten, with energy and time left, and one that stays
-/// per finished level; elsewhere a line as each minimisation begins and ends. Between phases and iterations it stops
-/// the run where that is wanted (base/stop.h).
+/// Writes to stderr. On a terminal, one line with energy and estimated time is rewritten, and one line per finished
+/// level stays; elsewhere each minimisation writes a line at its beginning and its end. Between phases and iterations
+/// the observer stops the run on request (base/stop.h).
 class Progress final : public Observer {
  public:
   Progress(Verbosity verbosity, int max_level);
@@ -23,21 +23,21 @@ class Progress final : public Observer {
   void phase(const std::string& name) override;
   void level_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
-  /// Nothing more will be rewritten: what follows goes elsewhere.
+  /// Ends the rewritten line. Call it before other output.
   void finished() { clear(); }
   void gradient_checked(const LevelStart& start, const GradientReport& report) override;
   void level_finished(const LevelStart& start, const MinimizerSummary& summary) override;
 
  private:
   double now() const;
-  void line(const std::string& text);     // one that stays
-  void rewrite(const std::string& text);  // one that the next replaces
+  void line(const std::string& text);     // writes a line that stays
+  void rewrite(const std::string& text);  // writes a line that the next one replaces
   void clear();
 
   Verbosity verbosity_;
   int max_level_;
-  bool terminal_;            // stderr is one, and lines are rewritten there
-  bool pending_ = false;     // a line stands there that is to be replaced
+  bool terminal_;            // stderr is a terminal, on which lines are rewritten
+  bool pending_ = false;     // the last line is one to be replaced
   double last_rewrite_ = -1;
   TimeLeft time_left_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

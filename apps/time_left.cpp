@@ -24,7 +24,7 @@ void TimeLeft::started(int level, int substep, int n_substeps, double n_nodes, d
 std::optional<double> TimeLeft::at(double now) const {
   if (!seconds_per_node_) return std::nullopt;
   const double elapsed = now - level_start_;
-  // Where the level takes longer than foreseen, the substeps say how far it is: the present one counts as half done.
+  // If the level takes longer than estimated, the share of its substeps is used; the present one counts as half done.
   const double done = (substep_ - 0.5) / n_substeps_;
   const double foreseen = *seconds_per_node_ * n_nodes_;
   const double level_total = elapsed < foreseen ? foreseen : std::max(foreseen, elapsed / done);

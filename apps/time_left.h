@@ -1,33 +1,34 @@
 #pragma once
 /// \file
-/// A guess of how long a cascade goes on.
+/// Estimates the remaining time of a cascade.
 
 #include <optional>
 #include <string>
 
 namespace shellmatch {
 
-/// Assumes that a level costs as much per node as the one before it, and that the nodes go on growing by the
-/// same factor. Times are in seconds on any one clock.
+/// Assumes that the time per node is that of the previous level, and that the number of nodes grows by the same factor
+/// from level to level. Times are in seconds of any one clock.
 class TimeLeft {
  public:
   explicit TimeLeft(int max_level) : max_level_(max_level) {}
 
-  /// A minimisation begins; a new level or another substep of the same.
+  /// A minimisation begins, of a new level or of another substep of the same level.
   void started(int level, int substep, int n_substeps, double n_nodes, double now);
 
-  /// Seconds left for this and all further levels; nothing on the first level, where there is nothing to go by.
+  /// Estimated seconds until the end of the last level; nothing on the first level, for which there are no
+  /// measurements.
   std::optional<double> at(double now) const;
 
  private:
   int max_level_;
   int level_ = -1, substep_ = 1, n_substeps_ = 1;
   double n_nodes_ = 0, level_start_ = 0;
-  double growth_ = 3;                       // of the nodes; surfaces in space give about 4, curves 2
-  std::optional<double> seconds_per_node_;  // of the level before
+  double growth_ = 3;                       // factor of the number of nodes; about 4 for surfaces, 2 for curves
+  std::optional<double> seconds_per_node_;  // of the previous level
 };
 
-/// "about 40 s left", "about 3 min left", "about 2 h 10 min left".
+/// The estimate as text: "about 40 s left", "about 3 min left", "about 2 h 10 min left".
 std::string time_left_text(double seconds);
 
 }  // namespace shellmatch

@@ -1,4 +1,4 @@
-"""Records of several rounds made one, and two sides of a comparison as a table of ratios."""
+"""Combines the records of several rounds, and tabulates the ratios of two sides of a comparison."""
 
 import statistics
 
@@ -6,14 +6,14 @@ import machine
 import paired
 from measure import median_and_spread
 
-# What a kernel or a ceiling is told by; more of the last three is better.
+# The measures by which kernels and ceilings are compared. For the last three, more is better.
 measures_of_kernels = (("cpu_ns_per_point", "ns/point"), ("cpu_ns_per_free_node", "ns/node"), ("gflops", "Gflop/s"),
                        ("gbytes", "GB/s"), ("gigahertz", "GHz"))
 measures_of_cascades = (("cpu_seconds", "CPU s"), ("peak_memory_bytes", "MB"))
 
 
 def condense(rounds):
-    """The median of every number that varies with its spread; everything else from the last round."""
+    """The median and spread of every measured number; all other entries are those of the last round."""
     result = {"kernels": {}, "cascades": {}}
     for kernel in rounds[-1]["kernels"]:
         for key, _ in measures_of_kernels:
@@ -42,7 +42,7 @@ def number(x):
 
 
 def table_of_records(records):
-    """The history: one line for each number of each record, and whose machine it was."""
+    """The history as rows: one for each number of each record, with the machine that it was measured on."""
     rows = []
     for r in records:
         who = [r["date"][:16].replace("T", " "), r["commit"][:10] + ("+" if r["changed_since"] else "")]
@@ -63,10 +63,10 @@ def table_of_records(records):
 
 
 def verdict(before, after):
-    """Ratios after/before round by round: median, smallest, largest, and whether that is more than noise.
+    """Ratios after/before round by round: median, smallest, largest, and whether the difference is significant.
 
-    A difference is one where every round shows it in the same direction and where it is more than either side's
-    own rounds differ by.
+    A difference is significant if all rounds show it in the same direction and it exceeds the differences between
+    the rounds of either side.
     """
     ratios = sorted(b / a for a, b in zip(before, after))
     middle = statistics.median(ratios)
@@ -84,8 +84,8 @@ def words_of(middle, differs, more_is_better):
 
 
 def report(before, after, names, in_turn=None):
-    """Markdown: ratios of kernels called in turn, of all else that both sides measured, and whether the runs gave the same
-    result."""
+    """Markdown: ratios of the kernels called in turn and of all other measures of both sides, and whether the results of
+    the runs are equal."""
     rows, missing = [], []
 
     def add(what, unit, a, b, scale=1.0, more_is_better=False):

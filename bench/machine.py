@@ -1,11 +1,11 @@
-"""The machine that numbers come from, told without its name, and how busy it is."""
+"""Describes the machine of the measurements, without its name, and its load."""
 
 import os
 import pathlib
 import re
 import subprocess
 
-# Widest first: what -march=native makes of eight doubles.
+# The widest comes first: -march=native uses it for packs of eight doubles.
 vector_extensions = [("avx512f", "AVX-512"), ("avx2", "AVX2"), ("avx", "AVX"), ("sse4_2", "SSE4.2"), ("asimd", "NEON")]
 
 
@@ -14,7 +14,7 @@ def vector_extension(flags):
 
 
 def describe():
-    """Processor, vector extension, cores, caches and memory; a part that cannot be found is left out."""
+    """Processor, vector extension, cores, caches and memory; unknown entries are omitted."""
     fields = {}
     for line in first_text("/proc/cpuinfo").split("\n\n")[0].splitlines():
         key, _, value = line.partition(":")
@@ -37,7 +37,7 @@ def describe():
 
 
 def label(machine):
-    """One line for tables."""
+    """The description on one line, for tables."""
     parts = [machine.get("processor", "unknown processor"), machine.get("vector_extension", "")]
     parts += [f"{machine['cores']} cores"] + [f"{name} {size}" for name, size in machine.get("caches", {}).items()]
     parts += [f"{machine['memory_gb']} GB"] if "memory_gb" in machine else []
@@ -45,12 +45,12 @@ def label(machine):
 
 
 def load():
-    """Processes at work on average over the last minute."""
+    """Load average of the last minute."""
     return round(os.getloadavg()[0], 2)
 
 
 def busy_warning(load_before):
-    """What to tell where others work at the same time, "" where they do not."""
+    """A warning if other processes load the machine, else ""."""
     if load_before < 0.5:
         return ""
     return (f"the machine is busy (load {load_before} before the first measurement): seconds are too long, and only ratios "

@@ -18,12 +18,12 @@ cascades = [
     ("leaf", "leaf/deep", "leaf/shallow", "4:8"),
 ]
 kernel_filter = "^(value|gradient|band_gradient|newton_model|newton_product)/threads:1/|^ceiling"
-# Counters of bench/level_kernels that are compared: time for each point or node, and the machine's ceilings.
+# The counters of bench/level_kernels to compare: time per point or node, and the ceilings of the machine.
 kernel_counters = ("cpu_ns_per_point", "cpu_ns_per_free_node", "gflops", "gbytes", "gigahertz")
 
 
 class BenchError(Exception):
-    """One message for the user and the exit code that goes with it: 2 for bad input, 3 for trouble with the machine."""
+    """A message for the user, and the exit code: 2 for bad input, 3 for failures of the environment."""
 
     def __init__(self, message, code=3):
         super().__init__(message)
@@ -42,7 +42,7 @@ class Programs:
 
     def build(self, name, jobs, kernels=True, more=()):
         cached = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-        # So that ccache finds what another working tree of the same sources has compiled.
+        # With a common base directory, ccache finds files compiled in another working tree of the same sources.
         environment = {**os.environ, "CCACHE_BASEDIR": str(self.source), "CCACHE_NOHASHDIR": "1"}
         for tool in ("cmake", "ninja"):
             if not shutil.which(tool):
@@ -65,7 +65,7 @@ class Programs:
                 raise BenchError(f"{program} is not there; leave out --no-build, or name another build tree with --build", 2)
 
     def compiler(self):
-        """First line of what the compiler says of itself."""
+        """First line of the compiler's --version."""
         for line in (self.folder / "CMakeCache.txt").read_text().splitlines():
             if line.startswith("CMAKE_CXX_COMPILER:"):
                 told = subprocess.run([line.partition("=")[2], "--version"], capture_output=True, text=True).stdout
@@ -74,13 +74,13 @@ class Programs:
 
 
 def run_and_measure(command, log):
-    """Runs a command; its wall seconds, CPU seconds and greatest memory. An error if it fails."""
+    """Runs a command and returns its wall seconds, CPU seconds and peak memory. Raises BenchError if it fails."""
     begin = time.monotonic()
     with open(log, "w") as out:
         process = subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT)
         try:
             _, status, usage = os.wait4(process.pid, 0)
-        except BaseException:  # stopped: the program must not go on alone
+        except BaseException:  # also on interruption: the program must not outlive this process
             process.kill()
             process.wait()
             raise
@@ -93,7 +93,7 @@ def run_and_measure(command, log):
 
 
 def measure_kernels(programs, pair, level, seconds, names=kernel_filter):
-    """{kernel: {counter: number}} of one pass of level_kernels, and the sizes of its grid."""
+    """Runs level_kernels once: {kernel: {counter: number}}, and the sizes of its grid."""
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "kernels.json"
         used = run_and_measure([programs.level_kernels, f"--pair={pair}", f"--level={level}", f"--benchmark_filter={names}",
@@ -103,13 +103,13 @@ def measure_kernels(programs, pair, level, seconds, names=kernel_filter):
     kernels = {}
     for entry in told["benchmarks"]:
         kernels[entry["name"].partition("/")[0]] = {key: entry[key] for key in kernel_counters if key in entry}
-    # What the program itself adds to the context: numbers as text.
+    # Of the context only the program's own entries are taken: integers as text.
     sizes = {key: int(text) for key, text in told["context"].items() if isinstance(text, str) and text.isdigit()}
     return kernels, {**sizes, "peak_memory_bytes": used["peak_memory_bytes"]}
 
 
 def measure_cascade(programs, reference, template, levels, changes=()):
-    """One run of the whole program on one thread; what its summary says of cost and quality."""
+    """Runs the whole program once on one thread: cost and quality by its summary."""
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "out"
         command = [programs.shellmatch, "match", f"generate:{reference}", f"generate:{template}", "-o", output, "-q",
@@ -136,6 +136,6 @@ def measure_cascade(programs, reference, template, levels, changes=()):
 
 
 def median_and_spread(values):
-    """Median, and half the distance from the smallest to the largest as a share of it."""
+    """The median, and half of the range as a share of it."""
     middle = statistics.median(values)
     return middle, (max(values) - min(values)) / (2 * abs(middle)) if middle else 0.0

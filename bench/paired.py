@@ -1,7 +1,7 @@
-"""Two builds of level_kernels side by side, called in turn, call by call.
+"""Compares two builds of level_kernels by calling them alternately.
 
-Where the machine's speed changes by a third within minutes, neighbouring calls still see the same machine: the median of
-their ratios tells a few per cent that alternating passes do not.
+The speed of a machine may change by a third within minutes, but hardly between neighbouring calls: the median of their
+ratios resolves differences of a few per cent, which alternating passes do not.
 """
 
 import math
@@ -10,15 +10,15 @@ import subprocess
 
 from measure import BenchError
 
-# Kernel and threads.
+# Kernels and numbers of threads.
 calls = [("value", 1), ("gradient", 1), ("gradient", 2), ("band_gradient", 1), ("band_gradient", 2), ("newton_model", 1),
          ("newton_model", 2), ("newton_product", 1), ("newton_product", 2)]
 
-least_calls = 6  # fewer cannot be told from as many throws of a coin
+least_calls = 6  # with fewer, no interval between two of the values covers the median with 95 %
 
 
 class Server:
-    """A level_kernels that waits for calls, unless it is too old to: is_ready."""
+    """A process of level_kernels that waits for calls. is_ready is False for versions that cannot do so."""
 
     def __init__(self, program, pair, level):
         self.program = program
@@ -27,7 +27,7 @@ class Server:
         self.is_ready = self.process.stdout.readline().strip() == "ready"
 
     def call(self, kernel, threads):
-        """Nanoseconds for each point or node: CPU time of all threads, wall time."""
+        """Calls a kernel: nanoseconds per point or node, as CPU time of all threads and as wall time."""
         try:
             self.process.stdin.write(f"{kernel} {threads}\n")
             self.process.stdin.flush()
@@ -42,7 +42,7 @@ class Server:
 
 
 def measure(programs, pair, level, n_calls):
-    """{(kernel, threads): ([cpu, wall] of every call of the first, of the second)}, or None if one cannot be called."""
+    """{(kernel, threads): ([cpu, wall] of each call of the first build, the same of the second)}; None if a build cannot be called."""
     servers = []
     try:
         for one in programs:
@@ -52,7 +52,7 @@ def measure(programs, pair, level, n_calls):
         result = {}
         for kernel, threads in calls:
             for server in servers:
-                server.call(kernel, threads)  # the first finds cold caches
+                server.call(kernel, threads)  # warms up the caches
             found = [[server.call(kernel, threads) for server in servers] for _ in range(n_calls)]
             result[kernel, threads] = tuple(zip(*found))
         return result
@@ -62,8 +62,8 @@ def measure(programs, pair, level, n_calls):
 
 
 def median_interval(values):
-    """The median, and two of the values between which the median of all that could be lies with 95 %: no fewer than so
-    many lie below it, as of as many throws of a coin."""
+    """The sample median, and the bounds of a distribution-free 95 % confidence interval of the median, from the
+    quantiles of the binomial distribution B(n, 1/2)."""
     values, n = sorted(values), len(values)
     below, k = 0.5**n, 0
     while below + math.comb(n, k + 1) * 0.5**n <= 0.025:
@@ -73,7 +73,7 @@ def median_interval(values):
 
 
 def rows(result):
-    """Of a table: what, unit, both medians, ratio, its interval, verdict."""
+    """The rows of a table: kernel, unit, both medians, ratio, its interval, verdict."""
     table = []
     for (kernel, threads), (before, after) in result.items():
         unit = "ns/node" if kernel == "newton_product" else "ns/point"

@@ -1,4 +1,4 @@
-"""Plots by the program's own plot writer (render/canvas/plot.h)."""
+"""Plots drawn by the program's plot writer (render/canvas/plot.h)."""
 
 import json
 import pathlib
@@ -10,7 +10,7 @@ default_program = root / "build/release/scripts/plot/plot_series"
 
 
 def draw(plot, path, program=default_program):
-    """Writes .svg or .png by the ending of `path`; `plot` has the members of Plot. Raises RuntimeError where that fails."""
+    """Writes .svg or .png, by the extension of `path`; `plot` has the members of Plot. Raises RuntimeError on failure."""
     try:
         result = subprocess.run([str(program), str(path)], input=json.dumps(plot), capture_output=True, text=True)
     except OSError as error:
@@ -18,6 +18,6 @@ def draw(plot, path, program=default_program):
     if result.returncode != 0:
         raise RuntimeError(f"{path} cannot be drawn: {result.stderr.strip()}")
     if pathlib.Path(path).suffix == ".png" and shutil.which("convert"):
-        # A third of the bytes, and no difference to the eye.
+        # A palette reduces the size to a third without a visible difference.
         subprocess.run(["convert", str(path), "-colors", "48", "-strip", "-define", "png:exclude-chunks=date,time", f"PNG8:{path}"],
                        check=False)

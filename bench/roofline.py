@@ -1,4 +1,4 @@
-"""The roofline: flops and bytes of each kernel, what the machine's ceilings allow, and what is reached."""
+"""The roofline model: flops and bytes of each kernel, the bound by the machine's ceilings, and the rate reached."""
 
 import json
 import subprocess
@@ -10,7 +10,7 @@ kernel_names = ("value", "gradient", "band_gradient", "newton_model", "newton_pr
 
 
 def flops_of(kernel, counts, sizes):
-    """Floating-point operations of one evaluation."""
+    """Floating-point operations of one evaluation of each kernel."""
     points, cells = sizes["active_points"], sizes["cells"]
 
     def all_of(by_point, *by_element):
@@ -21,7 +21,8 @@ def flops_of(kernel, counts, sizes):
         "gradient": lambda: all_of("band_gradient_by_point", "volume_gradient_by_element", "barrier_by_element"),
         "band_gradient": lambda: all_of("band_gradient_by_point"),
         "newton_model": lambda: all_of("newton_band_by_point", "newton_volume_by_element"),
-        # 3 x 3 entries, a multiplication and an addition each; blocks off the diagonal are read once and count twice
+        # A block has 3 x 3 entries with a multiplication and an addition each; off-diagonal blocks are read once and
+        # used twice.
         "newton_product": lambda: 18 * (2 * sizes["blocks"] - sizes["free_nodes"]),
     }[kernel]()
 

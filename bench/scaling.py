@@ -1,4 +1,4 @@
-"""How seconds and bytes grow with the grid: measured level by level, fitted as a power of the number of nodes."""
+"""The growth of time and memory with the grid, measured by level and fitted by a power of the number of nodes."""
 
 import math
 
@@ -18,7 +18,7 @@ series = [
 
 
 def measure_level(programs, pair, level, changes, seconds, whole_runs=True):
-    """A whole run that ends on this level, and its finest grid and single steps of the minimiser there."""
+    """Measures a whole run that ends on this level, and single steps of the minimiser on its finest grid."""
     steps, sizes = measure.measure_kernels(programs, ",".join(pair), level, seconds, "^(" + "|".join(kernels) + ")/threads:1/")
 
     def cpu_seconds(name):
@@ -28,7 +28,7 @@ def measure_level(programs, pair, level, changes, seconds, whole_runs=True):
     row = {"level": level, "nodes": sizes["nodes"], "free_nodes": sizes["free_nodes"],
            "grid_seconds": 1e-6 * sizes["grid_microseconds"], **{f"{name}_seconds": cpu_seconds(name) for name in kernels}}
     if whole_runs:
-        # level_kernels takes the shapes as they are, too: both have the same grid.
+        # With placement as-is, as in level_kernels, both programs use the same grid.
         run = measure.measure_cascade(programs, *pair, f"{min(3, level)}:{level}", ["input.placement=as-is", *changes])
         row.update({"run_seconds": run["cpu_seconds"], "bytes": run["peak_memory_bytes"], "run_free_nodes": run["free_nodes"],
                     "steps": run["finest_level_iterations"], "phase_shares": run["phase_shares"]})
@@ -36,7 +36,7 @@ def measure_level(programs, pair, level, changes, seconds, whole_runs=True):
 
 
 def exponent(sizes, values):
-    """Slope of the least squares line through log(value) over log(size), and its standard error (0 for two points)."""
+    """Slope of the least-squares line of log(value) over log(size), and its standard error (0 for two points)."""
     x, y = [math.log(s) for s in sizes], [math.log(v) for v in values]
     n = len(x)
     mean_x, mean_y = sum(x) / n, sum(y) / n
@@ -79,7 +79,7 @@ def plot(rows):
         shown += values
         drawn.append({"name": (name + ", GB" if key == "bytes" else name) + slope, "x": nodes, "y": values, "points": True,
                       "color": colour, "dashes": 1 if key == "bytes" else 0})
-    # Dotted lines of exponent 1, a decade apart, within what is shown.
+    # Dotted lines of slope 1, one decade apart, within the plotted range.
     low, high = min(shown), max(shown)
     for decade in range(math.floor(math.log10(low * nodes[0] / nodes[-1])), math.ceil(math.log10(high))):
         ends = [(n, 10.0**decade * n / nodes[0]) for n in nodes_between(nodes[0], nodes[-1])]
@@ -91,5 +91,5 @@ def plot(rows):
 
 
 def nodes_between(first, last, n=41):
-    """Numbers at equal ratios."""
+    """n numbers from first to last in geometric progression."""
     return [first * (last / first) ** (i / (n - 1)) for i in range(n)]

@@ -6,7 +6,7 @@ find_package(fmt 9 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nanoflann REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
-# Ceres' own package finds SuiteSparse where it was built with it, as Debian's is.
+# Ceres' package configuration finds SuiteSparse if Ceres was built with it, as Debian's is.
 if(NOT TARGET SuiteSparse::CHOLMOD)
   message(FATAL_ERROR "CHOLMOD is missing: this Ceres is built without SuiteSparse (Debian: libsuitesparse-dev, libceres-dev)")
 endif()
@@ -21,7 +21,7 @@ find_package(PNG REQUIRED)
 find_package(embree 3 REQUIRED)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
-# VTK's own configuration asks for the C language through its MPI dependency.
+# VTK's package configuration requires the C language through its dependency on MPI.
 enable_language(C)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOImage)
 if(SHELLMATCH_TESTS)

@@ -5,8 +5,8 @@ include(CMakePackageConfigHelpers)
 get_property(modules GLOBAL PROPERTY SHELLMATCH_MODULES)
 set(shellmatch_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shellmatch)
 
-# Eigen aligns its types by the vector unit, so whoever includes our headers has to compile for the same
-# machine as the libraries. SHELLMATCH_NATIVE=OFF (preset 'portable') gives libraries without that tie.
+# Eigen's alignment depends on the vector unit, so that code including our headers must be compiled for the same machine
+# as the libraries. SHELLMATCH_NATIVE=OFF (preset 'portable') builds libraries without this condition.
 if(SHELLMATCH_NATIVE AND TARGET shellmatch_base)
   target_compile_options(shellmatch_base INTERFACE $<INSTALL_INTERFACE:-march=native>)
 endif()

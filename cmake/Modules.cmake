@@ -4,10 +4,10 @@ include(GNUInstallDirs)
 add_library(shellmatch_warnings INTERFACE)
 target_compile_options(shellmatch_warnings INTERFACE
   -Wall -Wextra -Wshadow -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual
-  # g++ 12 warns of its own AVX-512 intrinsics through Eigen (GCC bug 105593).
+  # GCC 12 reports uninitialised values within its own AVX-512 intrinsics, which Eigen uses (GCC bug 105593).
   -Wno-maybe-uninitialized
-  # Packs of eight doubles are handed over as values, in another way where there are no such registers: within one
-  # build, whose files all have the same flags.
+  # Packs of eight doubles are passed by value, whose convention depends on the available registers. All files of a
+  # build have the same flags, so that they agree.
   -Wno-psabi)
 if(SHELLMATCH_WERROR)
   target_compile_options(shellmatch_warnings INTERFACE -Werror)
@@ -15,7 +15,7 @@ endif()
 add_library(shellmatch_flags INTERFACE)
 target_link_libraries(shellmatch_flags INTERFACE shellmatch_warnings)
 if(SHELLMATCH_NATIVE)
-  # Whole machine words for the packs of quadrature points (energies/): 512-bit registers where there are any.
+  # Makes 512-bit registers available to the packs of quadrature points (energies/), where the machine has them.
   target_compile_options(shellmatch_flags INTERFACE -march=native -mprefer-vector-width=512)
 endif()
 if(SHELLMATCH_SANITIZE)
@@ -24,14 +24,16 @@ if(SHELLMATCH_SANITIZE)
   target_link_options(shellmatch_flags INTERFACE -fsanitize=${SHELLMATCH_SANITIZE})
 endif()
 
-# What nearly every file includes is parsed once for all targets with the same flags. A source still includes all that it uses,
-# as a build without these headers shows (preset 'tidy', or CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# Headers that nearly all files include are precompiled once for all targets with the same flags. Every source still
+# includes all headers that it uses; builds without precompiled headers check this (preset 'tidy', or
+# CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 set(shellmatch_precompiled_headers <Eigen/Core> <fmt/format.h> <algorithm> <array> <cmath> <cstdint> <filesystem> <functional>
     <limits> <map> <memory> <optional> <span> <string> <string_view> <utility> <variant> <vector>)
 target_compile_options(shellmatch_flags INTERFACE
-  # ccache needs this to see which precompiled header a file takes.
+  # Lets ccache see which precompiled header a file uses.
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
-  # g++ forgets of a precompiled header that it is the standard library's, and tells false alarms within its strings.
+  # With a precompiled header g++ no longer knows the standard library as a system header, and reports false alarms in
+  # its strings.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
@@ -49,8 +51,8 @@ function(shellmatch_module name)
   target_compile_features(shellmatch_${name} PUBLIC cxx_std_20)
   target_link_libraries(shellmatch_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
                         $<BUILD_INTERFACE:shellmatch_flags>)
-  # g++ takes code generation flags from the precompiled headers, not from the command line, and says nothing of it: CGAL's
-  # -frounding-math would be lost, so geometry has headers of its own.
+  # g++ silently takes code generation flags from the precompiled header instead of the command line. Geometry therefore
+  # has its own, or CGAL's -frounding-math would be lost.
   if(name MATCHES "^(base|geometry)$")
     target_precompile_headers(shellmatch_${name} PRIVATE ${shellmatch_precompiled_headers})
   else()

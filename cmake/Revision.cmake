@@ -1,4 +1,4 @@
-# Run at every build: writes the file OUTPUT with the revision of the sources in SOURCE_DIR, only where it has changed.
+# Runs at every build: writes the revision of the sources in SOURCE_DIR to the file OUTPUT, if it has changed.
 execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY ${SOURCE_DIR}
   OUTPUT_VARIABLE revision ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed)
 if(failed)

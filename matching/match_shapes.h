@@ -10,13 +10,13 @@
 namespace shellmatch {
 
 /// Finds the map that carries the reference onto the template: places both in the unit domain by one similarity, runs
-/// the cascade and measures what came of it. `make_shape` (geometry/repair/make_shape.h) makes a shape of vertices and
-/// polygons, `open_shape` (matching/experiment/shape_source.h) of a file.
-/// \param options  `profile_defaults(Profile::standard)` with what is to differ. Of `input` only placement and margin
-///   count; `pictures` and `resume` are for those who write files. `threads` is set for the whole process.
-/// \param observer is told how it goes on and may stop it; a plain `Observer` is silent.
-/// \throws InputError for options that do not fit together or shapes that cannot be placed, EnvironmentError where the
-///   memory of the machine is too small, and whatever the observer throws
+/// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
+/// polygons, `open_shape` (matching/experiment/shape_source.h) from a file.
+/// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement and margin
+///   are used; `pictures` and `resume` are ignored. `threads` is set for the whole process.
+/// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing
+/// \throws InputError for contradictory options or shapes that cannot be placed, EnvironmentError if the machine has
+/// too little memory, and whatever the observer throws
 template <int Dim>
 MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
                               const ExperimentOptions& options, Observer& observer);

@@ -47,7 +47,7 @@ class Matching {
   }
 
  private:
-  // Takes over what an earlier matching has told, so that the result tells all of it.
+  // Restores history, checks, times and levels of an earlier matching, which become part of this one's result.
   std::optional<FinishedLevel<Dim>> resume() {
     if (!task_.before) return std::nullopt;
     MatchSummary& s = task_.before->summary;
@@ -74,7 +74,7 @@ class Matching {
       task_.finished({level, state, task_.shapes, task_.placement, deformed, d2_, summary_so_far(), recorder_.history});
   }
 
-  // Everything but summary and history.
+  // The result without summary and history.
   MatchResult<Dim> measured(CascadeResult<Dim> result) {
     Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A matching with all that it can be given besides the shapes: for programs that go on from an earlier one, or do
-/// something with every level.
+/// A matching with all its inputs: besides the shapes the state of an earlier matching to resume from, and a callback
+/// for the end of every level.
 
 #include "geometry/distance/signed_distance.h"
 #include "matching/cascade/cascade.h"
@@ -16,29 +16,30 @@
 
 namespace shellmatch {
 
-/// The end of a level. All references are good until the callback returns.
+/// The end of a level. The references are valid until the callback returns.
 template <int Dim>
 struct LevelEnd {
   const LevelResult& level;
   const LevelState<Dim>& state;                  ///< grid and phi
-  const ShapePair<Dim>& shapes;                  ///< as of the task
+  const ShapePair<Dim>& shapes;                  ///< those of the task
   const Similarity<Dim>& placement;
-  const Surface<Dim>& deformed;                  ///< the reference's surface moved by phi, unit domain
+  const Surface<Dim>& deformed;                  ///< reference's surface moved by phi, unit domain
   const SignedDistance<Dim>& template_distance;  ///< unit domain
-  const MatchSummary& summary;                   ///< with all that is known so far
+  const MatchSummary& summary;                   ///< of the levels finished so far
   const History& history;
 };
 
 template <int Dim>
 struct MatchTask {
   ShapePair<Dim> shapes;      ///< surfaces in the unit domain, originals in the user's coordinates
-  Similarity<Dim> placement;  ///< that has brought the surfaces there
-  Correspondence<Dim> truth;  ///< true positions of some vertices, or none
-  std::optional<MatchProgress<Dim>> before;            ///< go on after its last level
+  Similarity<Dim> placement;  ///< similarity that has moved them there
+  Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
+  std::optional<MatchProgress<Dim>> before;            ///< resume after its last level
   std::function<void(const LevelEnd<Dim>&)> finished;  ///< called at the end of every level; may be empty
 };
 
-/// Runs it. `recorder` and `clock` belong to the caller, who may look at them after an exception or go on counting.
+/// Runs the task. `recorder` and `clock` belong to the caller, who may read them after an exception and go on
+/// measuring.
 /// \throws as match_shapes, and whatever `finished` throws
 template <int Dim>
 MatchResult<Dim> run_task(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock);

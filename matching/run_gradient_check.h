@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The check of an experiment's derivatives from its description: what `shellmatch check-gradient` does.
+/// Checks the derivatives of an experiment given by its options: the command `shellmatch check-gradient`.
 
 #include "matching/derivative_check/check_state.h"
 #include "matching/derivative_check/gradient_check.h"
@@ -11,15 +11,15 @@
 namespace shellmatch {
 
 struct GradientCheckRequest {
-  /// Level of the grid, one of the cascade's. Without it that of the state's grid where the state is a folder, else
-  /// 5 in space and 7 in the plane, or the nearest that the cascade has.
+  /// Level of the grid, in the range of the cascade. If not given: the level of the state's grid if the state is a
+  /// folder, else 5 in space and 7 in the plane, clamped to the cascade's range.
   std::optional<int> level;
   CheckState state;
   GradientCheckSettings settings;
 };
 
 /// Reads and places the shapes, builds the grid and the energy that the cascade has at the end of that level, and
-/// checks there. The observer's phases are the steps on the way. \throws InputError, EnvironmentError
+/// checks the derivatives there. The observer's phases report the steps. \throws InputError, EnvironmentError
 GradientReport run_gradient_check(const ExperimentOptions& options, const GradientCheckRequest& request,
                                   Observer& observer);
 

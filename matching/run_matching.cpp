@@ -20,12 +20,12 @@ namespace shellmatch {
 
 namespace {
 
-/// One run, from the shapes as read to the output folder.
+/// One run, from the placed shapes to the output folder.
 template <int Dim>
 class Run {
  public:
   Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer, RunClock& clock)
-      : options_(options), folder_(folder), recorder_(observer), clock_(clock), last_kept_(clock.seconds()) {
+      : options_(options), folder_(folder), recorder_(observer), clock_(clock), last_checkpoint_(clock.seconds()) {
     task_.shapes = std::move(shapes);
   }
 
@@ -48,18 +48,18 @@ class Run {
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
     if (options_.resume.enabled) {
-      keeper_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface));
-      if (keeper_->is_foreign()) {
+      checkpoints_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface));
+      if (checkpoints_->is_foreign()) {
         recorder_.note(fmt::format("{}: no run has written this, and it is left alone: levels are not kept for the case "
-                                   "that this run is stopped", keeper_->path()));
-        keeper_.reset();
+                                   "that this run is stopped", checkpoints_->path()));
+        checkpoints_.reset();
       } else if (!restart) {
-        task_.before = take_up();
+        task_.before = read_checkpoint();
       }
     }
     task_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
-      keep(end);
+      write_checkpoint(end);
     };
     MatchResult<Dim> result = run_task(std::move(task_), options_, recorder_, clock_);
     write(result);
@@ -76,52 +76,52 @@ class Run {
     clock_.state(result.summary.run);
     write_summary(result.summary, folder_.path_of("summary.json"));
     folder_.commit();
-    if (keeper_ && !result.summary.interrupted) keeper_->remove();
+    if (checkpoints_ && !result.summary.interrupted) checkpoints_->remove();
   }
 
-  // What an earlier run has kept, if there is one and it is the same experiment.
-  std::optional<MatchProgress<Dim>> take_up() {
-    std::string obstacle = keeper_->obstacle();
-    std::optional<KeptLevels<Dim>> kept;
+  // The checkpoint of an earlier run of the same experiment, if there is one.
+  std::optional<MatchProgress<Dim>> read_checkpoint() {
+    std::string obstacle = checkpoints_->obstacle();
+    std::optional<Checkpoint<Dim>> checkpoint;
     try {
-      if (obstacle.empty()) kept = keeper_->read<Dim>();
+      if (obstacle.empty()) checkpoint = checkpoints_->read<Dim>();
     } catch (const InputError& error) {
       obstacle = fmt::format("it cannot be read ({})", error.what());
     }
     if (!obstacle.empty())
       recorder_.note(fmt::format("{}: {}; the run begins anew and replaces that folder once it keeps a level",
-                                 keeper_->path(), obstacle));
-    if (!kept) return std::nullopt;
-    kept_level_ = kept->summary.levels.back().level;
-    recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", kept_level_, keeper_->path(),
-                               kept->summary.run.seconds));
-    keeper_->copy_pictures(folder_.path_of("pictures"));
-    return MatchProgress<Dim>{std::move(kept->deformation), std::move(kept->history), std::move(kept->summary)};
+                                 checkpoints_->path(), obstacle));
+    if (!checkpoint) return std::nullopt;
+    checkpoint_level_ = checkpoint->summary.levels.back().level;
+    recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", checkpoint_level_, checkpoints_->path(),
+                               checkpoint->summary.run.seconds));
+    checkpoints_->copy_pictures(folder_.path_of("pictures"));
+    return MatchProgress<Dim>{std::move(checkpoint->deformation), std::move(checkpoint->history), std::move(checkpoint->summary)};
   }
 
-  // A run that cannot keep a level goes on all the same: it may never be stopped.
-  void keep(const LevelEnd<Dim>& end) {
-    if (!keeper_ || end.level.last.reason == StopReason::interrupted) return;
+  // Writes a checkpoint of a finished level. Failure is reported but does not end the run, which may never need it.
+  void write_checkpoint(const LevelEnd<Dim>& end) {
+    if (!checkpoints_ || end.level.last.reason == StopReason::interrupted) return;
     const double begin = clock_.seconds();
-    if (begin - last_kept_ < options_.resume.min_seconds) return;
+    if (begin - last_checkpoint_ < options_.resume.min_seconds) return;
     MatchSummary s = end.summary;
     s.interrupted = true;
     s.distance = s.levels.back().distance;
     clock_.state(s.run);
     try {
-      keeper_->keep<Dim>({end.state.grid, end.state.phi, end.placement, end.history, s}, folder_.path_of("pictures"));
-      kept_level_ = end.level.start.level;
+      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.placement, end.history, s}, folder_.path_of("pictures"));
+      checkpoint_level_ = end.level.start.level;
     } catch (const InputError& error) {
-      cannot_keep(end.level.start.level, error.what());
+      note_failed_checkpoint(end.level.start.level, error.what());
     } catch (const EnvironmentError& error) {
-      cannot_keep(end.level.start.level, error.what());
+      note_failed_checkpoint(end.level.start.level, error.what());
     }
-    last_kept_ = clock_.seconds();
-    clock_.phases["keeping"] += last_kept_ - begin;
-    clock_.phases["output"] -= last_kept_ - begin;  // whose clock is running
+    last_checkpoint_ = clock_.seconds();
+    clock_.phases["keeping"] += last_checkpoint_ - begin;
+    clock_.phases["output"] -= last_checkpoint_ - begin;  // the clock of this phase is running
   }
 
-  void cannot_keep(int level, const std::string& why) {
+  void note_failed_checkpoint(int level, const std::string& why) {
     recorder_.note(fmt::format("level {} is not kept for the case that the run is stopped: {}", level, why));
   }
 
@@ -130,9 +130,9 @@ class Run {
                               : recorder_.level == 0 ? "before the first level"
                                                      : fmt::format("in level {} of {}", recorder_.level,
                                                                    options_.cascade.max_level);
-    if (kept_level_ == 0) return fmt::format("stopped {}; nothing was written", where);
-    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, kept_level_,
-                       keeper_->path());
+    if (checkpoint_level_ == 0) return fmt::format("stopped {}; nothing was written", where);
+    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, checkpoint_level_,
+                       checkpoints_->path());
   }
 
   void picture(const LevelEnd<Dim>& end) {
@@ -155,10 +155,10 @@ class Run {
   OutputFolder& folder_;
   Recorder recorder_;
   RunClock& clock_;
-  MatchTask<Dim> task_;  // moved from once it is run
-  std::optional<LevelKeeper> keeper_;
-  int kept_level_ = 0;  // 0 is none
-  double last_kept_;
+  MatchTask<Dim> task_;  // moved from when the matching starts
+  std::optional<CheckpointFolder> checkpoints_;
+  int checkpoint_level_ = 0;  // 0: there is no checkpoint
+  double last_checkpoint_;
   bool writing_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A whole run: two files in, an output folder out, and checkpoints on the way.
+/// A whole run: reads two files and writes an output folder, with checkpoints of the finished levels.
 
 #include "matching/experiment/options.h"
 #include "matching/progress/observer.h"
@@ -10,18 +10,18 @@
 
 namespace shellmatch {
 
-/// What to do with what earlier runs of the same output folder have left.
+/// What to do with the results of earlier runs for the same output folder.
 struct EarlierRuns {
-  bool force = false;    ///< replace the output folder that one has written
-  bool restart = false;  ///< begin anew even where one that was stopped could be continued
+  bool force = false;    ///< replace the output folder of an earlier run
+  bool restart = false;  ///< ignore the checkpoint of an earlier run
 };
 
 /// Reads the shapes, matches them (matching/match_shapes.h) and writes the output folder, all of it or nothing. With
-/// options.resume it keeps finished levels beside that folder and goes on after those that an earlier run of the same
-/// experiment has kept (matching/checkpoint/checkpoints.h).
-/// \return what was written, of the dimension of the shapes
-/// \throws InputError, EnvironmentError, and Stopped (base/stop.h) where that was wanted: its text says which level was
-///   reached and where it is kept
+/// options.resume it writes a checkpoint after finished levels, and resumes from that of an earlier run of the same
+/// experiment (matching/checkpoint/checkpoints.h).
+/// \return the result that was written, of the dimension of the shapes
+/// \throws InputError, EnvironmentError, and Stopped (base/stop.h) on request; its text names the level that was
+/// reached and the folder of the checkpoint
 AnyMatchResult run_matching(const ExperimentOptions& options, const std::string& output_folder,
                             const EarlierRuns& earlier, Observer& observer);
 

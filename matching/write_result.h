@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The output folder of a matching, made of its result.
+/// Writes the output folder of a matching from its result.
 
 #include "matching/experiment/options.h"
 #include "matching/output/output_folder.h"
@@ -10,18 +10,18 @@
 
 namespace shellmatch {
 
-/// Writes deformed.ply (deformed.csv in the plane), deformation.vtu, history.csv, config.yaml, summary.json and, as
-/// `options.pictures` asks for them, the pictures of the end, all of it or nothing.
+/// Writes deformed.ply (deformed.csv in the plane), deformation.vtu, history.csv, config.yaml, summary.json and, if
+/// `options.pictures` requests them, the pictures of the result; all files or none.
 /// \param options those of the matching
-/// \param folder its parents are created where they are missing
-/// \param force replaces a folder that an earlier run has written
+/// \param folder the output folder; missing parents are created
+/// \param force whether to replace the folder of an earlier run
 /// \throws InputError, EnvironmentError as OutputFolder (matching/output/output_folder.h)
 template <int Dim>
 void write_result(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder,
                   bool force = false);
 
-/// The same without summary.json, which comes last where it is to tell the time that writing takes, into a folder that
-/// the caller commits.
+/// Writes the same files without summary.json into a folder that the caller commits. The caller writes summary.json
+/// last, because it states the time spent on writing.
 template <int Dim>
 void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder);
 

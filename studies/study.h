@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// A comparison study: problems x solvers x metrics x parameters x repeats, as it is described and as the
-/// list of its runs.
+/// A comparison study, problems x solvers x metrics x parameters x repeats: its description, and the list of its runs.
 
 #include "base/options.h"
 #include "matching/experiment/options.h"
@@ -13,7 +12,7 @@
 
 namespace shellmatch {
 
-/// What one run may cost. A run that asks for more is ended; that is its result.
+/// Limits of one run. A run that exceeds them is ended, which is then its result.
 struct RunLimits {
   double seconds = 600, grace_seconds = 5, memory_mb = 0;
   template <class Self, class Visitor>
@@ -33,13 +32,13 @@ struct RunLimits {
   }
 };
 
-/// Stands for a section whose keys are names of the user's own.
+/// A section whose keys are names chosen by the user.
 struct FreeSection {
   template <class Self, class Visitor>
   static void describe(Self&, Visitor&) {}
 };
 
-/// The keys of a study's file.
+/// The options of a study's file.
 struct StudyOptions {
   int version = 1;
   std::string title;
@@ -64,11 +63,11 @@ struct StudyOptions {
   }
 };
 
-/// A name and what it stands for.
+/// A named choice, and the settings that it stands for.
 struct StudyChoice {
   std::string name;
-  std::string base;               ///< YAML file of an experiment; empty for none
-  std::vector<Override> changes;  ///< in their order
+  std::string base;               ///< YAML file of an experiment; may be empty
+  std::vector<Override> changes;  ///< in the order of their application
 };
 
 /// One axis of the product: an option and its values.
@@ -77,43 +76,42 @@ struct StudyParameter {
   std::vector<Override> values;
 };
 
-/// A study as its file describes it. Later wins: base, set, problem, solver, metric, parameters, overrides.
+/// A study as its file describes it. Later settings win: base, set, problem, solver, metric, parameters, overrides.
 struct Study {
   std::string file;
   StudyOptions options;
-  std::vector<Override> common;  ///< `set`
+  std::vector<Override> common;  ///< of the key `set`
   std::vector<StudyChoice> problems, solvers;
-  std::vector<Override> metrics;  ///< of solver.metric; empty leaves it to the solvers
+  std::vector<Override> metrics;  ///< of solver.metric; empty keeps the solvers' own
   std::vector<StudyParameter> parameters;
-  std::vector<Override> overrides;  ///< from the command line
+  std::vector<Override> overrides;  ///< of the command line
 };
 
 /// \param overrides options of an experiment for all runs, or keys of the study such as limits.seconds
-/// \throws InputError naming file, line and key: unknown keys, another version, nothing to run
+/// \throws InputError naming file, line and key: unknown keys, another version, no runs
 Study read_study(const std::string& path, std::vector<Override> overrides = {});
 
-/// One run of a study, with everything resolved.
+/// One run of a study, with all options resolved.
 struct StudyRun {
-  std::string name;  ///< "leaf-newton-energy.delta=0.5-r1": a file name, no other run has it
+  std::string name;  ///< "leaf-newton-energy.delta=0.5-r1": unique, valid as a file name
   std::string problem, solver;
-  std::string metric;  ///< as resolved; "own" for a method that brings its own
+  std::string metric;  ///< as resolved; "own" for a method with its own metric
   std::vector<std::pair<std::string, std::string>> parameters;  ///< key and value in YAML's notation
   int repeat = 1;                                               ///< counted from 1
   ExperimentOptions options;
-  std::string config;       ///< the same as YAML, with absolute paths
-  std::string fingerprint;  ///< of `options` and the contents of their input files, wherever those lie
-  std::string energy_key;   ///< runs with the same one minimise the same function on the finest level
+  std::string config;       ///< `options` as YAML, with absolute paths
+  std::string fingerprint;  ///< of `options` and the contents of their input files, wherever these are
+  std::string energy_key;   ///< equal for runs that minimise the same function on the finest level
 
-  /// Of the solver in the given metric: "lbfgs (l2)".
+  /// The solver with its metric: "lbfgs (l2)".
   std::string method() const { return metric == "own" ? solver : solver + " (" + metric + ")"; }
 };
 
-/// `text` as (part of) a file's name: what is neither letter, digit nor one of ._+-=, becomes '_'.
+/// `text` for use in file names: characters other than letters, digits and ._+-= become '_'.
 std::string safe_file_name(std::string text);
 
-/// The product, problems slowest and repeats fastest. A method that brings its own metric runs once, not in
-/// every metric. \throws InputError where an option cannot be used, an input is missing or two runs would
-/// have one name
+/// The product, in which problems vary slowest and repeats fastest. A method with its own metric runs once, not for
+/// every metric. \throws InputError for an invalid option, a missing input or two runs of the same name
 std::vector<StudyRun> runs_of(const Study& study);
 
 }  // namespace shellmatch

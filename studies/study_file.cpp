@@ -14,7 +14,7 @@ namespace {
 
 constexpr int known_version = 1;
 
-// Reads the parts of a study's file; `where` is "file:line: section" for messages.
+// Reads the parts of a study's file.
 class Reader {
  public:
   explicit Reader(std::string file) : file_(std::move(file)), experiment_tree_(option_tree(experiment_)) {}
@@ -29,7 +29,7 @@ class Reader {
                         value.kind == YamlValue::Kind::nothing ? "is empty" : "is no section", expected);
   }
 
-  // An experiment's options, nested or with dots, as overrides in their order.
+  // The options of an experiment, in nested sections or with dotted keys, as overrides in their order.
   void flatten(const YamlValue& section, const std::string& path, const std::string& prefix,
                std::vector<Override>& changes) const {
     demand_map(section, path, "options of an experiment, as cascade: {max_level: 6}");
@@ -58,7 +58,7 @@ class Reader {
     return values;
   }
 
-  // Names are parts of file names and of run names, whose parts are joined by hyphens.
+  // Names become parts of file names and of run names, in which hyphens separate the parts.
   void check_name(const YamlValue& value, const std::string& path, const std::string& name) const {
     const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || name.size() > 60 || !std::all_of(name.begin(), name.end(), good))
@@ -111,7 +111,7 @@ std::vector<StudyChoice> read_solvers(const Reader& reader, const YamlValue& val
     reader.check_name(part, "solvers", name);
     StudyChoice solver{name, "", {}};
     const std::string path = "solvers." + name;
-    // Without a method of its own the entry's name is that of the method.
+    // Without the key `name`, the name of the entry is that of the method.
     const bool has_method = std::any_of(part.entries.begin(), part.entries.end(),
                                         [](const auto& e) { return e.first == "name"; });
     if (!has_method) solver.changes.push_back({"solver.name", name, reader.at(part, path)});
@@ -128,7 +128,7 @@ void fill(const Reader& reader, const OptionNode& root, const OptionNode& sectio
     if (option == section.children.end())
       throw_input_error("{}{}", reader.at(value, ""), unknown_key_text(root, section, key));
     if (option->kind == OptionKind::section) {
-      if (option->children.empty()) continue;  // names of the user's own
+      if (option->children.empty()) continue;  // a section whose keys the user chooses
       reader.demand_map(value, option->path, "a section");
       fill(reader, root, *option, value);
     } else {
@@ -152,7 +152,7 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
     return nullptr;
   };
   const OptionNode root = option_tree(study.options);
-  // Of another version one thing is known: that the other keys may mean something else.
+  // The keys of another version may have other meanings, so that the version is checked first.
   if (const YamlValue* version = find("version"))
     if (version->text != std::to_string(known_version))
       throw_input_error(
@@ -160,7 +160,7 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
           reader.at(*version, "version"), version->flow_text().empty() ? "empty" : version->flow_text(),
           known_version);
   fill(reader, root, root, document);
-  // On the command line the study's own keys stand beside those of an experiment.
+  // On the command line, keys of the study are given beside options of an experiment.
   for (Override& change : overrides) {
     const OptionNode* option = find_option(root, change.key);
     if (option != nullptr && option->kind != OptionKind::section && change.key != "version")

@@ -1,4 +1,4 @@
-// The inner loop of the program: the terms of the band at eight quadrature points at a time.
+// Assembly of the terms on the band, eight quadrature points at a time: the innermost loop of the program.
 
 #include "energies/assembly/matching_energy.h"
 #include "energies/elements/sum_factorised_evaluator.h"
@@ -13,8 +13,8 @@ namespace {
 using autodiff::Pack;
 using autodiff::pack_size;
 
-/// Template and Dphi at eight points: the functors' active arguments. What does not count must not become
-/// NaN.
+/// Sets the functors' active arguments, the template's coefficients and Dphi, at eight points. Lanes of weight 0 get
+/// harmless values instead of a possible NaN.
 template <int Dim, bool WithGradient>
 void look_up(const GeometryField<Dim>& target, const Pack& weight, const typename GeometryField<Dim>::LocatedPoints& located,
              const SumFactorisedEvaluator<Dim>& evaluator, std::size_t q, PointArrays<Dim>& p) {
@@ -68,7 +68,7 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
     for (std::size_t q = 0; q < shape_.points.size(); ++q) {
       const auto& point = band_.point(b, q);
       band_.prefetch_after(b, q);
-      const auto located = next;  // the following are found while these are worked on
+      const auto located = next;  // located one point ahead, so that prefetched data arrive in time
       if (q + 1 < shape_.points.size()) next = target_->find(evaluator.position(q + 1));
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       look_up<Dim, WithGradient>(*target_, point.weight, located, evaluator, q, p);

@@ -22,7 +22,7 @@ void BandSums::add(const Pack& weights, const Pack* n1, const Pack* n2, const Pa
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
     if (!(weights[lane] > 0)) continue;
     const double lengths = std::sqrt(square[lane]);
-    // Where either vanishes there is no angle; count it as a right one.
+    // The angle is undefined where either vector vanishes; it counts as 90 degrees.
     const double cosine = lengths > 0 ? std::clamp(product[lane] / lengths, -1.0, 1.0) : 0.0;
     weight += weights[lane];
     angle += weights[lane] * std::acos(cosine) * 180 / std::numbers::pi;

@@ -1,4 +1,4 @@
-// The terms that every cell has, summed over a block of cells.
+// Assembly of the terms that act on all cells, over one block of cells.
 
 #include "energies/assembly/matching_energy.h"
 
@@ -19,11 +19,11 @@ struct Acting {
   CellKernel<Dim> apply;
   const Material<double>* material;
   double weight, *value;
-  bool may_fail;  ///< known after every batch: a term that forbids folds ends the block at the first one
+  bool may_fail;  ///< checked after every batch: a term that forbids folds ends the block at the first fold
   Pack sum{};
 };
 
-// Corner terms before cell terms: they are cheap where nothing is near to folding, and find folds.
+// Corner terms come first: away from folds they are cheap, and they detect folds.
 template <int Dim, bool WithGradient>
 std::vector<Acting<Dim>> acting_terms(const EnergyTerms<Dim>& terms, const TermValues& weights, double* values) {
   std::vector<Acting<Dim>> acting;

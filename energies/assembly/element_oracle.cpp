@@ -18,7 +18,7 @@ ElementOracle<Dim>::ElementOracle(const MatchingEnergy<Dim>& energy, const Unkno
       lane_of_[batches[b].element[lane]] = static_cast<Index>(b) * Band<Dim>::n_lanes + lane;
 }
 
-// Valid until the next call of the same thread.
+// Scratch of this thread, valid until its next call.
 template <int Dim>
 ElementFields<Dim>& ElementOracle<Dim>::fields_of(std::size_t e) const {
   static thread_local ElementFields<Dim> fields;

@@ -6,11 +6,11 @@ namespace shellmatch {
 
 namespace {
 
-struct Part {
+struct ChunkReport {
   TermValues values;
   BandSums band;
   bool is_evaluable = true;
-  Part& operator+=(const Part& o) {
+  ChunkReport& operator+=(const ChunkReport& o) {
     values += o.values;
     band += o.band;
     is_evaluable = is_evaluable && o.is_evaluable;
@@ -24,15 +24,15 @@ template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
                            std::span<const Vec<Dim>> phi, const TermValues& weights) {
-  constexpr std::size_t elements_at_a_time = 1024;  // their band stays in the second-level cache
+  constexpr std::size_t elements_at_a_time = 1024;  // the band of so many elements fits the second-level cache
   const auto elements = unknowns.elements();
   const auto terms = std::make_shared<const EnergyTerms<Dim>>(options);
-  const Part all = parallel_sum(elements.size(), elements_at_a_time, Part{}, [&](const Chunk& chunk) {
+  const ChunkReport all = parallel_sum(elements.size(), elements_at_a_time, ChunkReport{}, [&](const Chunk& chunk) {
     const auto some = elements.subspan(chunk.begin, chunk.end - chunk.begin);
     const MatchingEnergy<Dim> energy(some, geometry, terms, sigma, points_per_direction);
-    Part part;
-    part.is_evaluable = energy.report(phi, weights, part.values, part.band);
-    return part;
+    ChunkReport report;
+    report.is_evaluable = energy.report(phi, weights, report.values, report.band);
+    return report;
   });
   return {all.is_evaluable ? all.values : TermValues{}, all.band.means()};
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The energy of a result with another quadrature than the one that was minimised: a solution overfits its
-/// own Gauss points.
+/// The energy of a result by a finer quadrature than the one it was minimised with: a minimiser may overfit its
+/// quadrature points.
 
 #include "energies/assembly/band_report.h"
 #include "energies/assembly/matching_energy.h"
@@ -11,12 +11,14 @@
 namespace shellmatch {
 
 struct EnergyReport {
-  TermValues values;  ///< weighted; zero where the energy cannot be evaluated
+  TermValues values;  ///< weighted values of the terms; zero where the energy cannot be evaluated
   BandReport band;
 };
 
-/// With Gauss points of `points_per_direction`, for some thousand elements at a time: the band of all of them
-/// would take more memory than the rest of a run. sigma: half width of the band. phi: positions of all nodes.
+/// Evaluates with `points_per_direction` Gauss points, some thousand elements at a time, because the finer band of all
+/// elements would need more memory than the rest of a run.
+/// \param sigma half width of the band
+/// \param phi positions of all nodes
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,

@@ -24,7 +24,7 @@ std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> 
       Pack least = coefficients[0], at_corners = coefficients[0];
       for (int i = 1; i < n_bernstein_total<Dim>; ++i) {
         least = least < coefficients[i] ? least : coefficients[i];
-        // The coefficients at the cell's corners are the determinant's values there.
+        // The Bernstein coefficients at the cell's corners are the determinant's values there.
         constexpr int last = n_bernstein<Dim> - 1;
         bool corner = true;
         for (int rest = i, k = 0; k < Dim; ++k, rest /= last + 1) corner = corner && rest % (last + 1) % last == 0;

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Where does the map fold? det Dphi is a polynomial on each cell: of degree 2 in each direction for trilinear
-/// maps and of degree 1 for bilinear ones. Its Bernstein coefficients bound it from both sides, so that positive
-/// coefficients certify det Dphi > 0 throughout the cell.
+/// Detection of folds. On each cell det Dphi is a polynomial, of degree 2 in each direction for trilinear and of degree
+/// 1 for bilinear maps. Its Bernstein coefficients bound it from both sides: positive coefficients certify det Dphi > 0
+/// throughout the cell.
 
 #include "energies/elements/unknowns.h"
 
@@ -19,13 +19,13 @@ struct FoldReport {
   double folded_volume = 0;      ///< volume of the folded cells, as a share of the domain
 };
 
-/// Of det Dphi on one element.
+/// Bounds of det Dphi on one element.
 struct DeterminantBounds {
-  double smallest;  ///< value at the corners
-  double bound;     ///< smallest Bernstein coefficient
+  double smallest;  ///< smallest value at a corner
+  double bound;     ///< smallest Bernstein coefficient, <= smallest
 };
 
-/// One for each element.
+/// The bounds of each element.
 template <int Dim>
 std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> elements,
                                                   std::span<const Vec<Dim>> phi);

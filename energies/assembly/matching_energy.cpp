@@ -34,7 +34,7 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
 
 namespace {
 
-// Values of the terms by blocks of cells, and their sum in the order of the blocks.
+// Values of the terms by blocks of cells. They are summed in the order of the blocks, whatever the number of threads.
 class BlockValues {
  public:
   BlockValues(std::size_t n_blocks, std::size_t n_terms) : n_terms_(n_terms), values_(n_blocks * n_terms, 0.0) {}
@@ -69,7 +69,7 @@ template <int Dim>
 bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                                    std::span<double> gradient, std::vector<double>* element_gradients) const {
   constexpr std::size_t n_dofs = n_corners<Dim> * Dim;
-  std::atomic<bool> possible = true;  // what is left need not be worked out where it is not
+  std::atomic<bool> possible = true;  // once false, the remaining work is skipped
   parallel_chunks(phi.size(), 16384, [&](const Chunk& chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i)
       if (!phi[i].allFinite()) possible = false;
@@ -89,7 +89,7 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
     if (element_gradients) element_gradients->resize(elements_.size() * n_dofs);
     cell_blocks_->for_each([&](const Chunk& cells) {
       if (!possible) return;
-      static thread_local std::vector<autodiff::Pack> packs;  // as they are aligned
+      static thread_local std::vector<autodiff::Pack> packs;  // a vector of packs, because it is aligned
       const std::size_t n = (cells.end - cells.begin) * n_dofs;
       packs.resize(n / autodiff::pack_size);
       double* gradients = reinterpret_cast<double*>(packs.data());
@@ -100,7 +100,7 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
     });
   }
   values = parts.sum();
-  return std::isfinite(values.sum());  // or else a block was not
+  return std::isfinite(values.sum());  // a sum of finite block values may overflow
 }
 
 template <int Dim>

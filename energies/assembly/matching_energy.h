@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// E[phi] = E_match + E_mem + E_bend + E_vol, and the barrier against folds, on one grid: value and gradient.
+/// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier on one grid, with its gradient.
 
 #include "energies/elements/band.h"
 #include "energies/assembly/band_report.h"
@@ -17,52 +17,55 @@
 
 namespace shellmatch {
 
-/// The discrete energy on one grid, as a function of nodal positions. Grid, unknowns and geometry must outlive it.
+/// The discrete energy on one grid as a function of the nodal positions. Grid, unknowns and geometry must outlive it.
 template <int Dim>
 class MatchingEnergy {
  public:
-  /// `points_per_direction` of the Gauss rule; options.quadrature_order is what minimising uses, reports may
-  /// use more. sigma: half width of the band.
+  /// \param points_per_direction of the Gauss rule: options.quadrature_order for minimisation, more for reports
+  /// \param sigma half width of the band
   MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry, const EnergyOptions& options,
                  double sigma, int points_per_direction);
 
-  /// The same with terms of one's own choice, among them such as are not in energies/terms/list.h.
+  /// The same with given terms, which need not be in energies/terms/list.h.
   MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
 
-  /// The part that these elements contribute: values only. The elements must outlive it too.
+  /// The contribution of some elements to the energy: values only. The elements must outlive this object.
   MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
 
-  /// Weighted values of the terms; where `gradient` is not empty, the gradient by the unknowns (size
-  /// unknowns.size()). False where a term cannot be evaluated: a fold under a density that forbids it, or
-  /// anything that is not finite. \pre phi has one position for each node, hanging nodes consistent.
-  /// \param element_gradients  if not null, and the gradient is wanted: what it is the sum of, by every element's
-  ///   corners, element after element
+  /// Evaluates the terms' weighted values and, where `gradient` is not empty, the gradient by the unknowns (size
+  /// unknowns.size()).
+  /// \return false where a term cannot be evaluated: a fold under a density that forbids folds, or a value that is not
+  ///   finite
+  /// \param element_gradients if not null and the gradient is requested: the gradient by the corner positions of each
+  ///   element, n_corners * Dim entries for each
+  /// \pre phi has one position for each node, with hanging nodes consistent
   bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                 std::span<double> gradient, std::vector<double>* element_gradients = nullptr) const;
 
-  /// The values, and how the band lies in the template, even where they cannot be evaluated.
+  /// The values, and the measures of the band; works where evaluate() returns false, too.
   bool report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values, BandSums& band) const;
 
   const EnergyTerms<Dim>& terms() const { return *terms_; }
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
   const GeometryField<Dim>& target() const { return *target_; }
-  /// \pre it is of a whole grid
+  /// The blocks of cells. \pre this energy is of a whole grid
   const CellBlocks<Dim>& cell_blocks() const { return *cell_blocks_; }
 
  private:
-  // On the cells of one block: adds to `values`, one for each term; `gradients` are those of its elements. `band_sums`,
-  // if not null, is added to.
+  // Adds the terms of the cells of one block to `values` (one for each term), their element gradients to `gradients`,
+  // and the sums of the band to `band_sums` where that is not null.
   template <bool WithGradient>
   void add_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                  double* gradients, BandSums* band_sums) const;
-  // Terms of cells and corners; sets the gradients. False where one of them is not finite: that ends the block.
+  // Terms of cells and corners: adds to `values`, sets `gradients`. Returns false at the first value that is not
+  // finite.
   template <bool WithGradient>
   bool set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                       double* gradients) const;
-  // Terms of the band; adds to the gradients.
+  // Terms of the band: adds to `values` and `gradients`.
   template <bool WithGradient>
   void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                       double* gradients, BandSums* band_sums) const;
@@ -72,7 +75,7 @@ class MatchingEnergy {
   std::shared_ptr<const EnergyTerms<Dim>> terms_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
-  std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none where only values are wanted
+  std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none for an energy of values only
 };
 
 }  // namespace shellmatch

@@ -15,14 +15,14 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 template <int Dim>
 using ElementMatrix = Eigen::Matrix<double, n_corners<Dim>, n_corners<Dim>>;
 
-// Factor of the match term's second derivative in the mass. The matrix is scalar: at factor 1 it would weigh
-// tangential displacements like normal ones, although the term depends on the normal ones alone. Final energies of a
-// pair of leaves in the plane (levels 4 to 6, lbfgs): 0.2393 with factor 0.1, 0.2432 with 1, 0.3590 with 0, 0.2398
-// with the metric l2.
+// Factor of the match term's second derivative in the mass. The matrix is scalar, so factor 1 would weigh tangential
+// displacements like normal ones, although the term depends on the normal ones alone. Final energies of a pair of
+// leaves in the plane (levels 4 to 6, lbfgs): 0.2393 with factor 0.1, 0.2432 with 1, 0.3590 with 0, 0.2398 with the
+// metric l2.
 constexpr double match_factor = 0.1;
 
-/// Integrand mass * u v + stiffness * Du.Dv at one point of an element with this side, for all pairs of shape
-/// functions.
+/// Adds the integrand mass * u v + stiffness * Du.Dv at one quadrature point of an element of side `side`, for all
+/// pairs of shape functions.
 template <int Dim>
 ElementMatrix<Dim> at_point(const typename ShapeTable<Dim>::Point& q, double mass, double stiffness, double side) {
   ElementMatrix<Dim> m;
@@ -41,7 +41,7 @@ void add(const Element<Dim>& element, const ElementMatrix<Dim>& m, Triplets& to)
     for (int d = 0; d < n_corners<Dim>; ++d) to.emplace_back(element.nodes[c], element.nodes[d], m(c, d));
 }
 
-/// The constraint matrix C, x = C x_unknown, by the nodes of the grid and the unknown nodes.
+/// The constraint matrix C of x = C x_unknown. Rows: nodes of the grid; columns: unknown nodes.
 template <int Dim>
 Sparse constraint_matrix(const Octree<Dim>& grid, const Unknowns<Dim>& unknowns) {
   Triplets entries;
@@ -80,7 +80,7 @@ Eigen::SparseMatrix<double> metric_matrix(const Octree<Dim>& grid, const Unknown
   const auto elements = unknowns.elements();
   Triplets entries;
   if (weights.stiffness > 0) {
-    ElementMatrix<Dim> unit = ElementMatrix<Dim>::Zero();  // stiffness matrix of a cell of side 1
+    ElementMatrix<Dim> unit = ElementMatrix<Dim>::Zero();  // stiffness matrix of the unit cell
     for (const auto& q : ShapeTable<Dim>(2).points) unit += at_point<Dim>(q, 0, q.weight, 1);
     for (const Element<Dim>& e : elements) add<Dim>(e, weights.stiffness * std::pow(e.side, Dim - 2) * unit, entries);
   }

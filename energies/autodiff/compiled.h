@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// Values and derivatives of a recorded functor as straight-line code. Every node of the tape becomes one statement
-/// on a local variable, forward for the values and backward (reverse mode) for the adjoints, once for each output. The
-/// operation of every node is known to the compiler, which keeps the variables in registers and on the stack.
+/// Values and derivatives of a recorded functor as straight-line code. Every node of the tape becomes one statement on
+/// a local variable: forward for the values, and backward (reverse mode) for the adjoints, once for each output. All
+/// operations are known at compile time, so that the compiler keeps the variables in registers and on the stack.
 ///
-/// `V` is double or Pack. The adjoint of a node is first assigned and then added to, by the tape's own order,
-/// so that nothing has to be cleared.
+/// `V` is double or Pack. The first contribution to a node's adjoint, in the order of the backward sweep, assigns it
+/// and later ones add to it, so that no adjoint needs to be cleared.
 
 #include "energies/autodiff/expression.h"
 #include "energies/autodiff/pack.h"
@@ -30,7 +30,7 @@ class Compiled {
   static constexpr std::size_t n_outputs_ = n_outputs_of<Functor>;
   static constexpr auto outputs_ = full_.outputs;
 
-  // By output: the active nodes that it depends on, itself among them.
+  // For each output the active nodes on which it depends, the output's node included.
   static constexpr auto reached_ = [] {
     std::array<std::array<bool, n_>, n_outputs_> r{};
     for (std::size_t o = 0; o < n_outputs_; ++o) {
@@ -44,8 +44,8 @@ class Compiled {
     return r;
   }();
 
-  // By output: the last reached node that uses a node. The backward sweep meets users from the last to the first, so
-  // that this one assigns the adjoint and the others add to it.
+  // For each output the last reached node that uses a node. The backward sweep visits users from last to first: this
+  // one assigns the adjoint, the others add to it.
   static constexpr auto last_user_ = [] {
     std::array<std::array<int, n_>, n_outputs_> r{};
     for (std::size_t o = 0; o < n_outputs_; ++o) {
@@ -78,7 +78,7 @@ class Compiled {
   template <std::size_t Output, std::size_t User, int Operand, bool Second, class V>
   [[gnu::always_inline]] static void add_adjoint(V* a, V d) {
     if constexpr (nodes_[Operand].is_active) {
-      // x * x gives two contributions from one user: only the first of them may assign.
+      // x * x contributes twice from one user; only the first contribution may assign.
       constexpr bool repeated = Second && nodes_[User].a == nodes_[User].b;
       if constexpr (last_user_[Output][Operand] == static_cast<int>(User) && !repeated) a[Operand] = d;
       else a[Operand] = a[Operand] + d;
@@ -122,7 +122,7 @@ class Compiled {
     if constexpr (nodes_[I].op == Op::active && reached_[Output][I]) result[nodes_[I].a] = a[I];
   }
 
-  // Adjoints of one output by the active inputs, from the values of all nodes.
+  // Adjoints of one output by the active inputs, given the values of all nodes.
   template <std::size_t Output, class V>
   [[gnu::always_inline]] static void sweep(const V* v, V seed, V* adjoint) {
     V a[n_];
@@ -138,13 +138,13 @@ class Compiled {
   static constexpr std::size_t n_operations = n_;
   static constexpr int n_outputs = static_cast<int>(n_outputs_);
 
-  /// Does the functor read this active input at all? To be asked at compile time: the answer takes a look at all nodes.
+  /// Whether the functor reads this active input. Searches all nodes, at compile time only.
   static consteval bool reads_active(int input) {
     for (const Node& n : nodes_)
       if (n.op == Op::active && n.a == input) return true;
     return false;
   }
-  /// Does this output depend on this active input?
+  /// Whether this output depends on this active input.
   static consteval bool depends(int output, int input) {
     for (std::size_t i = 0; i < n_; ++i)
       if (reached_[output][i] && nodes_[i].op == Op::active && nodes_[i].a == input) return true;
@@ -162,8 +162,8 @@ class Compiled {
     return v[outputs_[0]];
   }
 
-  /// Value, and `seed` times the derivative by each active input in `adjoint` (size n_active; 0 for inputs that
-  /// are not read). \pre the functor has one output
+  /// Value, and `seed` times its derivative by each active input in `adjoint` (size n_active; 0 for inputs that are not
+  /// read). \pre the functor has one output
   template <class V>
   [[gnu::always_inline]] static V gradient(const V* active, const V* passive, V seed, V* adjoint) {
     static_assert(n_outputs_ == 1);
@@ -175,8 +175,8 @@ class Compiled {
     }(std::make_index_sequence<n_>{});
   }
 
-  /// All outputs, and the derivative of output o by active input i in derivative[o * n_active + i] (0 where there is no
-  /// dependence).
+  /// All outputs, and the derivative of output o by active input i in derivative[o * n_active + i], 0 where o does not
+  /// depend on i.
   template <class V>
   [[gnu::always_inline]] static void jacobian(const V* active, const V* passive, V* values, V* derivative) {
     V v[n_];

@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A scalar that records, at compile time, the expression that a functor computes. The record (a Tape) is what
-/// energies/autodiff/compiled.h turns into straight-line code for value and gradient. Constants are folded and
-/// common subexpressions shared while recording; what the result does not depend on is dropped afterwards.
+/// A scalar that records, at compile time, the expression that a functor computes. The record (a Tape) is compiled into
+/// straight-line code for value and gradient by energies/autodiff/compiled.h. Recording folds constants and shares
+/// common subexpressions; afterwards, nodes that no result depends on are removed.
 ///
-/// A functor that is to be recorded must have no branches that depend on data: `max_of` is the one choice there
-/// is. It may use + - * /, unary minus, sqrt, exp and max_of, and constants of type double.
+/// A recorded functor must not branch on data, other than by max_of. It may use + - * /, unary minus, sqrt, exp,
+/// max_of, and constants of type double.
 
 #include <array>
 #include <bit>
@@ -17,16 +17,16 @@ namespace shellmatch::autodiff {
 
 enum class Op : unsigned char { constant, active, passive, add, subtract, multiply, divide, negate, sqrt, exp, max };
 
-/// One operation. `a` and `b` are the numbers of its operands; for inputs `a` is the input's position.
+/// One operation. `a` and `b` are the node numbers of its operands; for an input, `a` is its position.
 struct Node {
   Op op = Op::constant;
   int a = -1, b = -1;
-  double value = 0;        ///< of a constant
-  bool is_active = false;  ///< depends on an active input, that is, needs an adjoint
+  double value = 0;        ///< value of a constant
+  bool is_active = false;  ///< depends on an active input, hence has an adjoint
   constexpr bool same_as(const Node& o) const { return op == o.op && a == o.a && b == o.b && value == o.value; }
 };
 
-/// The record in progress. A hash table finds an expression that has been recorded before.
+/// The expression being recorded. A hash table finds subexpressions that have been recorded before.
 class Record {
  public:
   constexpr Record() : slots_(n_slots, -1) {}
@@ -52,11 +52,11 @@ class Record {
   std::vector<int> slots_;
 };
 
-/// The recording scalar: a number of a node of the record in progress.
+/// The recording scalar: a constant, or the number of a node of the current record.
 class Expression {
  public:
   constexpr Expression() = default;
-  // Implicit, so that functors may write 0.5 * x with a plain double.
+  // Implicit, so that functors can write 0.5 * x with a plain double.
   constexpr Expression(double c) : value_(c) {}  // NOLINT(google-explicit-constructor)
   constexpr Expression(Record* record, int node) : record_(record), node_(node) {}
 
@@ -94,7 +94,7 @@ class Expression {
     if (x.is_constant()) return -x.value_;
     return append(Op::negate, x, x);
   }
-  // Functions of constants are not folded: the standard library's are not constexpr.
+  // Functions of constants are not folded, because those of the standard library are not constexpr.
   friend constexpr Expression sqrt(const Expression& x) { return append(Op::sqrt, x, x); }
   friend constexpr Expression exp(const Expression& x) { return append(Op::exp, x, x); }
   friend constexpr Expression max_of(const Expression& x, const Expression& y) { return append(Op::max, x, y); }
@@ -122,14 +122,14 @@ class Expression {
   double value_ = 0;
 };
 
-/// Number of values that a functor returns: one, or as many as `Functor::n_outputs` says, as an array.
+/// Number of outputs of a functor: Functor::n_outputs where it is declared, else 1.
 template <class Functor>
 inline constexpr int n_outputs_of = 1;
 template <class Functor>
   requires requires { Functor::n_outputs; }
 inline constexpr int n_outputs_of<Functor> = Functor::n_outputs;
 
-/// A finished record: `size` nodes in an order in which operands come before their use, and the nodes of the results.
+/// A finished record: `size` nodes, operands before their users, and the numbers of the results' nodes.
 template <std::size_t Capacity, int NOutputs>
 struct Tape {
   std::array<Node, Capacity> nodes{};
@@ -137,8 +137,8 @@ struct Tape {
   std::array<int, NOutputs> outputs{};
 };
 
-/// Records Functor::evaluate(active, passive), where both are arrays of Expression. The functor returns a scalar, or a
-/// std::array of n_outputs of them. Functor names n_active and n_passive.
+/// Records Functor::evaluate(active, passive) on arrays of Expression of sizes Functor::n_active and n_passive. The
+/// functor returns a scalar, or a std::array of n_outputs scalars.
 template <class Functor, std::size_t Capacity = 2048>
 consteval Tape<Capacity, n_outputs_of<Functor>> record() {
   constexpr int n_outputs = n_outputs_of<Functor>;
@@ -160,7 +160,7 @@ consteval Tape<Capacity, n_outputs_of<Functor>> record() {
                           ? recorded.find_or_add(Node{.op = Op::constant, .value = results[o].value()})
                           : results[o].node();
 
-  // Keep what the results depend on, in the same order.
+  // Keep the nodes that the results depend on, in the same order.
   const std::vector<Node>& all = recorded.nodes();
   const auto is_input = [](const Node& n) { return n.op == Op::active || n.op == Op::passive || n.op == Op::constant; };
   std::vector<char> needed(all.size(), 0);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// ceres::Jet as a scalar of the energies: what Ceres' own automatic differentiation needs besides the standard
-/// functions.
+/// ceres::Jet as a scalar of the energies: the functions that Ceres' automatic differentiation needs besides the
+/// standard ones.
 
 #include <ceres/jet.h>
 
@@ -20,7 +20,7 @@ const T& scalar_part(const ceres::Jet<T, N>& x) {
 
 namespace ceres {
 
-/// Found by argument-dependent look-up from the energies.
+/// In namespace ceres, so that argument-dependent lookup finds it.
 template <class T, int N>
 Jet<T, N> max_of(const Jet<T, N>& x, const Jet<T, N>& y) {
   return x.a > y.a ? x : y;

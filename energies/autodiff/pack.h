@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Eight doubles that are worked on together: one AVX-512 register, two AVX2 registers, or what the compiler
-/// makes of them elsewhere. Eight quadrature points go through a kernel at once.
+/// Eight doubles as one value: one AVX-512 register, two AVX2 registers, or the compiler's equivalent. Kernels process
+/// eight quadrature points at once.
 
 #include <Eigen/Core>
 
@@ -25,9 +25,9 @@ inline Pack where_greater(Pack x, Pack y, Pack d) { return x > y ? d : Pack{}; }
 inline double root_of(double x) { return std::sqrt(x); }
 inline double exp_of(double x) { return std::exp(x); }
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 means its own intrinsics, which begin with x = x
-// The compiler may not call a vector unit's root for std::sqrt, which can set errno; Eigen does, and has an
-// exponential for vectors, accurate to the last bit or two.
+#pragma GCC diagnostic ignored "-Wuninitialized"  // false alarm of GCC 12 in its intrinsics, which begin with x = x
+// The compiler may not vectorise std::sqrt, which can set errno. Eigen's square root is vectorised, as is its
+// exponential, which is accurate to 1 or 2 units in the last place.
 inline Pack root_of(Pack x) {
   Eigen::Map<Eigen::Array<double, pack_size, 1>, Eigen::Aligned64> lanes(reinterpret_cast<double*>(&x));
   lanes = lanes.sqrt().eval();

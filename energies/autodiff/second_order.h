@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A scalar that carries its first and second derivatives by N variables, for the few places where a small
-/// Hessian is wanted at a point: one evaluation of the functor gives it. `V` is double or Pack.
+/// A scalar with its first and second derivatives by N variables, where a small Hessian is needed at a point: one
+/// evaluation of the functor gives it. `V` is double or Pack.
 
 #include "energies/autodiff/pack.h"
 
@@ -13,11 +13,11 @@ template <int N, class V = double>
 struct SecondOrder {
   V v{};
   std::array<V, N> g{};
-  std::array<V, N*(N + 1) / 2> upper{};  ///< of the symmetric second derivative, row after row
+  std::array<V, N*(N + 1) / 2> upper{};  ///< upper triangle of the symmetric second derivative, row by row
 
   SecondOrder() = default;
   SecondOrder(double c) : v(V{} + c) {}  // NOLINT(google-explicit-constructor): constants mix with variables
-  /// Variable number i.
+  /// The variable number i with value c.
   static SecondOrder variable(V c, int i) {
     SecondOrder r;
     r.v = c;
@@ -67,7 +67,7 @@ struct SecondOrder {
     const V e = exp_of(x.v);
     return chain(x, e, e, e);
   }
-  /// The larger one with its derivatives, entry by entry where V is a Pack; y where they are equal.
+  /// The larger one with its derivatives, by lane where V is a Pack; y where they are equal.
   friend SecondOrder max_of(const SecondOrder& x, const SecondOrder& y) {
     SecondOrder r;
     r.v = max_of(x.v, y.v);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Eight packs as a matrix, and its transpose: from one pack for each point to one pack for each quantity.
+/// Transpose of an 8 x 8 matrix of packs: from one pack for each point to one pack for each quantity.
 
 #include "energies/autodiff/pack.h"
 
@@ -11,7 +11,7 @@ namespace shellmatch::autodiff {
 
 namespace detail {
 
-/// Exchanges a's upper and b's lower halves of all blocks of 2 * Size lanes.
+/// Swaps the upper halves of a's blocks of 2 * Size lanes with the lower halves of b's.
 template <int Size, std::size_t... Lane>
 void exchange(Pack& a, Pack& b, std::index_sequence<Lane...>) {
   const Pack low = __builtin_shufflevector(a, b, ((Lane & Size) == 0 ? Lane : Lane - Size + pack_size)...);
@@ -27,7 +27,7 @@ void exchange_blocks(std::array<Pack, pack_size>& rows) {
 
 }  // namespace detail
 
-/// Transposes in place, in registers: blocks off the diagonal change places, of one lane, of two, of four.
+/// Transposes in registers, in place: swaps off-diagonal blocks of one, two and four lanes in turn.
 inline void transpose(std::array<Pack, pack_size>& rows) {
   static_assert(pack_size == 8);
   detail::exchange_blocks<1>(rows);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the terms read of both shapes at one point x of the domain.
+/// The coefficients of both shapes that the terms read at one point x of the domain.
 ///
 /// Notation of the paper: d1, n1 and the root of C(S1) at x in the reference frame; d2, n2 and N^{1/2} = C(S2)^{1/2} at
 /// phi(x) in the deformed frame; Dphi maps the first frame to the second.
@@ -13,7 +13,7 @@
 
 namespace shellmatch {
 
-/// What is known of the reference shape at x. It does not depend on phi.
+/// Coefficients of the reference shape at x. They do not depend on phi.
 template <int Dim, class P>
 struct ReferencePoint {
   P d1;                 ///< signed distance to M1
@@ -22,21 +22,21 @@ struct ReferencePoint {
   static constexpr int size = 1 + Dim + n_symmetric<Dim>;
 };
 
-/// What is known of the template shape at phi(x).
+/// Coefficients of the template shape at phi(x).
 template <int Dim, class T>
 struct TargetPoint {
   T d2;                   ///< signed distance to M2
-  SmallVec<T, Dim> n2;    ///< normal as interpolated: not of unit length
+  SmallVec<T, Dim> n2;    ///< interpolated normal, not of unit length
   SmallSym<T, Dim> root;  ///< C(S2)^{1/2}; S2 for terms that read shape operators
   static constexpr int size = 1 + Dim + n_symmetric<Dim>;
 };
 
-/// Interpolated normals are shorter than this only near the medial axis, where they may vanish: they are not normalised
-/// to a greater factor.
+/// Smallest length by which an interpolated normal is divided. Shorter normals occur only near the medial axis, where
+/// they may vanish.
 inline constexpr double least_normal_length = 1e-2;
 
-/// A normal scaled to length 1. Interpolated normals are shorter than 1 where the surface bends, which alone would cost
-/// energy on identical shapes.
+/// The vector n divided by max(|n|, least_normal_length). Interpolated normals are shorter than 1 where the surface
+/// bends; unscaled, they would cost energy even on identical shapes.
 template <class T, int Dim>
 constexpr SmallVec<T, Dim> renormalised(const SmallVec<T, Dim>& n) {
   using autodiff::max_of;

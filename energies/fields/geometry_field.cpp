@@ -55,11 +55,11 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
                                               bool keep_definite) {
   const NodalValues<Dim> nodal(grid, distance, normal, root);
   SplineSpace<Dim> splines(grid);
-  // Sharpening would overshoot at a sharp edge.
-  const std::size_t n_sharp = keep_definite ? 1 + Dim : n_values;
+  // Quasi-interpolation overshoots at sharp edges, so the roots would not stay positive definite.
+  const std::size_t n_quasi_interpolated = keep_definite ? 1 + Dim : n_values;
   GeometryField field;
   field.store(static_cast<std::size_t>(splines.n_coefficients()),
-              [&](const auto& at) { splines.coefficients(n_values, n_sharp, nodal, at); });
+              [&](const auto& at) { splines.coefficients(n_values, n_quasi_interpolated, nodal, at); });
   splines.forget_grid();
   field.splines_ = std::make_shared<const SplineSpace<Dim>>(std::move(splines));
   return field;
@@ -81,10 +81,10 @@ void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
 }
 
 template <int Dim>
-inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec<Dim>& y) const {
+inline typename GeometryField<Dim>::LocatedPoint GeometryField<Dim>::locate(const Vec<Dim>& y) const {
   const Vec<Dim> inside = y.cwiseMax(0.0).cwiseMin(1.0);
-  Place p;
-  const auto place = [&](int level, const typename Octree<Dim>::Coord& corner) {
+  LocatedPoint p;
+  const auto set_local = [&](int level, const typename Octree<Dim>::Coord& corner) {
     const double scale = static_cast<double>(1 << level);
     for (int k = 0; k < Dim; ++k) {
       p.t[k] = inside[k] * scale - corner[k];
@@ -93,18 +93,18 @@ inline typename GeometryField<Dim>::Place GeometryField<Dim>::place_of(const Vec
   };
   if (is_smooth()) {
     p.leaf = splines_->locate(inside);
-    place(splines_->level_of(p.leaf), splines_->corner_of(p.leaf));
+    set_local(splines_->level_of(p.leaf), splines_->corner_of(p.leaf));
   } else {
     p.leaf = grid_->locate(inside);
     const auto& cell = grid_->cell(p.leaf);
-    place(cell.level, cell.corner);
+    set_local(cell.level, cell.corner);
   }
   return p;
 }
 
 template <int Dim>
 template <bool WithGradient>
-inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
+inline void GeometryField<Dim>::spline(const LocatedPoint& p, CoefficientRow* result) const {
   const auto local = splines_->coefficients_of(p.leaf);
   const auto array_of = [](const Vec<Dim>& x) {
     std::array<double, Dim> a;
@@ -112,7 +112,7 @@ inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
     return a;
   };
   const SplineFactors<Dim, double> factors(array_of(p.t), array_of(p.slope));
-  // One part of the rows at a time: whole packs, then the pairs.
+  // Sums one array of coefficients at a time: first the packs, then the pairs.
   const auto sum = [&](const auto& from, auto&& put) {
     sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
   };
@@ -122,7 +122,7 @@ inline void GeometryField<Dim>::spline(const Place& p, Row* result) const {
 
 template <int Dim>
 template <bool WithGradient>
-inline void GeometryField<Dim>::multilinear(const Place& p, Row* result) const {
+inline void GeometryField<Dim>::multilinear(const LocatedPoint& p, CoefficientRow* result) const {
   const auto& nodes = grid_->cell(p.leaf).nodes;
   const auto collapse = [&]<class Part>(const Part* rows, auto&& put) {
     constexpr int n = n_corners<Dim>;
@@ -147,7 +147,7 @@ inline void GeometryField<Dim>::multilinear(const Place& p, Row* result) const {
 
 template <int Dim>
 template <bool WithGradient>
-inline void GeometryField<Dim>::row(const Place& p, Row* result) const {
+inline void GeometryField<Dim>::row(const LocatedPoint& p, CoefficientRow* result) const {
   if (is_smooth())
     spline<WithGradient>(p, result);
   else
@@ -156,8 +156,8 @@ inline void GeometryField<Dim>::row(const Place& p, Row* result) const {
 
 template <int Dim>
 typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y) const {
-  Row r;
-  row<false>(place_of(y), &r);
+  CoefficientRow r;
+  row<false>(locate(y), &r);
   Values v;
   for (int i = 0; i < n_values; ++i)
     v[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
@@ -167,12 +167,12 @@ typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y)
 template <int Dim>
 typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
                                                               std::array<Values, Dim>& derivative) const {
-  std::array<Row, 1 + Dim> rows;
-  row<true>(place_of(y), rows.data());
+  std::array<CoefficientRow, 1 + Dim> rows;
+  row<true>(locate(y), rows.data());
   Values v;
   for (int k = 0; k <= Dim; ++k)
     for (int i = 0; i < n_values; ++i) {
-      const Row& r = rows[k];
+      const CoefficientRow& r = rows[k];
       (k == 0 ? v : derivative[k - 1])[i] =
           i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
     }
@@ -189,10 +189,10 @@ void GeometryField<Dim>::multilinear_lanes(const Pack& weight, const std::array<
       rows.clear(lane);
       continue;
     }
-    Vec<Dim> place;
-    for (int k = 0; k < Dim; ++k) place[k] = y[k][lane];
-    std::array<Row, LaneRows<WithGradient>::n_rows> r;
-    multilinear<WithGradient>(place_of(place), r.data());
+    Vec<Dim> position;
+    for (int k = 0; k < Dim; ++k) position[k] = y[k][lane];
+    std::array<CoefficientRow, LaneRows<WithGradient>::n_rows> r;
+    multilinear<WithGradient>(locate(position), r.data());
     for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
       rows.main[k][lane] = r[k].main;
       for (int i = 0; i < n_rest; ++i) rows.rest[n_rest * k + i][lane] = r[k].rest[i];

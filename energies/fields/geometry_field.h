@@ -1,8 +1,7 @@
 #pragma once
 /// \file
-/// A shape as the energies see it, at any point: signed distance d, normal n and root of the classified shape
-/// operator. Of the template it is read at deformed positions: the one place where a coefficient depends on
-/// phi.
+/// Signed distance d, normal n and root of the classified shape operator of one shape, interpolated at any point. The
+/// energies evaluate the template's field at deformed positions phi(x).
 
 #include "energies/autodiff/jet.h"
 #include "energies/autodiff/pack.h"
@@ -17,9 +16,9 @@
 
 namespace shellmatch {
 
-/// Nodal fields between the nodes, which copies of this object share: multilinear on each cell, or C1 as
-/// quadratic splines. Positions outside the domain are projected onto it first (paper, section
-/// 6); the derivative in a projected direction is zero.
+/// Interpolates nodal fields: multilinear on each cell, or C1 by quadratic splines. Copies of an object share the data.
+/// Positions outside the domain are projected onto it first (paper, section 6); the derivative in a projected direction
+/// is zero.
 template <int Dim>
 class GeometryField {
  public:
@@ -29,82 +28,84 @@ class GeometryField {
   using Pack = autodiff::Pack;
   using Packs = std::array<Pack, n_values>;
 
-  /// Multilinear, from the fields at the nodes, hanging ones included; keeps a copy. `grid` must outlive this
-  /// object.
+  /// Multilinear interpolation of the values at the nodes, hanging nodes included, which are copied. `grid` must
+  /// outlive this object. \pre one value for each node of `grid`
   GeometryField(const Octree<Dim>& grid, std::span<const double> distance, std::span<const Vec<Dim>> normal,
                 std::span<const std::array<double, n_symmetric<Dim>>> root);
 
-  /// The same as splines on `grid`, which is not needed afterwards. What is positive definite at the nodes
-  /// stays so if `keep_definite`, at the price of second order instead of third.
+  /// Spline interpolation on `grid`, which need not outlive the object. \param keep_definite roots that are positive
+  /// definite at the nodes stay so everywhere; they are then of second instead of third order
   static GeometryField smooth(const Octree<Dim>& grid, std::span<const double> distance,
                               std::span<const Vec<Dim>> normal,
                               std::span<const std::array<double, n_symmetric<Dim>>> root,
                               bool keep_definite = true);
 
+  /// The values at y.
   Values value(const Vec<Dim>& y) const;
 
-  /// The same with the derivative by each coordinate of y.
+  /// The values at y and their derivatives by the coordinates of y.
   Values value(const Vec<Dim>& y, std::array<Values, Dim>& derivative) const;
 
-  /// Eight points and where they are.
+  /// Eight points, located for look_up().
   struct LocatedPoints {
-    std::array<Pack, Dim> y, inside;  ///< the second projected onto the domain
-    std::array<Index, autodiff::pack_size> leaf;  ///< if smooth
+    std::array<Pack, Dim> y, inside;  ///< positions, and the same projected onto the domain
+    std::array<Index, autodiff::pack_size> leaf;  ///< leaf of each point; set for smooth fields only
   };
-  /// Asks for what look_up() reads there, which can be had early.
+  /// Locates the points, and prefetches the data that look_up() will read.
   LocatedPoints find(const std::array<Pack, Dim>& y) const;
 
-  /// At eight points at once, in lanes where weight > 0. Other lanes get harmless values, d = 0 and a unit
-  /// vector n: they do not count, but a NaN would outlive a multiplication by zero.
+  /// The values at eight points, in lanes where weight > 0. Other lanes get d = 0 and a unit vector n, because a NaN
+  /// there would survive the multiplication by a zero weight.
+  /// \param values n_values packs
   void look_up(const Pack& weight, const LocatedPoints& located, Pack* values) const;
   void look_up(const Pack& weight, const LocatedPoints& located, Pack* values, std::array<Packs, Dim>& derivative) const;
 
-  /// For any scalar, ceres::Jet among them: the derivative comes from the scalar's own arithmetic.
+  /// The values at y for any scalar type, for instance ceres::Jet, whose arithmetic gives the derivatives.
   template <class T>
   TargetPoint<Dim, T> at(SmallVec<T, Dim> y) const;
 
   bool is_smooth() const { return splines_ != nullptr; }
-  /// Of a multilinear field. \pre !is_smooth()
+  /// The grid of a multilinear field. \pre !is_smooth()
   const Octree<Dim>& grid() const { return *grid_; }
-  /// Of the cells that it is made on.
+  /// Level of the smallest cells of the grid or spline space.
   int finest_level() const { return is_smooth() ? splines_->finest_level() : grid_->finest_level(); }
 
  private:
-  // The values of a node or coefficient, a whole pack and what is left over in space.
+  // The values of one node or coefficient are stored as a pack and, in space, a pair of doubles.
   static constexpr int n_rest = n_values > autodiff::pack_size ? n_values - autodiff::pack_size : 0;
   static_assert(n_rest == 0 || n_rest == 2);
   typedef double Pair __attribute__((vector_size(16)));
-  struct Row {
+  struct CoefficientRow {
     Pack main;
     Pair rest;
   };
-  struct Place {
-    Index leaf;      ///< a cell's number, or SplineSpace's
-    Vec<Dim> t;      ///< within the leaf, in [0, 1]
-    Vec<Dim> slope;  ///< dt/dy: scale, or 0 where y is projected
+  struct LocatedPoint {
+    Index leaf;      ///< number of the leaf in the octree or the SplineSpace
+    Vec<Dim> t;      ///< position within the leaf, in [0, 1]
+    Vec<Dim> slope;  ///< dt/dy: 1 / side of the leaf, or 0 where y is projected
   };
 
   GeometryField() = default;
-  // Fills the rows: put(at), where at(row, i) refers to a number that is 0 so far.
+  // Allocates the coefficients and calls put(at), where at(row, i) is a reference to value i of a row, initially 0.
   template <class Put>
   void store(std::size_t n_rows, const Put& put);
-  Place place_of(const Vec<Dim>& y) const;
+  LocatedPoint locate(const Vec<Dim>& y) const;
   double component(Index row, int i) const {
     return i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size];
   }
-  // Value, then the derivatives by the coordinates.
+  // result[0] gets the values and result[1 + k] the derivatives by coordinate k.
   template <bool WithGradient>
-  void multilinear(const Place& p, Row* result) const;
+  void multilinear(const LocatedPoint& p, CoefficientRow* result) const;
   template <bool WithGradient>
-  void spline(const Place& p, Row* result) const;
+  void spline(const LocatedPoint& p, CoefficientRow* result) const;
   template <bool WithGradient>
-  void row(const Place& p, Row* result) const;
-  // What eight points read, on its way to one pack for each value.
+  void row(const LocatedPoint& p, CoefficientRow* result) const;
+  // Values (and derivatives) at eight points, before they are transposed to one pack for each value.
   template <bool WithGradient>
   struct LaneRows {
     static constexpr int n_rows = WithGradient ? 1 + Dim : 1;          ///< values, then derivatives by each coordinate
-    std::array<std::array<Pack, autodiff::pack_size>, n_rows> main;  ///< by lane
-    std::array<Pack, n_rows * n_rest> rest;                          ///< one pack for each value already
+    std::array<std::array<Pack, autodiff::pack_size>, n_rows> main;  ///< main[k][lane]: first eight values of a lane
+    std::array<Pack, n_rows * n_rest> rest;                          ///< the remaining values, one pack for each
     void clear(int lane) {
       for (auto& row : main) row[lane] = Pack{};
     }
@@ -116,31 +117,31 @@ class GeometryField {
   template <bool WithGradient>
   void look_up_lanes(const Pack& weight, const LocatedPoints& located, Pack* values, Packs* derivative) const;
 
-  const Octree<Dim>* grid_ = nullptr;                ///< null: smooth
-  std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null: multilinear
-  /// By node, or by coefficient; copies of the field share them.
+  const Octree<Dim>* grid_ = nullptr;                ///< null for a smooth field
+  std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null for a multilinear field
+  /// By node or by coefficient; shared by copies of the field.
   std::shared_ptr<const std::vector<Pack>> main_;
   std::shared_ptr<const std::vector<Pair>> rest_;
 };
 
-/// Both shapes, as the energy of one grid reads them.
+/// The fields of both shapes that the energy on one grid reads.
 template <int Dim>
 struct GeometryPair {
   GeometryField<Dim> reference, target;
-  bool root_is_inverse;  ///< the reference's root is C(S1)^{-1/2} (or S1), to be taken as it is; else
-                         ///< C(S1)^{1/2}, inverted at each point
+  bool root_is_inverse;  ///< true: the reference's field holds C(S1)^{-1/2} (or S1), which the terms read;
+                         ///< false: it holds C(S1)^{1/2}, which is inverted at each point
 };
 
 template <int Dim>
 template <class T>
 TargetPoint<Dim, T> GeometryField<Dim>::at(SmallVec<T, Dim> y) const {
-  Vec<Dim> place;
+  Vec<Dim> position;
   for (int k = 0; k < Dim; ++k) {
     if (autodiff::scalar_part(y[k]) < 0) y[k] = T(0.0);
     if (autodiff::scalar_part(y[k]) > 1) y[k] = T(1.0);
-    place[k] = autodiff::scalar_part(y[k]);
+    position[k] = autodiff::scalar_part(y[k]);
   }
-  const Index leaf = is_smooth() ? splines_->locate(place) : grid_->locate(place);
+  const Index leaf = is_smooth() ? splines_->locate(position) : grid_->locate(position);
   const int level = is_smooth() ? splines_->level_of(leaf) : grid_->cell(leaf).level;
   const auto corner = is_smooth() ? splines_->corner_of(leaf) : grid_->cell(leaf).corner;
   std::array<T, n_values> sum;

@@ -1,4 +1,5 @@
-// Look-ups of a shape's fields at eight points at once: where most of the time of a gradient goes.
+// Interpolation of a shape's fields at eight points at once. An evaluation of the gradient spends most of its time
+// here.
 
 #include "energies/autodiff/transpose.h"
 #include "energies/fields/geometry_field.h"
@@ -14,21 +15,21 @@ using autodiff::pack_size;
 template <int Dim>
 typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::array<Pack, Dim>& y) const {
   LocatedPoints located{.y = y, .inside = {}, .leaf = {}};
-  std::array<std::array<double, pack_size>, Dim> place;
+  std::array<std::array<double, pack_size>, Dim> positions;
   for (int k = 0; k < Dim; ++k) {
-    // In this order what is not a number, as in lanes that do not count, becomes 0.
+    // The order of the comparisons maps NaN, as in lanes of weight 0, to 0.
     Pack& inside = located.inside[k];
     inside = y[k] > 0.0 ? y[k] : Pack{};
     inside = inside < 1.0 ? inside : Pack{} + 1.0;
-    place[k] = std::bit_cast<std::array<double, pack_size>>(inside);
+    positions[k] = std::bit_cast<std::array<double, pack_size>>(inside);
   }
   if (!is_smooth()) return located;
-  splines_->locate(place, located.leaf);
+  splines_->locate(positions, located.leaf);
   for (const Index l : located.leaf) splines_->prefetch(l);
   return located;
 }
 
-// In stages over all lanes, so that none waits for what another one has to fetch from memory.
+// Works in stages over all lanes, so that the memory accesses of the lanes overlap.
 template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const LocatedPoints& located,
@@ -46,7 +47,7 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const LocatedPo
   std::array<Pack, Dim> t, scale;
   for (int k = 0; k < Dim; ++k) {
     t[k] = located.inside[k] * size - corner[k];
-    scale[k] = located.inside[k] == located.y[k] ? size : Pack{};  // none where y is projected
+    scale[k] = located.inside[k] == located.y[k] ? size : Pack{};  // 0 where y is projected
   }
   const SplineFactors<Dim, Pack> factors(t, scale);
 

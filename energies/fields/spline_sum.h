@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The sum over the 3^Dim coefficients of a quadratic spline (grid/fields/spline_space.h) and its derivatives, one axis
-/// after the other. Rows of coefficients are vectors of numbers; T is a number, or a pack of them for as many points.
+/// after the other. A row of coefficients is a vector of numbers; T is double, or a pack with one entry for each point.
 
 #include "grid/fields/spline_space.h"
 
@@ -10,11 +10,12 @@
 
 namespace shellmatch {
 
-/// What the coefficients of a leaf are multiplied by, at t in it, for values and derivatives by y where dt/dy is `scale`.
+/// Factors of a leaf's coefficients along each axis, for the value and, where dt/dy = `scale`, the derivatives at t in
+/// the leaf.
 template <int Dim, class T>
 struct SplineFactors {
   using Three = std::array<T, 3>;
-  std::array<Three, Dim> value, slope;  ///< along each axis
+  std::array<Three, Dim> value, slope;  ///< by axis: weights of the value and of the derivative
 
   SplineFactors(const std::array<T, Dim>& t, const std::array<T, Dim>& scale) {
     for (int k = 0; k < Dim; ++k) {
@@ -34,9 +35,11 @@ Row along(const Weights& weights, Pick&& pick, const std::array<Row, 3>& rows) {
 
 }  // namespace detail
 
-/// What was derived along an axis is interpolated along those that follow. Written so that few rows are alive at a
-/// time. at(n): row of coefficient n. pick(x): of a T what the rows of this sum are to be multiplied by. put(0, value),
-/// then put(1 + k, derivative by axis k).
+/// Sums along x, then y, then z; a derivative along one axis is interpolated along the later ones. Few rows are alive
+/// at a time, so that they stay in registers.
+/// \param at at(n) is the row of coefficient n
+/// \param pick pick(x) selects from a T the factor for this sum, for instance one lane
+/// \param put called as put(0, value) and put(1 + k, derivative by axis k)
 template <int Dim, bool WithGradient, class T, class At, class Pick, class Put>
 inline void sum_spline(const SplineFactors<Dim, T>& f, At&& at, Pick&& pick, Put&& put) {
   using Row = std::remove_cvref_t<decltype(at(0))>;

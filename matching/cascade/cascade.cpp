@@ -37,7 +37,7 @@ std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, do
 
 namespace {
 
-/// One level: all its minimisations, from phi, which is replaced by the result.
+/// The minimisations on the grid of one level. They start from phi, which is replaced by the result.
 template <int Dim>
 class Level {
  public:
@@ -73,7 +73,7 @@ class Level {
       if (level < options_.cascade.max_level || s + 1 < steps.size())
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       observer.level_started(start);
-      std::vector<double> terms;  // where the minimisation ends
+      std::vector<double> terms;  // values of the terms at the end of the minimisation
       result.last = minimize_with_fallback(
           solver, problem, x, stop,
           [&](const IterationRecord& r) {
@@ -108,7 +108,7 @@ class Level {
     return result;
   }
 
-  /// Adds to the result of minimise() what a finer quadrature says of it, and its folds.
+  /// Adds the energy by a finer quadrature, the measures of the band and the folds to the result of minimise().
   void report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const {
     const int finer = std::min(options_.energy.quadrature_order + 1, 5);
     const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
@@ -119,7 +119,7 @@ class Level {
   }
 
  private:
-  // Where not even the first minimisation can begin there is nothing to match.
+  // The energy is not finite at the start of the very first minimisation: names the terms that cause it.
   [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
     std::string which;
     for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -133,13 +133,13 @@ class Level {
                       level, which.empty() ? "the sum of its terms" : which);
   }
 
-  // At the place that was evaluated last, which is the iterate or near it. Leaves the Newton model alone, which
-  // the minimiser may still need.
+  // Checks the derivatives at the positions evaluated last, which are the iterate or a trial point near it. The Newton
+  // model is not checked, because the minimiser may still use the assembled one.
   void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
              Observer& observer) {
     const CheckGradientOptions& o = options_.check_gradient;
     if (o.every == 0 || iteration % o.every != 0) return;
-    // A method may have looked at a place that it did not go to.
+    // The last evaluation may have been a trial point at which the energy is not finite.
     TermValues values;
     if (!level_.energy.evaluate(phi, weights, values, {})) return;
     GradientReport report = check_gradient<Dim>(
@@ -166,7 +166,7 @@ class Level {
   TermValues weights_;  ///< of the last minimisation
 };
 
-/// The map at the nodes of `grid`, whose numbers differ from those of the map's own grid.
+/// The map at the nodes of `grid`, which has the cells of the map's own grid, numbered differently.
 template <int Dim>
 std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>& grid) {
   bool same = map.grid.n_nodes() == grid.n_nodes() && map.grid.leaves().size() == grid.leaves().size();
@@ -204,8 +204,8 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     PhaseClock clock(seconds);
     clock.start("distances");
     shapes.compute_distances(grid);
-    // Grids of levels that were finished before are made again, not read: nodes get the numbers that they had, by
-    // which sums are ordered.
+    // The grids of earlier levels are refined again and not read, so that nodes get the same numbers as in an
+    // uninterrupted run: sums depend on their order.
     const bool is_finished = before && level <= before->level;
     std::optional<GeometryPair<Dim>> geometry;
     if (!is_finished || level == schedule.max_level) {
@@ -219,7 +219,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
       }
       if (ends()) keep_fields(*geometry);
     } else {
-      {  // the level's matrices are not to lie beside what follows
+      {  // frees the level's matrices before the output
         clock.start("set-up");
         Level<Dim> problem(grid, *geometry, options);
         clock.start("minimisation");

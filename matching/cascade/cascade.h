@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The multilevel scheme (paper, algorithm 1): minimise on a grid, refine where the shapes are, go on from there.
+/// The multilevel scheme (paper, algorithm 1): minimise on a grid, refine it at the shapes, and continue on the finer
+/// grid.
 
 #include "energies/assembly/band_report.h"
 #include "energies/assembly/folds.h"
@@ -22,31 +23,31 @@
 
 namespace shellmatch {
 
-/// What came of one level.
+/// The result of one level.
 struct LevelResult {
-  LevelStart start;                  ///< of its last minimisation
+  LevelStart start;                  ///< of the level's last minimisation
   Index n_band_cells = 0;
   std::size_t n_band_points = 0;
-  double band_measure = 0;           ///< integral of eta_sigma(d1): tends to the measure of M1
-  TermValues minimised;              ///< with the quadrature that was minimised
-  TermValues reported;               ///< with a finer one
+  double band_measure = 0;           ///< integral of eta_sigma(d1); tends to the measure of M1
+  TermValues minimised;              ///< weighted terms by the quadrature of the minimisation
+  TermValues reported;               ///< weighted terms by a finer quadrature
   FoldReport folds;
-  BandReport band;                   ///< with the finer quadrature
-  MinimizerSummary last;             ///< of the last minimisation
-  std::vector<std::string> fallbacks;  ///< of all minimisations: which method gave up, why, and which went on
-  int iterations = 0;                ///< of all minimisations of the level
+  BandReport band;                   ///< by the finer quadrature
+  MinimizerSummary last;             ///< summary of the level's last minimisation
+  std::vector<std::string> fallbacks;  ///< one entry for each method that gave up: which, why, and its successor
+  int iterations = 0;                ///< sum over the level's minimisations
   long value_evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;
 };
 
-/// Everything that belongs to the grid of one level.
+/// Grid and nodal positions at the end of a level.
 template <int Dim>
 struct LevelState {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
 };
 
-/// The end of a level that was finished by an earlier run.
+/// The end of a level that an earlier run has finished.
 template <int Dim>
 struct FinishedLevel {
   int level = 0;
@@ -57,32 +58,32 @@ template <int Dim>
 struct CascadeResult {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;
-  CoefficientFields<Dim> reference, target;  ///< on the finest grid
-  std::vector<LevelResult> levels;           ///< of this call, without those that were finished before
+  CoefficientFields<Dim> reference, target;  ///< at the nodes of the finest grid
+  std::vector<LevelResult> levels;           ///< levels of this call; those that were finished before are left out
   bool interrupted = false;
 };
 
-/// Called at the end of every level, with the grid on which it was computed.
+/// Called at the end of every level, with the grid on which it was computed and the positions of its nodes.
 template <int Dim>
 using LevelCallback = std::function<void(const LevelResult&, const LevelState<Dim>&)>;
 
-/// Runs the cascade from the identity, or goes on after the level `before`: with the same shapes and options the result
-/// is then the same to the bit. The shapes lie in the unit domain.
+/// Runs the cascade from the identity, or continues after the level `before`: with the same shapes and options the
+/// result is then the same bit for bit. \pre the shapes lie in the unit domain
 /// \throws InputError if the map `before` does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
                                PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {});
 
-/// nu and c_vol of a level's minimisations, in their order.
+/// Parameters nu and c_vol of one minimisation. schedule_of_level() lists those of a level in their order.
 struct ScheduleStep {
   double nu, volume_weight;
 };
 std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& options, int level);
 
-/// Which step follows step `s`, that ended with these values of the match term and of all: the next one, or the
-/// last at once. The match term is in inverse ratio to nu, so that it tells by how much the last nu raises the
-/// energy; if that is a share of less than `negligible`, no step in between has more than that to win.
+/// The index of the step to follow step `s`, which ended with match term `match` and energy `value`: s + 1, or the
+/// last. The match term is proportional to 1/nu, so that it tells by how much the last nu raises the energy. If that
+/// rise is less than the share `negligible` of the energy, the steps in between are skipped.
 std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
                        double negligible);
 

@@ -10,13 +10,13 @@ namespace shellmatch {
 
 namespace {
 
-// Measured with Newton's method, whose matrix takes the most, and rounded up: fields, elements of the band,
-// tables of the tree and the solver's vectors.
+// Measured with Newton's method, whose matrix needs the most, and rounded up: fields, elements of the band, tables of
+// the tree and vectors of the solver.
 constexpr double bytes_per_node = 1500;
 constexpr double bytes_at_start = 1.5e8;
 constexpr double disk_bytes_per_node = 250;
 
-// A shape's own grid is about twice as wide as the cells that meet the shape; its tree, distances and
+// A shape's own grid is about twice as wide as the layer of cells that meet the shape. Memory: tree, distances and
 // splines.
 constexpr double field_layers = 2;
 constexpr double bytes_per_field_node = 300;
@@ -25,10 +25,9 @@ bool fits(double needed, std::uint64_t given) { return given == 0 || needed <= s
 
 template <int Dim>
 double cells_at(double measure, int min_level, int max_level) {
-  // A hyperplane in a random direction meets 4/pi (plane) or 3/2 (space) cells of side h per h^(Dim - 1). All
-  // children of a cell that is met are there, 2^Dim in number; a level below has half as many along each
-  // direction of the surface; balance adds about one layer of cells to each side of every level but the
-  // finest.
+  // A hyperplane in a random direction meets 4/pi (plane) or 3/2 (space) cells of side h per h^(Dim - 1). A refined
+  // cell has 2^Dim children. The next coarser level has half as many cells along each direction of the surface. The 2:1
+  // balance adds about one layer of cells on each side, except on the finest level.
   const double met = Dim == 2 ? 1.28 : 1.5, children = n_corners<Dim>;
   double cells = std::pow(children, min_level);
   for (int level = min_level + 1; level <= max_level; ++level) {
@@ -75,7 +74,7 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
   const std::uint64_t memory = available_memory_bytes(), disk = folder.empty() ? 0 : free_disk_bytes(folder);
   const SizeEstimate size = estimate_size<Dim>(measures, min_level, max_level);
   const bool memory_fits = fits(size.memory_bytes, memory);
-  // Nodes and cells are counted in 32 bits.
+  // Nodes and cells have 32-bit numbers.
   const bool countable = size.n_nodes < 1e9;
   if (memory_fits && countable && fits(size.disk_bytes, disk)) return;
   int largest = max_level - 1;

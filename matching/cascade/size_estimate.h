@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// How large will the grid become? Asked before a run starts, so that one which cannot end does not begin.
+/// Estimates the size of the finest grid before a run starts, so that a run for which memory or disk are too small is
+/// refused at once.
 
 #include "geometry/surface/surface.h"
 #include "matching/experiment/options.h"
@@ -10,32 +11,32 @@
 
 namespace shellmatch {
 
-/// Of the finest level, from above: meant to be too large by a factor of at most about 2.
+/// Upper estimates for the finest level, meant to be too large by a factor of at most about 2.
 struct SizeEstimate {
   double n_nodes = 0;        ///< of the grid of phi
-  double n_field_nodes = 0;  ///< of the shapes' own grids
-  double memory_bytes = 0;   ///< at the peak of the run
-  double disk_bytes = 0;     ///< of the output folder
+  double n_field_nodes = 0;  ///< sum over the shapes' own grids
+  double memory_bytes = 0;   ///< at the peak of the run, in bytes
+  double disk_bytes = 0;     ///< of the output folder, in bytes
 };
 
-/// Lengths (plane) or areas (space), in the unit domain, of the surfaces that grids are refined at.
+/// Lengths (plane) or areas (space), in the unit domain, of the surfaces at which grids are refined.
 struct RefinedMeasures {
-  double phi = 0;     ///< by the grid of phi
-  double fields = 0;  ///< by the shapes' own grids, 0 for none
+  double phi = 0;     ///< refined by the grid of phi
+  double fields = 0;  ///< refined by the shapes' own grids; 0 without such grids
 };
 
-/// What a matching of these surfaces refines at. \param reference, template_shape in the unit domain
+/// The measures for a matching of these surfaces. \pre both lie in the unit domain
 template <int Dim>
 RefinedMeasures refined_measures(const Surface<Dim>& reference, const Surface<Dim>& template_shape,
                                  const ExperimentOptions& options);
 
-/// Of grids that are uniform at `min_level` and refined to `max_level` at the surfaces.
+/// The estimates for grids that are uniform at `min_level` and refined at the surfaces up to `max_level`.
 template <int Dim>
 SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int max_level);
 
-/// \param folder where files are to be written; empty where there will be none, and the disk does not count
-/// \throws EnvironmentError if the machine has too little memory, or the disk of `folder` too little room, that says
-///   how much is there, how much is needed and which largest level would do
+/// Checks that the memory of the machine and the disk suffice.
+/// \param folder where files will be written; empty to leave the disk unchecked
+/// \throws EnvironmentError with the size available, the size needed and the greatest level that would fit
 template <int Dim>
 void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder);
 

@@ -41,7 +41,7 @@ std::string surface_checksum(const Surface<Dim>& surface) {
   return Checksum().add(bytes_of(surface.vertices)).add(bytes_of(surface.facets)).text();
 }
 
-// Sources are told by what is in them; true positions are looked at when the run ends.
+// Shapes are compared by checksums of their contents; true positions are read only for the final report.
 bool changes_no_level(const std::string& option) {
   for (const char* path : {"input.reference", "input.template", "input.correspondence", "threads"})
     if (option == path) return true;
@@ -69,7 +69,7 @@ std::string first_change(const OptionNode& before, const OptionNode& now) {
   throw_environment_error("{}: cannot be written: {}", to, error.message());
 }
 
-// All files of `from`; none where there is no such folder.
+// Copies all files of `from`; does nothing where there is no such folder.
 void copy_files(const fs::path& from, const fs::path& to) {
   std::error_code error;
   if (!fs::is_directory(from, error)) return;
@@ -96,30 +96,30 @@ std::string changed_option(const ExperimentOptions& before, const ExperimentOpti
   return first_change(option_tree(a), option_tree(b));
 }
 
-LevelKeeper::LevelKeeper(const std::string& output, RunIdentity identity)
+CheckpointFolder::CheckpointFolder(const std::string& output, RunIdentity identity)
     : path_(output + suffix), identity_(std::move(identity)) {
   remove_leftovers(path_);
 }
 
-bool LevelKeeper::is_ours() const {
+bool CheckpointFolder::is_ours() const {
   std::error_code error;
   return fs::is_regular_file(fs::path(path_) / manifest_name, error);
 }
 
-bool LevelKeeper::is_foreign() const {
+bool CheckpointFolder::is_foreign() const {
   std::error_code error;
   return fs::exists(path_, error) && !is_ours();
 }
 
-std::string LevelKeeper::obstacle() const {
+std::string CheckpointFolder::obstacle() const {
   if (!is_ours()) return "";
   const fs::path folder = path_;
   const auto manifest = read_manifest(folder / manifest_name);
   if (!manifest) return fmt::format("its {} is damaged", manifest_name);
   constexpr const char* other_program = "another build of the program has written it";
-  if (manifest->format != KeptManifest().format) return other_program;
+  if (manifest->format != CheckpointManifest().format) return other_program;
   try {
-    for (const KeptManifest::File& file : manifest->files)
+    for (const CheckpointManifest::File& file : manifest->files)
       if (file_checksum(folder / file.name) != file.checksum)
         return fmt::format("its {} is damaged", file.name);
     if (manifest->program != identity_.program) return other_program;
@@ -134,25 +134,25 @@ std::string LevelKeeper::obstacle() const {
 }
 
 template <int Dim>
-std::optional<KeptLevels<Dim>> LevelKeeper::read() const {
+std::optional<Checkpoint<Dim>> CheckpointFolder::read() const {
   if (!is_ours()) return std::nullopt;
   const fs::path folder = path_;
-  return KeptLevels<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
+  return Checkpoint<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
                          read_summary(folder / "summary.json")};
 }
 
 template <int Dim>
-void LevelKeeper::keep(const LevelsSoFar<Dim>& levels, const std::string& pictures) {
+void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::string& pictures) {
   OutputFolder folder(path_, true);
-  write_deformation(folder.path_of(deformation_file_name), levels.grid, levels.phi, levels.placement);
-  write_history(levels.history, folder.path_of("history.csv"));
-  write_summary(levels.summary, folder.path_of("summary.json"));
+  write_deformation(folder.path_of(deformation_file_name), checkpoint.grid, checkpoint.phi, checkpoint.placement);
+  write_history(checkpoint.history, folder.path_of("history.csv"));
+  write_summary(checkpoint.summary, folder.path_of("summary.json"));
   write_file(folder.path_of("config.yaml"), to_yaml(identity_.options));
   write_file(folder.path_of("README.txt"), read_me);
   copy_files(pictures, folder.path_of("pictures"));
 
-  KeptManifest manifest;
-  manifest.level = levels.summary.levels.back().level;
+  CheckpointManifest manifest;
+  manifest.level = checkpoint.summary.levels.back().level;
   manifest.program = identity_.program;
   manifest.reference = identity_.reference;
   manifest.template_shape = identity_.template_shape;
@@ -165,13 +165,13 @@ void LevelKeeper::keep(const LevelsSoFar<Dim>& levels, const std::string& pictur
   folder.commit();
 }
 
-void LevelKeeper::copy_pictures(const std::string& pictures) const {
+void CheckpointFolder::copy_pictures(const std::string& pictures) const {
   copy_files(fs::path(path_) / "pictures", pictures);
 }
 
-void LevelKeeper::remove() {
+void CheckpointFolder::remove() {
   if (!is_ours()) return;
-  // Under a name that the next run clears away, so that a kill does not leave half of it.
+  // Renamed first to a name that the next run cleans up, so that a kill leaves no half-removed checkpoint.
   const fs::path place = path_, hidden = partial_folder_name(place);
   std::error_code error;
   fs::rename(place, hidden, error);
@@ -181,8 +181,8 @@ void LevelKeeper::remove() {
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const Surface<Dim>&,                  \
                                          const Surface<Dim>&);                                           \
-  template std::optional<KeptLevels<Dim>> LevelKeeper::read<Dim>() const;                                \
-  template void LevelKeeper::keep<Dim>(const LevelsSoFar<Dim>&, const std::string&)
+  template std::optional<Checkpoint<Dim>> CheckpointFolder::read<Dim>() const;                                \
+  template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 

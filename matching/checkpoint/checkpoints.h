@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What a run keeps of its finished levels, so that the same command goes on where it was stopped or killed: the folder
-/// NAME.unfinished beside the output folder NAME.
+/// Checkpoints: a run writes every finished level to the folder NAME.unfinished beside its output folder NAME, so that
+/// the same command resumes a run that was stopped or killed.
 
 #include "geometry/surface/surface.h"
 #include "matching/level/deformation.h"
@@ -16,29 +16,29 @@
 
 namespace shellmatch {
 
-/// All that the levels of a run depend on.
+/// All data on which the levels of a run depend. A checkpoint is resumed only by a run of equal identity.
 struct RunIdentity {
   ExperimentOptions options;
-  /// Checksums of both shapes as they lie in the unit domain: what is in a file counts, not its name.
+  /// Checksums of both surfaces in the unit domain: contents are compared, not file names.
   std::string reference, template_shape;
-  std::string program;  ///< version, compiler and checksum of what is being executed: another build has other last digits
+  std::string program;  ///< version, compiler and checksum of the executable: builds may differ in rounding
 };
 
 template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
                          const Surface<Dim>& template_shape);
 
-/// The map at the end of a level and all that was told until then.
+/// A checkpoint as it is read: the map at the end of a level, and history and summary until then.
 template <int Dim>
-struct KeptLevels {
+struct Checkpoint {
   Deformation<Dim> deformation;
   History history;
-  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, with the times until then
+  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, whose times are those until then
 };
 
-/// The same while the run goes on.
+/// A checkpoint as it is written, by references to the state of the running cascade.
 template <int Dim>
-struct LevelsSoFar {
+struct CheckpointView {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
   const Similarity<Dim>& placement;
@@ -46,35 +46,38 @@ struct LevelsSoFar {
   const MatchSummary& summary;
 };
 
-/// The folder in which finished levels are kept. It looks like an output folder, except that it holds no deformed shape;
-/// `apply` takes it. It is replaced as a whole after every level, so that a kill at any moment leaves one or the other.
-class LevelKeeper {
+/// The folder of a run's checkpoint. It has the files of an output folder except the deformed shape, so that the
+/// command `apply` accepts it. It is replaced atomically: a kill at any moment leaves the old checkpoint or the new
+/// one.
+class CheckpointFolder {
  public:
-  /// Removes what a killed run was writing. \param output the absolute path of the run's output folder
-  LevelKeeper(const std::string& output, RunIdentity identity);
+  /// Removes the remains of a checkpoint that a killed run was writing. \param output absolute path of the output
+  /// folder
+  CheckpointFolder(const std::string& output, RunIdentity identity);
 
   const std::string& path() const { return path_; }
 
-  /// Has something else that name? Then nothing can be kept.
+  /// Whether the name is taken by something that is no checkpoint. Then no checkpoint can be written.
   bool is_foreign() const;
 
-  /// Why a run does not go on with what is kept: empty where it can, or where there is nothing; else "its template is
-  /// another one" or "its history.csv is damaged". \pre not is_foreign()
+  /// The reason why the run cannot resume from the checkpoint, such as "the template is another one" or "its
+  /// history.csv is damaged"; empty where it can, or where there is no checkpoint. \pre not is_foreign()
   std::string obstacle() const;
 
-  /// What is kept, if anything. \pre obstacle() is empty \throws InputError for what is whole and yet no such state
+  /// The checkpoint, if there is one. \pre obstacle() is empty \throws InputError for intact files with invalid
+  /// contents
   template <int Dim>
-  std::optional<KeptLevels<Dim>> read() const;
+  std::optional<Checkpoint<Dim>> read() const;
 
-  /// \param pictures the folder of the run's pictures so far
-  /// \throws EnvironmentError if it cannot be written: what was kept before then stays. \pre not is_foreign()
+  /// Replaces the checkpoint. \param pictures folder of the run's pictures so far
+  /// \throws EnvironmentError if it cannot be written; the earlier checkpoint then stays. \pre not is_foreign()
   template <int Dim>
-  void keep(const LevelsSoFar<Dim>& levels, const std::string& pictures);
+  void write(const CheckpointView<Dim>& checkpoint, const std::string& pictures);
 
-  /// Brings the pictures of the kept levels into a new run's folder. \throws EnvironmentError
+  /// Copies the pictures of the finished levels into the folder `pictures` of a resumed run. \throws EnvironmentError
   void copy_pictures(const std::string& pictures) const;
 
-  /// The run has written its output: nothing is needed any more.
+  /// Removes the checkpoint, after the run has written its output.
   void remove();
 
  private:
@@ -84,23 +87,23 @@ class LevelKeeper {
   RunIdentity identity_;
 };
 
-/// Contents of the file that tells a kept state from any other folder.
-struct KeptManifest {
-  int format = 2;  ///< 1 had other checksums
-  int level = 0;  ///< the last finished one
+/// Contents of state.json, the file by which a checkpoint is recognised.
+struct CheckpointManifest {
+  int format = 2;  ///< of the manifest; format 1 had other checksums
+  int level = 0;  ///< the last finished level
   std::string program, reference, template_shape;
   struct File {
     std::string name, checksum;
   };
-  std::vector<File> files;  ///< all others
+  std::vector<File> files;  ///< all other files of the checkpoint, paths relative to it
 };
 
-std::string manifest_json(const KeptManifest& manifest);
-/// Nothing where the file is missing or damaged. It may be of another format.
-std::optional<KeptManifest> read_manifest(const std::string& path);
+std::string manifest_json(const CheckpointManifest& manifest);
+/// The manifest in the file, which may be of another format; nothing where the file is missing or damaged.
+std::optional<CheckpointManifest> read_manifest(const std::string& path);
 
-/// "cascade.nu: 0.0002, now 0.001" of the first option that differs between both and on which a run's levels depend;
-/// empty if there is none. Number of threads, place of the shapes' files and `resume` change no level.
+/// The first difference between the options that change a run's levels, as "cascade.nu: 0.0002, now 0.001"; empty if
+/// there is none. The number of threads, paths of shapes and the section `resume` change no level.
 std::string changed_option(const ExperimentOptions& before, const ExperimentOptions& now);
 
 }  // namespace shellmatch

@@ -6,27 +6,27 @@
 namespace shellmatch {
 
 template <class S, class Member>
-requires std::is_same_v<std::remove_const_t<S>, KeptManifest::File>
+requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest::File>
 static void describe(S& s, Member&& member) { member("name", s.name), member("checksum", s.checksum); }
 
 template <class S, class Member>
-requires std::is_same_v<std::remove_const_t<S>, KeptManifest>
+requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest>
 static void describe(S& s, Member&& member) {
   member("format", s.format), member("level", s.level), member("program", s.program);
   member("reference", s.reference), member("template", s.template_shape), member("files", s.files);
 }
 
-std::string manifest_json(const KeptManifest& manifest) { return json_text(json_of(manifest)); }
+std::string manifest_json(const CheckpointManifest& manifest) { return json_text(json_of(manifest)); }
 
-std::optional<KeptManifest> read_manifest(const std::string& path) {
+std::optional<CheckpointManifest> read_manifest(const std::string& path) {
   std::ifstream in(path);
   if (!in) return std::nullopt;
   try {
-    KeptManifest manifest;
+    CheckpointManifest manifest;
     set_from_json(parse_json(in), manifest);
     return manifest;
   } catch (const Json::exception&) {
-    // As good as none.
+    // A damaged manifest counts as none.
   }
   return std::nullopt;
 }

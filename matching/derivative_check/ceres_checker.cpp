@@ -1,7 +1,7 @@
-// The checker hands Eigen matrices to and fro. Debian's Ceres was compiled without AVX and takes their memory from
-// malloc as it comes, while -march=native makes Eigen align it by itself here: memory that one side allocates the
-// other cannot free. So this file has Eigen as Ceres has it. Its types are others than those of the rest of the program;
-// the name of the namespace says so to the linker, which would else be free to mix the functions of both.
+// Ceres' GradientChecker exchanges Eigen matrices with its caller. Debian's Ceres is compiled without AVX and allocates
+// them by plain malloc, whereas Eigen under -march=native allocates aligned memory in its own way: memory allocated by
+// one side cannot be freed by the other. This file therefore configures Eigen as Ceres' build did. Its Eigen types
+// differ from those of the other files; the renamed namespace keeps the linker from mixing both sets of functions.
 #define EIGEN_DONT_VECTORIZE
 #define EIGEN_MAX_ALIGN_BYTES 16
 #define EIGEN_MALLOC_ALREADY_ALIGNED 1
@@ -20,8 +20,8 @@ namespace shellmatch {
 
 namespace {
 
-/// The function of z, where the degrees of freedom are start + scale R z, R the reflection at a plane that is
-/// oblique to all axes.
+/// The function of z with degrees of freedom start + scale R z, where R is the reflection at a plane oblique to all
+/// axes.
 class Cost final : public ceres::CostFunction {
  public:
   Cost(const SmallFunction& function, std::span<const double> start, double scale)
@@ -47,7 +47,7 @@ class Cost final : public ceres::CostFunction {
   }
 
  private:
-  // scale R z; R is symmetric, so that gradients go back the same way.
+  // scale R z. R is symmetric, so that the same map transforms gradients.
   std::vector<double> reflected(std::span<const double> z) const {
     const double along = 2 * std::inner_product(z.begin(), z.end(), normal_.begin(), 0.0);
     std::vector<double> image(z.size());

@@ -22,7 +22,7 @@ bool read_number(std::string_view text, T& value) {
   return !text.empty() && error == std::errc() && end == text.data() + text.size();
 }
 
-/// Every node by itself: the largest multiple of `noise` that keeps det Dphi above `bound` throughout every cell.
+/// Moves every node at random, by the largest multiple of `noise` that keeps det Dphi above `bound` in every cell.
 template <int Dim>
 void add_noise(const LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& noise, double bound, std::vector<Vec<Dim>>& phi) {
   const auto with = [&](double share) {

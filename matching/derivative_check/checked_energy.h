@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the parts of a derivative check share: the energy that is checked, where, and how thoroughly.
+/// The energy that a derivative check examines, and the data that its parts share.
 
 #include "energies/assembly/element_oracle.h"
 #include "matching/level/level_energy.h"
@@ -11,7 +11,7 @@
 
 namespace shellmatch {
 
-/// What is checked: an energy as the minimisers see it. Tests derive from it to plant errors.
+/// The energy as the minimisers see it. Tests derive classes with planted errors from it.
 template <int Dim>
 class CheckedEnergy {
  public:
@@ -19,7 +19,7 @@ class CheckedEnergy {
   explicit CheckedEnergy(const LevelEnergy<Dim>& level) : level_(level) {}
   virtual ~CheckedEnergy() = default;
 
-  /// As MatchingEnergy::evaluate; with a gradient also the element gradients behind it.
+  /// As MatchingEnergy::evaluate; together with the gradient it gives the element gradients.
   virtual bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                         std::span<double> gradient, std::vector<double>& element_gradients) const;
 
@@ -31,26 +31,26 @@ class CheckedEnergy {
 struct GradientCheckSettings {
   int n_directions = 2;
   unsigned seed = 1;
-  std::size_t most_differenced = 2000;  ///< elements of a term that are compared with differences
-  int n_ceres_elements = 4;             ///< elements of a term that Ceres' checker is given
-  bool newton_model = true;             ///< assemble and check it; without, the model is left as it is
+  std::size_t most_differenced = 2000;  ///< largest number of elements of a term compared with differences
+  int n_ceres_elements = 4;             ///< number of elements of a term given to Ceres' checker
+  bool newton_model = true;             ///< assemble and check the Newton model; else it is left unchanged
 };
 
-/// Where an energy is checked: all that does not depend on the term.
+/// The data of a check that do not depend on the term: the energy's level, the functors and the positions.
 template <int Dim>
-struct CheckPlace {
+struct CheckContext {
   LevelEnergy<Dim>& level;
   const ElementOracle<Dim>& oracle;
   const std::vector<Vec<Dim>>& phi;
   const GradientCheckSettings& settings;
 };
 
-/// A term as the assembly has it at the place.
+/// A term as the assembly evaluates it at the positions of the context.
 struct AssembledTerm {
   TermValues weights;
   double value = 0;
   std::vector<double> gradient;           ///< by the unknowns
-  std::vector<double> element_gradients;  ///< as of MatchingEnergy::evaluate
+  std::vector<double> element_gradients;  ///< as in MatchingEnergy::evaluate
 };
 
 }  // namespace shellmatch

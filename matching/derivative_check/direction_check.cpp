@@ -21,7 +21,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Random, with every node moving by about the side of the smallest cell around it, neighbours partly together.
+/// A random direction that moves every node by about the side of the smallest cell around it: half of it a smooth
+/// field, half independent at each node.
 template <int Dim>
 std::vector<double> random_direction(const LevelEnergy<Dim>& level, unsigned seed) {
   const auto nodes = level.unknowns.nodes();
@@ -38,26 +39,26 @@ std::vector<double> random_direction(const LevelEnergy<Dim>& level, unsigned see
   return v;
 }
 
-/// The energy along phi + t v.
+/// The energy as a function of t along phi + t v.
 template <int Dim>
 class Along {
  public:
-  Along(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const TermValues& weights,
+  Along(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const TermValues& weights,
         const std::vector<double>& direction)
-      : place_(place), energy_(energy), weights_(weights), direction_(direction), x_(direction.size()),
-        y_(direction.size()), phi_(place.phi) {
-    place.level.unknowns.restrict_to(place.phi, x_);
+      : context_(context), energy_(energy), weights_(weights), direction_(direction), x_(direction.size()),
+        y_(direction.size()), phi_(context.phi) {
+    context.level.unknowns.restrict_to(context.phi, x_);
   }
   double operator()(double t) {
     for (std::size_t i = 0; i < x_.size(); ++i) y_[i] = x_[i] + t * direction_[i];
-    place_.level.unknowns.expand(y_, phi_);
+    context_.level.unknowns.expand(y_, phi_);
     TermValues values;
     if (!energy_.evaluate(phi_, weights_, values, {}, unused_)) return std::numeric_limits<double>::quiet_NaN();
     return values.sum();
   }
 
  private:
-  const CheckPlace<Dim>& place_;
+  const CheckContext<Dim>& context_;
   const CheckedEnergy<Dim>& energy_;
   TermValues weights_;
   const std::vector<double>& direction_;
@@ -65,22 +66,22 @@ class Along {
   std::vector<Vec<Dim>> phi_;
 };
 
-/// Along one direction: the shorter the reach, the fewer points have to be held back; rounding decides how short it
-/// can be. Leaves the direction that served in `v`.
+/// Checks along one direction and returns the direction used in `v`. A shorter reach means that fewer nodes have to be
+/// fixed because of kinks; rounding errors bound it from below, so longer ones are tried in turn.
 template <int Dim>
-DirectionCheck check_direction(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
                                unsigned seed, std::vector<double>& v) {
   DirectionCheck result;
   for (const double reach : {0.003, 0.02, 0.1}) {
-    v = random_direction(place.level, seed);
+    v = random_direction(context.level, seed);
     result = {};
-    if (place.level.energy.terms().read_target(term.weights)) {
-      const HeldPoints held = hold_at_kinks<Dim>(place.level.unknowns, place.oracle, place.level.geometry.target, place.level.grid, place.phi, reach, v);
+    if (context.level.energy.terms().read_target(term.weights)) {
+      const HeldPoints held = hold_at_kinks<Dim>(context.level.unknowns, context.oracle, context.level.geometry.target, context.level.grid, context.phi, reach, v);
       result.n_points_near_faces = held.n_points;
-      result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(place.level.unknowns.nodes().size());
+      result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(context.level.unknowns.nodes().size());
     }
     result.slope = dot(term.gradient, v);
-    Along<Dim> line(place, energy, term.weights, v);
+    Along<Dim> line(context, energy, term.weights, v);
     const TaylorScale scale = taylor_scale(std::ref(line), reach);
     result.curvature = scale.curvature;
     if (!scale.fits(reach, n_decades)) continue;
@@ -97,19 +98,19 @@ DirectionCheck check_direction(const CheckPlace<Dim>& place, const CheckedEnergy
 }  // namespace
 
 template <int Dim>
-void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+void check_directions(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
                       TermCheck& check) {
   int n_resolved = 0;
-  for (int d = 0; d < place.settings.n_directions; ++d) {
+  for (int d = 0; d < context.settings.n_directions; ++d) {
     std::vector<double> v;
-    DirectionCheck direction = check_direction(place, energy, term, place.settings.seed + static_cast<unsigned>(d), v);
+    DirectionCheck direction = check_direction(context, energy, term, context.settings.seed + static_cast<unsigned>(d), v);
     n_resolved += direction.resolved;
     if (direction.resolved && !TaylorRemainder{direction.steps, direction.remainders, direction.orders}.is_second_order())
       check.faults.push_back(fmt::format("the Taylor remainder along direction {} is of order {:.2f}, not 2", d + 1,
                                          fmt::join(direction.orders, ", ")));
     if (check.hessian) {
       std::vector<double> hv(v.size());
-      place.level.hessian.apply(v, hv);
+      context.level.hessian.apply(v, hv);
       direction.model_curvature = dot(v, hv);
     }
     check.directions.push_back(std::move(direction));
@@ -119,33 +120,33 @@ void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& en
 }
 
 template <int Dim>
-void check_hessian(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check) {
-  place.level.hessian.assemble(place.phi, term.weights);
+void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check) {
+  context.level.hessian.assemble(context.phi, term.weights);
   HessianCheck result;
   result.least_quotient = std::numeric_limits<double>::infinity();
-  const std::size_t n = place.level.unknowns.size();
+  const std::size_t n = context.level.unknowns.size();
   std::vector<double> hx(n), hy(n);
   for (unsigned trial = 0; trial < 3; ++trial) {
-    const auto x = random_direction(place.level, place.settings.seed + 100 + trial);
-    const auto y = random_direction(place.level, place.settings.seed + 200 + trial);
-    place.level.hessian.apply(x, hx);
-    place.level.hessian.apply(y, hy);
+    const auto x = random_direction(context.level, context.settings.seed + 100 + trial);
+    const auto y = random_direction(context.level, context.settings.seed + 200 + trial);
+    context.level.hessian.apply(x, hx);
+    context.level.hessian.apply(y, hy);
     const double xhx = dot(x, hx), yhy = dot(y, hy), size = std::sqrt(std::abs(xhx * yhy));
     if (!(dot(hx, hx) > 0)) continue;
     result.asymmetry = std::max(result.asymmetry, std::abs(dot(x, hy) - dot(y, hx)) / size);
     result.least_quotient = std::min(result.least_quotient, xhx / std::sqrt(dot(x, x) * dot(hx, hx)));
   }
-  if (!std::isfinite(result.least_quotient)) return;  // the model vanishes
+  if (!std::isfinite(result.least_quotient)) return;  // the model is 0
   check.hessian = result;
-  // The model is kept in single precision.
+  // The model is stored in single precision.
   if (!(result.asymmetry <= 1e-5)) check.faults.push_back("the Newton model is not symmetric");
   if (!(result.least_quotient >= -1e-5)) check.faults.push_back("the Newton model has a direction of negative curvature");
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
-  template void check_directions<Dim>(const CheckPlace<Dim>&, const CheckedEnergy<Dim>&, const AssembledTerm&, \
+  template void check_directions<Dim>(const CheckContext<Dim>&, const CheckedEnergy<Dim>&, const AssembledTerm&, \
                                       TermCheck&);                                                            \
-  template void check_hessian<Dim>(const CheckPlace<Dim>&, const AssembledTerm&, TermCheck&);
+  template void check_hessian<Dim>(const CheckContext<Dim>&, const AssembledTerm&, TermCheck&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The part of a derivative check that follows the whole energy along directions: the Taylor remainder, and the
+/// The part of a derivative check that evaluates the whole energy along directions: the Taylor remainder, and the
 /// Newton model of the second derivative.
 
 #include "matching/derivative_check/checked_energy.h"
@@ -8,13 +8,13 @@
 
 namespace shellmatch {
 
-/// Adds the directions to `check`.
+/// Checks random directions and adds the results to `check`.
 template <int Dim>
-void check_directions(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
+void check_directions(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
                       TermCheck& check);
 
-/// Symmetry and sign of the Newton model, and its curvature along the directions checked before.
+/// Checks symmetry and definiteness of the Newton model, and adds the result to `check`.
 template <int Dim>
-void check_hessian(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check);
+void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check);
 
 }  // namespace shellmatch

@@ -3,19 +3,17 @@
 #include "base/parallel.h"
 #include "grid/octree/constraints.h"
 #include "matching/derivative_check/ceres_checker.h"
+#include "matching/derivative_check/element_differences.h"
 #include "matching/derivative_check/kink_free.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shellmatch {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double largest(std::span<const double> v) {
   double m = 0;
@@ -23,7 +21,7 @@ double largest(std::span<const double> v) {
   return m;
 }
 
-/// One term on all elements: the assembly's gradients beside those of the functors.
+/// Checks one term on all elements: the assembly's gradients against those of the functors.
 template <int Dim>
 class ElementComparison {
  public:
@@ -31,8 +29,9 @@ class ElementComparison {
   using Dofs = typename Oracle::Dofs;
   static constexpr int n = Oracle::n_dofs;
 
-  ElementComparison(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check)
-      : place_(place), oracle_(place.oracle), elements_(place.level.unknowns.elements()), term_(term), check_(check) {}
+  ElementComparison(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check)
+      : context_(context), oracle_(context.oracle), elements_(context.level.unknowns.elements()),
+        differences_(context, term.weights), term_(term), check_(check) {}
 
   void go() {
     differentiate();
@@ -52,9 +51,9 @@ class ElementComparison {
     natural_.resize(elements_.size());
     error_.resize(elements_.size());
     parallel_for(elements_.size(), [&](std::size_t e) {
-      values_[e] = oracle_.gradient(term_.weights, e, oracle_.dofs_of(e, place_.phi), by_jets_[e]);
+      values_[e] = oracle_.gradient(term_.weights, e, oracle_.dofs_of(e, context_.phi), by_jets_[e]);
       natural_[e] = oracle_.natural_size(term_.weights, e);
-      // Both sides round; where they are the rest of a cancellation they agree to its size only.
+      // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size only.
       const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
       double difference = 0;
       for (int i = 0; i < n; ++i) difference = std::max(difference, std::abs(by_jets_[e][i] - assembled(e)[i]));
@@ -68,11 +67,12 @@ class ElementComparison {
     if (!(check_.element_error <= 1)) check_.faults.push_back("element gradients differ from the functor's by dual numbers");
   }
 
-  // The sums over the elements, with hanging nodes treated by grid/octree/constraints.h and not by the assembly.
+  // Compares value and gradient with the sums over the element functors, whose hanging nodes are eliminated by
+  // grid/octree/constraints.h and not by the assembly.
   void compare_sums() {
-    const Octree<Dim>& grid = place_.level.grid;
+    const Octree<Dim>& grid = context_.level.grid;
     double value = 0, size = 0;
-    std::vector<Vec<Dim>> nodal(place_.phi.size(), Vec<Dim>::Zero());
+    std::vector<Vec<Dim>> nodal(context_.phi.size(), Vec<Dim>::Zero());
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       value += values_[e];
       size += natural_[e] * elements_[e].side;
@@ -80,7 +80,7 @@ class ElementComparison {
     }
     std::vector<double> free(grid.free_nodes().size() * Dim);
     Constraints<Dim>(grid).condense(components_of(nodal), free, Dim);
-    const auto nodes = place_.level.unknowns.nodes();
+    const auto nodes = context_.level.unknowns.nodes();
     double difference = 0;
     for (std::size_t i = 0; i < term_.gradient.size(); ++i) {
       const std::size_t at = static_cast<std::size_t>(grid.free_index(nodes[i / Dim])) * Dim + i % Dim;
@@ -96,52 +96,11 @@ class ElementComparison {
     if (largest(term_.gradient) < 1e-10 * natural && !acting_.empty()) check_.state = TermCheck::State::vanishing;
   }
 
-  double value_at(std::size_t e, Dofs dofs, int i, double step) const {
-    dofs[i] += step;
-    return oracle_.value(term_.weights, e, dofs);
+  ElementGradient gradient_of(std::size_t e) const {
+    return {assembled(e), largest(by_jets_[e]), values_[e], natural_[e]};
   }
 
-  // Central differences of two steps, extrapolated: their error is of fourth order.
-  double central(std::size_t e, const Dofs& dofs, int i, double step) const {
-    const auto plain = [&](double h) { return (value_at(e, dofs, i, h) - value_at(e, dofs, i, -h)) / (2 * h); };
-    return (4 * plain(step / 2) - plain(step)) / 3;
-  }
-
-  struct Differences {
-    double error = 0;  // in units of the tolerance
-    bool near_face = false, kink = false;
-  };
-
-  Differences difference_element(std::size_t e) const {
-    const Dofs dofs = oracle_.dofs_of(e, place_.phi);
-    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
-    if (room < 1.1e-6 * side) return {.error = 0, .near_face = true, .kink = false};
-    Differences result;
-    for (int i = 0; i < n; ++i) {
-      double least = infinity;
-      for (const double share : {1e-4, 1e-5, 1e-6}) {
-        if (room < 1.1 * share * side) continue;
-        const double rounding = 1e-14 / share * (natural_[e] + std::abs(values_[e]) / side);
-        const double tolerance = 1e-6 * largest(by_jets_[e]) + rounding;
-        const double error = std::abs(central(e, dofs, i, share * side) - assembled(e)[i]) / tolerance;
-        least = std::min(least, error);  // keeps `least` where the error is no number
-        if (least <= 1) break;
-      }
-      if (!(least <= 1) && is_kink(e, dofs, i)) result.kink = true;
-      else result.error = std::max(result.error, least);
-    }
-    return result;
-  }
-
-  // Different derivatives to both sides, one of which is ours.
-  bool is_kink(std::size_t e, const Dofs& dofs, int i) const {
-    const double h = 1e-7 * elements_[e].side, middle = value_at(e, dofs, i, 0);
-    const double right = (value_at(e, dofs, i, h) - middle) / h, left = (middle - value_at(e, dofs, i, -h)) / h;
-    const double tolerance = 1e-5 * largest(by_jets_[e]) + 1e-6 * natural_[e], ours = assembled(e)[i];
-    return std::abs(right - left) > 10 * tolerance && std::min(std::abs(right - ours), std::abs(left - ours)) < tolerance;
-  }
-
-  // Elements all over the grid, and those that already look worst.
+  // A sample of the elements, spread over the grid, together with those of largest error so far.
   std::vector<std::size_t> sample(std::size_t most) const {
     if (acting_.size() <= most) return acting_;
     std::vector<std::size_t> chosen;
@@ -156,9 +115,9 @@ class ElementComparison {
   }
 
   void compare_with_differences() {
-    const std::vector<std::size_t> chosen = sample(place_.settings.most_differenced);
-    std::vector<Differences> found(chosen.size());
-    parallel_for(chosen.size(), [&](std::size_t k) { found[k] = difference_element(chosen[k]); }, 4);
+    const std::vector<std::size_t> chosen = sample(context_.settings.most_differenced);
+    std::vector<DifferenceError> found(chosen.size());
+    parallel_for(chosen.size(), [&](std::size_t k) { found[k] = differences_.compare(chosen[k], gradient_of(chosen[k])); }, 4);
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       check_.n_elements_near_faces += found[k].near_face;
       check_.n_elements_with_kinks += found[k].kink;
@@ -175,18 +134,18 @@ class ElementComparison {
     std::size_t e = worst_by_differences_;
     if (!(check_.element_error <= 1))
       e = static_cast<std::size_t>(std::max_element(error_.begin(), error_.end()) - error_.begin());
-    const Dofs dofs = oracle_.dofs_of(e, place_.phi);
-    const double side = elements_[e].side, room = room_of_element(oracle_, place_.level.geometry.target, e, dofs);
-    const double step = room > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
+    const Dofs dofs = oracle_.dofs_of(e, context_.phi);
+    const double side = elements_[e].side, distance = least_distance_to_kinks(oracle_, context_.level.geometry.target, e, dofs);
+    const double step = distance > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
     WorstElement worst;
     worst.element = static_cast<Index>(e);
-    const Index leaf = place_.level.grid.leaves()[e];
-    worst.level = place_.level.grid.cell(leaf).level;
-    const Vec<Dim> centre = place_.level.grid.cell_centre(leaf);
+    const Index leaf = context_.level.grid.leaves()[e];
+    worst.level = context_.level.grid.cell(leaf).level;
+    const Vec<Dim> centre = context_.level.grid.cell_centre(leaf);
     worst.centre.assign(centre.begin(), centre.end());
     double greatest = -1;
     for (int i = 0; i < n; ++i) {
-      const double numeric = central(e, dofs, i, step);
+      const double numeric = differences_.central(e, dofs, i, step);
       const double difference = check_.element_error <= 1 ? std::abs(assembled(e)[i] - numeric)
                                                           : std::abs(assembled(e)[i] - by_jets_[e][i]);
       if (!(difference > greatest)) continue;
@@ -205,11 +164,11 @@ class ElementComparison {
       Dofs at;
       std::ranges::copy(dofs, at.begin());
       value = oracle_.value(term_.weights, e, at);
-      // Only asked for where the assembly has told it.
+      // Ceres requests the gradient at `dofs` only, where the assembly has computed it.
       if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
       return std::isfinite(value);
     };
-    return check_with_ceres(function, oracle_.dofs_of(e, place_.phi), step * elements_[e].side, 1e-5);
+    return check_with_ceres(function, oracle_.dofs_of(e, context_.phi), step * elements_[e].side, 1e-5);
   }
 
   void probe_with_ceres() {
@@ -218,14 +177,14 @@ class ElementComparison {
     std::vector<std::size_t> fit;
     for (const std::size_t e : acting_)
       if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
-          room_of_element(oracle_, place_.level.geometry.target, e, oracle_.dofs_of(e, place_.phi)) > 2e-4 * elements_[e].side)
+          least_distance_to_kinks(oracle_, context_.level.geometry.target, e, oracle_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;
-    const std::size_t n_wanted = std::min<std::size_t>(fit.size(), place_.settings.n_ceres_elements);
+    const std::size_t n_wanted = std::min<std::size_t>(fit.size(), context_.settings.n_ceres_elements);
     for (std::size_t k = 0; k < n_wanted; ++k) chosen.push_back(fit[k * fit.size() / n_wanted]);
     if (!check_.faults.empty() && check_.worst) chosen.push_back(static_cast<std::size_t>(check_.worst->element));
     for (const std::size_t e : chosen) {
-      // The barrier has a jump in its third derivative, which Ceres' extrapolation notices: shorter steps miss it.
+      // The barrier's third derivative jumps, which disturbs Ceres' extrapolation; shorter steps avoid the jump.
       CeresVerdict verdict = probe(e, 1e-4);
       for (const double step : {1e-5, 1e-6})
         if (!verdict.passed) verdict = probe(e, step);
@@ -238,13 +197,14 @@ class ElementComparison {
                                           check_.ceres.n_elements));
   }
 
-  const CheckPlace<Dim>& place_;
+  const CheckContext<Dim>& context_;
   const Oracle& oracle_;
   std::span<const Element<Dim>> elements_;
+  ElementDifferences<Dim> differences_;
   const AssembledTerm& term_;
   TermCheck& check_;
   std::vector<Dofs> by_jets_;
-  std::vector<double> values_, natural_, error_;  // of each element
+  std::vector<double> values_, natural_, error_;  // by element
   std::vector<std::size_t> acting_;
   std::size_t worst_by_differences_ = 0;
 };
@@ -252,11 +212,11 @@ class ElementComparison {
 }  // namespace
 
 template <int Dim>
-void check_elements(const CheckPlace<Dim>& place, const AssembledTerm& term, TermCheck& check) {
-  ElementComparison<Dim>(place, term, check).go();
+void check_elements(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check) {
+  ElementComparison<Dim>(context, term, check).go();
 }
 
-template void check_elements<2>(const CheckPlace<2>&, const AssembledTerm&, TermCheck&);
-template void check_elements<3>(const CheckPlace<3>&, const AssembledTerm&, TermCheck&);
+template void check_elements<2>(const CheckContext<2>&, const AssembledTerm&, TermCheck&);
+template void check_elements<3>(const CheckContext<3>&, const AssembledTerm&, TermCheck&);
 
 }  // namespace shellmatch

@@ -11,14 +11,14 @@ namespace shellmatch {
 namespace {
 
 template <int Dim>
-TermCheck check_term(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& energy, const TermValues& weights,
+TermCheck check_term(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const TermValues& weights,
                      std::string_view name, bool has_newton_model) {
   TermCheck check;
   check.name = name;
-  if (!(weights.sum() > 0)) return check;  // off
-  AssembledTerm term{weights, 0, std::vector<double>(place.level.unknowns.size()), {}};
+  if (!(weights.sum() > 0)) return check;  // the term is switched off
+  AssembledTerm term{weights, 0, std::vector<double>(context.level.unknowns.size()), {}};
   TermValues values;
-  if (!energy.evaluate(place.phi, weights, values, term.gradient, term.element_gradients))
+  if (!energy.evaluate(context.phi, weights, values, term.gradient, term.element_gradients))
     throw_input_error("the {} term cannot be evaluated at this deformation; is there a fold?", name);
   term.value = check.value = values.sum();
   double square = 0;
@@ -26,13 +26,13 @@ TermCheck check_term(const CheckPlace<Dim>& place, const CheckedEnergy<Dim>& ene
   check.gradient_norm = std::sqrt(square);
 
   check.state = TermCheck::State::passed;
-  check_elements(place, term, check);
+  check_elements(context, term, check);
   if (check.n_elements == 0 && term.value == 0 && square == 0) {
     check.state = TermCheck::State::inactive;
     return check;
   }
-  if (has_newton_model) check_hessian(place, term, check);
-  check_directions(place, energy, term, check);
+  if (has_newton_model) check_hessian(context, term, check);
+  check_directions(context, energy, term, check);
   if (!check.faults.empty()) check.state = TermCheck::State::failed;
   return check;
 }
@@ -50,7 +50,7 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   report.n_nodes = level.grid.n_nodes();
   report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
   const ElementOracle<Dim> oracle(level.energy, level.unknowns);
-  const CheckPlace<Dim> place{level, oracle, phi, settings};
+  const CheckContext<Dim> context{level, oracle, phi, settings};
   for (std::size_t t = 0; t <= weights.size(); ++t) {
     const std::string name(t < weights.size() ? term_names()[t] : "sum");
     if (next) next(name);
@@ -59,7 +59,7 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
       some = {};
       some[t] = weights[t];
     }
-    report.terms.push_back(check_term(place, energy, some, name, settings.newton_model));
+    report.terms.push_back(check_term(context, energy, some, name, settings.newton_model));
   }
   return report;
 }

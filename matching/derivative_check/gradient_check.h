@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Is the gradient of an experiment's energy the derivative of its value? Term by term and for the sum, by the order
-/// of the Taylor remainder, against the element functors with dual numbers, against differences, by Ceres' checker,
-/// and for the Newton model by symmetry and sign.
+/// Checks that the gradient of an experiment's energy is the derivative of its value, for each term and for their sum:
+/// by the order of the Taylor remainder, against the element functors by dual numbers, against differences and by
+/// Ceres' checker. Checks symmetry and definiteness of the Newton model.
 
 #include "matching/derivative_check/checked_energy.h"
 #include "matching/derivative_check/gradient_report.h"
@@ -13,8 +13,11 @@
 
 namespace shellmatch {
 
-/// Checks at phi (a position for each node, hanging nodes consistent). `weights` as in the minimisation. Calls
-/// `next` before each term. Evaluates, and leaves the Newton model assembled for something else.
+/// Checks the derivatives at phi. Afterwards the Newton model in `level` is that of the last term checked, unless
+/// settings.newton_model is false.
+/// \param phi a position for each node, with hanging nodes consistent
+/// \param weights of the terms, as in the minimisation
+/// \param next called before each term; may be empty
 /// \throws InputError where the energy cannot be evaluated at phi
 template <int Dim>
 GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy,

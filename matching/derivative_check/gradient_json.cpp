@@ -57,7 +57,7 @@ std::string gradient_report_json(const GradientReport& r) {
                {"level", r.level}, {"nodes", r.n_nodes}, {"free_nodes", r.n_free_nodes}, {"nu", r.nu},
                {"volume_weight", r.volume_weight}, {"terms", Json::array()}};
   for (const TermCheck& t : r.terms) json["terms"].push_back(to_json(t));
-  // File names may hold any bytes; JSON may not.
+  // File names may hold arbitrary bytes, which JSON does not allow.
   return json_text(json);
 }
 

@@ -8,30 +8,30 @@
 namespace shellmatch {
 
 template <int Dim>
-Vec<Dim> room_within_cell(const Octree<Dim>& grid, const Vec<Dim>& y) {
+Vec<Dim> distance_to_cell_faces(const Octree<Dim>& grid, const Vec<Dim>& y) {
   const Vec<Dim> inside = y.cwiseMax(0.0).cwiseMin(1.0);
   const Index cell = grid.locate(inside);
   const Vec<Dim> low = grid.cell_corner(cell);
   const double side = grid.cell(cell).side();
-  Vec<Dim> room;
+  Vec<Dim> distance;
   for (int k = 0; k < Dim; ++k)
-    room[k] = inside[k] != y[k] ? std::abs(y[k] - inside[k]) : std::min(y[k] - low[k], low[k] + side - y[k]);
-  return room;
+    distance[k] = inside[k] != y[k] ? std::abs(y[k] - inside[k]) : std::min(y[k] - low[k], low[k] + side - y[k]);
+  return distance;
 }
 
 template <int Dim>
-Vec<Dim> room_of_field(const GeometryField<Dim>& field, const Vec<Dim>& y) {
-  if (!field.is_smooth()) return room_within_cell<Dim>(field.grid(), y);
+Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y) {
+  if (!field.is_smooth()) return distance_to_cell_faces<Dim>(field.grid(), y);
   return y.cwiseAbs().cwiseMin((y - Vec<Dim>::Ones()).cwiseAbs());
 }
 
 template <int Dim>
-double room_of_element(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
+double least_distance_to_kinks(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
                        const typename ElementOracle<Dim>::Dofs& dofs) {
-  double room = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::infinity();
   for (const int q : oracle.band_points(e))
-    room = std::min(room, room_of_field<Dim>(target, oracle.position(dofs, q)).minCoeff());
-  return room;
+    distance = std::min(distance, distance_to_kinks<Dim>(target, oracle.position(dofs, q)).minCoeff());
+  return distance;
 }
 
 template <int Dim>
@@ -68,8 +68,8 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
           if (points.empty()) return;
           const auto at = oracle.dofs_of(e, phi), by = oracle.dofs_of(e, nodal);
           for (const int q : points) {
-            const Vec<Dim> room = room_of_field<Dim>(target, oracle.position(at, q));
-            n_passing[e] += (reach * oracle.position(by, q).cwiseAbs().array() > room.array()).any();
+            const Vec<Dim> distance = distance_to_kinks<Dim>(target, oracle.position(at, q));
+            n_passing[e] += (reach * oracle.position(by, q).cwiseAbs().array() > distance.array()).any();
           }
         },
         64);
@@ -89,9 +89,9 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
-  template Vec<Dim> room_within_cell<Dim>(const Octree<Dim>&, const Vec<Dim>&);                           \
-  template Vec<Dim> room_of_field<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                       \
-  template double room_of_element<Dim>(const ElementOracle<Dim>&, const GeometryField<Dim>&, std::size_t, \
+  template Vec<Dim> distance_to_cell_faces<Dim>(const Octree<Dim>&, const Vec<Dim>&);                           \
+  template Vec<Dim> distance_to_kinks<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                       \
+  template double least_distance_to_kinks<Dim>(const ElementOracle<Dim>&, const GeometryField<Dim>&, std::size_t, \
                                        const ElementOracle<Dim>::Dofs&);                                  \
   template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const ElementOracle<Dim>&,                 \
                                          const GeometryField<Dim>&, const Octree<Dim>&,                   \

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Where the energy is smooth. It has kinks where a quadrature point passes out of the domain, as positions
-/// are projected back, and where the target's coefficients are multilinear also where one passes into another
-/// cell. A difference across a kink says nothing about a derivative.
+/// Distances to the kinks of the energy. It has a kink where a quadrature point leaves the domain, because positions
+/// are projected onto it, and, for multilinear coefficients of the target, also where a point enters another cell.
+/// Differences across a kink do not approximate a derivative.
 
 #include "energies/assembly/element_oracle.h"
 
@@ -11,27 +11,27 @@
 
 namespace shellmatch {
 
-/// For each coordinate, how far y may move either way without leaving its cell of the target, or the domain,
-/// or, if it lies outside, without coming back into it.
+/// For each coordinate, how far y can move in either direction without leaving its cell of the target's grid; outside
+/// the domain, without re-entering it.
 template <int Dim>
-Vec<Dim> room_within_cell(const Octree<Dim>& grid, const Vec<Dim>& y);
+Vec<Dim> distance_to_cell_faces(const Octree<Dim>& grid, const Vec<Dim>& y);
 
-/// The same where a field is smooth across cells: only the domain's boundary counts.
+/// The distance to a kink of this field for each coordinate. For a smooth field only the boundary of the domain counts.
 template <int Dim>
-Vec<Dim> room_of_field(const GeometryField<Dim>& field, const Vec<Dim>& y);
+Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y);
 
-/// Smallest room of the element's points in the band, in any direction; infinite where there are none.
+/// Smallest distance to a kink over the element's points in the band and all coordinates; infinity without such points.
 template <int Dim>
-double room_of_element(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
+double least_distance_to_kinks(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
                        const typename ElementOracle<Dim>::Dofs& dofs);
 
 struct HeldPoints {
   std::size_t n_points = 0,
-              n_nodes = 0;  ///< points that would have passed a face; nodes that are held for them
+              n_nodes = 0;  ///< points that would cross a kink; nodes fixed because of them
 };
 
-/// Sets the direction to zero at the nodes of all elements of which a point would pass a face within `reach`
-/// times the direction, until none does. `direction` by the unknowns.
+/// Sets the direction to zero at the nodes of every element with a point that would cross a kink within `reach` times
+/// the direction. Repeats this until there is none. \param direction by the unknowns
 template <int Dim>
 HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>& oracle,
                          const GeometryField<Dim>& target, const Octree<Dim>& grid,

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Random numbers and fields for the checks of derivatives: the same on every machine for the same seed.
+/// Random numbers and fields for derivative checks: a seed gives the same ones on every machine.
 
 #include "base/types.h"
 
@@ -10,12 +10,12 @@
 
 namespace shellmatch {
 
-/// Uniform in [-1, 1]. The standard leaves to each library how its own distributions come about.
+/// Uniform in [-1, 1]. Not a distribution of the standard library, as their algorithms differ between implementations.
 inline double random_unit(std::mt19937& random) {
   return 2 * static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 1;
 }
 
-/// Each component one wave over the domain, of size 1 and of about one period at most.
+/// A smooth field: each component is one wave of amplitude 1, with at most about one period over the domain.
 template <int Dim>
 class SmoothRandomField {
  public:

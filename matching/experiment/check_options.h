@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Checks of derivatives within a run.
+/// Options of the derivative checks within a run.
 
 #include "base/options.h"
 

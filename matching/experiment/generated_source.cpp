@@ -20,7 +20,7 @@ std::pair<std::string, std::string> split_variant(const std::string& text) {
 
 void check_generated_source(const std::string& source) {
   const auto [name, variant] = split_variant(source.substr(prefix.size()));
-  constexpr double coarse = 0.05;  // the longest edges that there are
+  constexpr double coarse = 0.05;  // upper bound of the edge lengths, for speed
   generate_shape(name, variant, coarse);
 }
 

@@ -9,9 +9,9 @@ namespace shellmatch {
 
 namespace {
 
-constexpr int max_level = 15;  // the greatest that CascadeOptions::max_level may be
+constexpr int max_level = 15;  // upper limit of CascadeOptions::max_level
 
-/// The whole of `text` as a level, or 0.
+/// `text` as a level; 0 if it is none.
 int parse_level(std::string_view text) {
   int level = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Options of a section that hold on some levels of the cascade only: `levels: {3-5: {name: lbfgs}, 6: {...}}`.
+/// Options of a section that apply on some levels of the cascade only: `levels: {3-5: {name: lbfgs}, 6: {...}}`.
 
 #include <string>
 #include <string_view>
@@ -10,27 +10,27 @@
 
 namespace shellmatch {
 
-/// A member of an option struct next to the options that it overrides.
+/// The overrides of one section; a member of its option struct, beside the options that it overrides.
 struct LevelOverrides {
-  /// One value; that of a choice is its name.
+  /// One value; for an enumeration the name of the enumerator.
   using Value = std::variant<bool, int, double, std::string>;
 
   struct Entry {
-    int first = 0, last = 0;  ///< levels, both included
-    /// Path within the section ("name", "lbfgs.memory") and value, a list of one where the option is no list.
+    int first = 0, last = 0;  ///< range of levels, both ends included
+    /// Path within the section ("name", "lbfgs.memory") and values; a scalar option has one.
     std::vector<std::pair<std::string, std::vector<Value>>> settings;
 
     bool operator==(const Entry&) const = default;
-    /// "3-5", or "6"
+    /// The range as a key: "3-5", or "6".
     std::string key() const;
-    /// Sets one value; what was set before for the same path is forgotten.
+    /// Sets the values of one path and replaces earlier ones.
     void set(const std::string& path, std::vector<Value> values);
   };
   std::vector<Entry> entries;
   bool operator==(const LevelOverrides&) const = default;
 
-  /// The entry with the levels of this key, made where there is none yet. \throws InputError, beginning with `where`,
-  /// for a key that is no range of levels 1 to 15, and for one that overlaps with another
+  /// The entry for the range `key`, created if it is missing. \throws InputError, beginning with `where`, for a key
+  /// that is no range of levels 1 to 15 or that overlaps with another one
   Entry& at(std::string_view key, const std::string& where);
 };
 

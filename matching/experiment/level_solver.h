@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// The solver of one level: solver.levels laid over the rest of the section.
+/// The solver options of one level: the section `solver` with the overrides of solver.levels applied.
 
 #include "matching/experiment/level_overrides.h"
 #include "solvers/options.h"
 
 namespace shellmatch {
 
-/// Options of the solver for all levels of the cascade.
+/// The solver options for all levels, and overrides for some of them.
 struct LevelwiseSolverOptions : SolverOptions {
   LevelOverrides levels;
   template <class Self, class Visitor>
@@ -17,7 +17,7 @@ struct LevelwiseSolverOptions : SolverOptions {
   }
 };
 
-/// The options of this level: those for all levels, changed by the entries of `levels` that contain it.
+/// The options for this level: those for all levels, changed by the entries of `levels` that contain it.
 SolverOptions solver_at_level(const LevelwiseSolverOptions& options, int level);
 
 }  // namespace shellmatch

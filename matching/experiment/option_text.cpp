@@ -12,7 +12,7 @@ namespace shellmatch {
 
 namespace {
 
-// Texts come from files that may hold anything: one line, of bounded length, goes into a message.
+// Input texts may have any content; messages quote them on one line of bounded length.
 std::string shown(std::string_view text) {
   std::string result;
   for (const char c : text.substr(0, 60)) result += static_cast<unsigned char>(c) < 32 ? '?' : c;
@@ -83,7 +83,7 @@ std::string quoted_text(const std::string& text) {
   return result + '"';
 }
 
-// Path of an option or section with this very name, anywhere in the tree; empty if there is none.
+// Path of an option or section of exactly this name, anywhere in the tree; empty if there is none.
 std::string path_of_name(const OptionNode& node, const std::string& name) {
   for (const OptionNode& child : node.children) {
     if (child.name == name) return child.path;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A described option struct (base/options.h) as a tree of named values without types, so that reading,
-/// writing, documenting and overriding are ordinary functions, compiled once.
+/// A described option struct (base/options.h) as a tree of named values of run-time type. Reading, writing, documenting
+/// and overriding are ordinary functions on the tree, compiled once.
 
 #include "matching/experiment/level_overrides.h"
 #include "base/options.h"
@@ -16,25 +16,25 @@ namespace shellmatch {
 
 enum class OptionKind { section, boolean, integer, real, text, choice, level_overrides };
 
-/// One value; that of a choice is its name.
+/// One value; for an enumeration the name of the enumerator.
 using OptionScalar = LevelOverrides::Value;
 
-/// One option or section, bound to a member of a living struct.
+/// One option or section, bound to a member of an option struct.
 struct OptionNode {
-  std::string name;   ///< "nu", "" at the root
+  std::string name;   ///< "nu"; "" at the root
   std::string path;   ///< "cascade.nu"
   OptionInfo info;
   OptionKind kind = OptionKind::section;
   bool is_list = false;
-  std::vector<std::string> choices;   ///< the names a choice may have, in their order
-  std::vector<OptionNode> children;   ///< of a section
+  std::vector<std::string> choices;   ///< names of the enumerators, in their order
+  std::vector<OptionNode> children;   ///< options and subsections of a section
 
-  /// Where that is the kind: the member itself; the paths in it are relative to the section that holds the option.
+  /// The member itself where the kind is level_overrides; its paths are relative to the section that holds the option.
   LevelOverrides* level_overrides = nullptr;
 
-  /// The present value; a list of one where the option is no list. Not for sections and level overrides.
+  /// The present value; a scalar option gives a list of one. Not set for sections and level overrides.
   std::function<std::vector<OptionScalar>()> get;
-  /// Sets the value. \pre every scalar has the type and lies in the range that the node states.
+  /// Sets the value. \pre every scalar has the node's type and lies in its range
   std::function<void(const std::vector<OptionScalar>&)> set;
 };
 
@@ -85,7 +85,7 @@ void set_kind(OptionNode& node) {
     for (const auto& [value, name] : EnumNames<T>::names) node.choices.emplace_back(name);
 }
 
-/// Visitor that hangs one node below `parent` for every member.
+/// Visitor that adds one node below `parent` for every member.
 struct TreeBuilder {
   OptionNode& parent;
 
@@ -130,7 +130,7 @@ struct TreeBuilder {
 
 }  // namespace detail
 
-/// The tree of `options`. It refers to its members: it must not outlive them, nor may they move.
+/// The tree of `options`. It refers to the members of `options`, which must outlive it and must not be moved.
 template <class Options>
 OptionNode option_tree(Options& options) {
   OptionNode root;

@@ -8,12 +8,12 @@ ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
   options.solver.name = "newton";
-  // Newton's steps are few and each of them counts: one that gains little is the last.
+  // Newton's method takes few, expensive steps; it stops at the first one that gains little.
   options.solver.stop.relative_decrease = 1e-3;
   options.solver.stop.decrease_window = 1;
   options.solver.stop.max_iterations = 300;
   if (profile == Profile::paper) {
-    // Section 6: nu is divided by ten and c_vol by two once per refinement, with nothing in between.
+    // Section 6: nu is divided by ten and c_vol by two once per refinement, in one step.
     options.cascade.nu = 0.002;
     options.cascade.nu_factor = 0.1;
     options.cascade.nu_substeps = 1;
@@ -22,11 +22,11 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.cascade.coarse_sigma_cells = options.cascade.sigma_cells;
     options.cascade.negligible_rise = 0;
     options.cascade.intermediate_decrease = 0;
-    // Section 5: distances by fast marching, roots after Franca.
+    // Section 5: distances by fast marching, roots by Franca's method.
     options.coefficients.distance = DistanceMethod::fast_marching;
     options.coefficients.root = RootMethod::franca;
-    // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian as it comes, and the
-    // root C(S1)^(-1/2) interpolated as such.
+    // Section 5: the plain least-squares fit over the r nearest free nodes, its Hessian used without correction, and
+    // the root C(S1)^(-1/2) interpolated directly.
     options.coefficients.fit_weight = 0;
     options.coefficients.max_curvature_times_h = 0;
     options.coefficients.invert_at_point = false;
@@ -35,16 +35,17 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.normal_mass = MassKind::consistent;
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;
-    // Section 6: the simplified volume term and nothing else against folds, natural boundary conditions.
+    // Section 6: the simplified volume term, no other term against folds, natural boundary conditions.
     options.energy.terms.model("volume"_term) = "simplified";
     options.energy.terms.factor("barrier"_term) = 0;
     options.energy.boundary = BoundaryCondition::neumann;
-    // Section 5: Fletcher-Reeves in L2 without restarts of its own; alpha is halved until Armijo's rule holds and
-    // taken over to the next iteration.
+    // Section 5: Fletcher-Reeves in L2 without additional restarts; alpha is halved until Armijo's rule holds and is
+    // the first trial of the next iteration.
     options.solver.name = "fletcher_reeves";
     options.solver.metric = Metric::l2;
     options.solver.stop = {};
-    // The first gradient measures nothing where bending's exponential has made it huge: the decrease decides alone.
+    // Bending's exponential may make the first gradient huge, so that a tolerance relative to it means nothing. The
+    // decrease of the energy alone decides.
     options.solver.stop.gradient_norm = 0;
     FletcherReevesOptions& method = options.solver.fletcher_reeves;
     method.update = ConjugateUpdate::fletcher_reeves;

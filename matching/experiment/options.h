@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The description of an experiment: everything a run depends on.
+/// The options of an experiment: everything on which a run depends.
 
 #include "base/options.h"
 #include "energies/options.h"
@@ -24,7 +24,7 @@ struct EnumNames<PlacementKind> {
   static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
 };
 
-/// Which pictures a run draws: on small grids they cost more than the matching.
+/// Which pictures a run draws. On small grids drawing takes longer than the matching.
 enum class Pictures { all, result, none };
 template <>
 struct EnumNames<Pictures> {
@@ -32,7 +32,7 @@ struct EnumNames<Pictures> {
       {Pictures::all, "all"}, {Pictures::result, "result"}, {Pictures::none, "none"}};
 };
 
-/// Which cells the cascade splits for phi.
+/// Which cells of phi's grid the cascade refines.
 enum class RefineWhere { reference, both };
 template <>
 struct EnumNames<RefineWhere> {
@@ -40,7 +40,7 @@ struct EnumNames<RefineWhere> {
                                                                        {RefineWhere::both, "both"}};
 };
 
-/// Where the shapes are and how they get into the unit domain.
+/// The files of the shapes, and their placement in the unit domain.
 struct InputOptions {
   std::string reference, template_file, correspondence;
   PlacementKind placement = PlacementKind::fit;
@@ -55,7 +55,7 @@ struct InputOptions {
   }
 };
 
-/// The cascade from coarse to fine (paper, algorithm 1 and section 6).
+/// The multilevel scheme, from coarse to fine (paper, algorithm 1 and section 6).
 struct CascadeOptions {
   int min_level = 3, max_level = 7;
   double nu = 0.0002, nu_factor = 0.2;
@@ -83,7 +83,7 @@ struct CascadeOptions {
   }
 };
 
-/// What a run keeps while it works, for the case that it is stopped.
+/// Checkpoints of finished levels, from which a stopped run is resumed.
 struct ResumeOptions {
   bool enabled = true;
   double min_seconds = 10;
@@ -94,7 +94,7 @@ struct ResumeOptions {
   }
 };
 
-/// Everything, as one YAML document.
+/// All options of an experiment, as one YAML document.
 struct ExperimentOptions {
   Profile profile = Profile::standard;
   InputOptions input;
@@ -121,13 +121,13 @@ struct ExperimentOptions {
   }
 };
 
-/// Whether the grid of phi is refined at the template too.
+/// Whether the grid of phi is refined at the template, too.
 inline bool refines_at_template(const ExperimentOptions& options) {
   return options.cascade.refine == RefineWhere::both ||
          options.coefficients.interpolation == FieldInterpolation::multilinear;
 }
 
-/// The defaults of a profile.
+/// The default options of a profile.
 ExperimentOptions profile_defaults(Profile profile);
 
 }  // namespace shellmatch

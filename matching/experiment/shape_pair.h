@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The two shapes of an experiment, as read, and their common placement in the unit domain.
+/// The two shapes of an experiment as they are read, and their common placement in the unit domain.
 
 #include "geometry/surface/placement.h"
 #include "geometry/io/read_shape.h"
@@ -15,14 +15,15 @@ template <int Dim>
 struct ShapePair {
   Shape<Dim> reference, template_shape;
 
-  /// Moves both surfaces into the unit domain, as `options.input` asks for. Returns the similarity that did it.
-  /// \throws InputError for shapes that are to stay where they are and reach beyond the domain
+  /// Moves both surfaces into the unit domain according to `options.input` and returns the similarity.
+  /// \throws InputError for placement as-is of shapes that reach beyond the domain
   Similarity<Dim> place(const ExperimentOptions& options);
 };
 
 using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;
 
-/// Reads both and tells the observer what was mended. \throws InputError, also for shapes of two dimensions
+/// Reads both shapes and reports their repairs to the observer. \throws InputError, also for shapes of different
+/// dimensions
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
 
 }  // namespace shellmatch

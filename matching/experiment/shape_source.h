@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where a shape comes from: a file, or one of the built-in shapes.
+/// Opens a shape: a file, or a built-in shape.
 
 #include "geometry/io/read_shape.h"
 
@@ -8,8 +8,8 @@
 
 namespace shellmatch {
 
-/// The shape that `source` names, a file or "generate:NAME/VARIANT" (matching/experiment/generated_source.h), ready for matching.
-/// \throws InputError where it cannot be used
+/// The shape named by `source`, a file or "generate:NAME/VARIANT" (matching/experiment/generated_source.h), repaired
+/// for matching. \throws InputError where it cannot be used
 AnyShape open_shape(const std::string& source);
 
 }  // namespace shellmatch

@@ -17,7 +17,7 @@ namespace shellmatch {
 
 namespace {
 
-// No experiment needs more; it bounds what a wrong file can cost.
+// Limits the cost of reading a wrong file; no experiment needs more.
 constexpr std::size_t max_bytes = 1 << 20;
 
 std::string read_text(const std::string& path) {
@@ -41,21 +41,21 @@ std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node&
     if (!node.IsScalar())
       throw_input_error("{}: a {} is not allowed here; expected {}", where, node.IsMap() ? "section" : "list",
                         allowed_text(option));
-    // yaml-cpp marks plain scalars "?" and quoted ones "!"; anything else is a tag that somebody wrote.
+    // yaml-cpp gives plain scalars the tag "?" and quoted ones "!"; any other tag stands in the file.
     if (const std::string& tag = node.Tag(); !tag.empty() && tag != "?" && tag != "!")
       throw_input_error("{}: the tag {} is not allowed; expected {}", where, tag, allowed_text(option));
     return parse_scalar(option, node.Scalar(), node.Tag() == "!", where);
   };
   std::vector<OptionScalar> values;
   if (!option.is_list) return {scalar(value)};
-  if (value.IsScalar() && option.kind == OptionKind::text) return {scalar(value)};  // a list of one word
+  if (value.IsScalar() && option.kind == OptionKind::text) return {scalar(value)};  // a scalar is a list of one text
   if (!value.IsSequence())
     throw_input_error("{}: a list is missing; expected {}", where, allowed_text(option));
   for (const YAML::Node& element : value) values.push_back(scalar(element));
   return values;
 }
 
-// `budget` counts down with every value: aliases may stand for more than any memory holds, or for themselves.
+// `budget` is decremented with every value, because aliases may expand without bound or refer to themselves.
 YamlValue copy_of(const YAML::Node& node, const std::string& name, int& budget, int depth = 0) {
   YamlValue value;
   value.line = node.Mark().line + 1;
@@ -101,7 +101,7 @@ std::string YamlValue::flow_text() const {
 struct YamlDocument::Content {
   std::string name;
   YAML::Node top;
-  std::map<std::string, int> lines;  // of the keys set so far, by path, counted from 1
+  std::map<std::string, int> lines;  // lines of the keys set so far, by path, counted from 1
 
   std::string place(const std::string& path) const {
     const auto line = lines.find(path);
@@ -117,7 +117,7 @@ struct YamlDocument::Content {
   void fill_settings(const YAML::Node& map, const OptionNode& section, const std::string& entry_path,
                      const std::string& prefix, LevelOverrides::Entry& entry);
 
-  /// Notes the line of a key. \throws InputError where it was noted before
+  /// Records the line of a key. \throws InputError if it has been recorded before
   void note_line(const std::string& path, int line) {
     const auto [earlier, is_new] = lines.try_emplace(path, line);
     if (!is_new)
@@ -141,7 +141,7 @@ void YamlDocument::Content::fill_levels(const YAML::Node& map, const OptionNode&
   }
 }
 
-// Keys may stand in sections of their own, as elsewhere, or be paths with dots, as they are written.
+// A key is either a name within its section or a dotted path.
 void YamlDocument::Content::fill_settings(const YAML::Node& map, const OptionNode& section,
                                           const std::string& entry_path, const std::string& prefix,
                                           LevelOverrides::Entry& entry) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The one door to yaml-cpp: a YAML document that fills an option tree and forgives nothing.
+/// The adapter of yaml-cpp: a YAML document that sets the options of a tree and refuses everything unknown.
 
 #include "matching/experiment/option_tree.h"
 
@@ -11,43 +11,43 @@
 
 namespace shellmatch {
 
-/// A value of a YAML document as it stands there, without types.
+/// A value of a YAML document without type.
 struct YamlValue {
   enum class Kind { nothing, scalar, list, map };
   Kind kind = Kind::nothing;
-  std::string text;     ///< of a scalar
-  bool quoted = false;  ///< the scalar stood in quotes
+  std::string text;     ///< text of a scalar
+  bool quoted = false;  ///< whether the scalar was quoted
   int line = 0;         ///< counted from 1
-  std::vector<YamlValue> items;                            ///< of a list
-  std::vector<std::pair<std::string, YamlValue>> entries;  ///< of a map, in their order; no key stands twice
+  std::vector<YamlValue> items;                            ///< items of a list
+  std::vector<std::pair<std::string, YamlValue>> entries;  ///< entries of a map in their order, with distinct keys
 
-  /// The same value on one line, as parse_value reads it: "0.5", "[1, 2]", "\"5\"".
+  /// The value on one line, as parse_value reads it: "0.5", "[1, 2]", "\"5\"".
   std::string flow_text() const;
 };
 
-/// A document whose top is a map. Every message begins with its name and the line.
+/// A document that is a map at the top. Every message begins with the document's name and the line.
 class YamlDocument {
  public:
-  /// \throws InputError where the file is missing, unreadable, empty or larger than 1 MB, where its syntax is
-  /// wrong, where it holds several documents or where its top is no map
+  /// \throws InputError where the file is missing, unreadable, empty or larger than 1 MB, has wrong syntax, holds
+  /// several documents or is no map at the top
   static YamlDocument from_file(const std::string& path);
-  /// The same from a text; `name` stands for the file in messages.
+  /// A document from a text; messages name it `name`.
   static YamlDocument from_text(const std::string& text, const std::string& name);
 
   YamlDocument(YamlDocument&&) noexcept;
   ~YamlDocument();
 
-  /// Sets the one option at the top that is called `key`, if the document has it; looks at nothing else.
+  /// Sets the one top-level option `key` if the document has it, and checks nothing else.
   void fill_one(const OptionNode& root, const std::string& key);
 
-  /// Sets every option that the document names. \throws InputError at the first unknown or double key, missing
-  /// value, wrong type or value out of range.
+  /// Sets every option that the document has. \throws InputError at the first unknown or repeated key, missing value,
+  /// wrong type or value out of range
   void fill(const OptionNode& root);
 
-  /// The whole document. \throws InputError where a key stands twice or is no word, and at tags
+  /// The whole document. \throws InputError for repeated keys, keys that are no scalars, and tags
   YamlValue tree() const;
 
-  /// "name:12: path" for an option that the document set, "name: path" for another one.
+  /// The position of an option, for messages: "name:12: path" if the document set it, else "name: path".
   std::string place(const std::string& path) const;
 
  private:
@@ -56,8 +56,8 @@ class YamlDocument {
   std::unique_ptr<Content> content_;
 };
 
-/// The values that `text` stands for as the value of `option`: a YAML scalar or list; taken to the letter
-/// where the option is free text. \throws InputError beginning with `where`
+/// The values that `text` denotes for `option`: a YAML scalar or list, or the text itself for an option of free text.
+/// \throws InputError beginning with `where`
 std::vector<OptionScalar> parse_value(const OptionNode& option, const std::string& text, const std::string& where);
 
 }  // namespace shellmatch

@@ -16,7 +16,7 @@ namespace shellmatch {
 
 namespace {
 
-// "solver.levels.3-5.name": true where the key leads into overrides by level, which are then set.
+// Returns true where the key leads into overrides by level, as "solver.levels.3-5.name", and sets them.
 bool apply_to_levels(const OptionNode& root, const Override& change) {
   for (std::size_t dot = change.key.find('.'); dot != std::string::npos; dot = change.key.find('.', dot + 1)) {
     const std::string path = change.key.substr(0, dot);
@@ -54,7 +54,7 @@ void apply(const OptionNode& root, const Override& change) {
   option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, option->path)));
 }
 
-// The options that name files.
+// The options that are names of files.
 std::array<std::string*, 3> paths_of(InputOptions& input) {
   return {&input.reference, &input.template_file, &input.correspondence};
 }
@@ -64,12 +64,12 @@ std::string beside(const std::string& file, const std::string& shape) {
   return (std::filesystem::path(file).parent_path() / shape).lexically_normal().string();
 }
 
-// A demand between options that is not met: the option to blame and why.
+// A violated condition between options: the option to blame and the reason.
 struct Conflict {
   std::string path, text;
 };
 
-// What is wrong with the solver that `section` describes.
+// The conflict in the solver options of `section`, if there is one.
 std::optional<Conflict> solver_conflict(const SolverOptions& solver, const std::string& section) {
   try {
     make_minimizer(solver);
@@ -97,7 +97,7 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   return std::nullopt;
 }
 
-// What a program has set may lie anywhere; a document and overrides are checked as they are read.
+// Checks the ranges of values that a program has set; those of documents and overrides are checked on reading.
 void check_ranges(const OptionNode& section) {
   for (const OptionNode& option : section.children) {
     if (option.kind == OptionKind::section) check_ranges(option);
@@ -111,7 +111,7 @@ void check_ranges(const OptionNode& section) {
   }
 }
 
-// Defaults, then the document, then the overrides.
+// Applies the defaults, then the document, then the overrides.
 ExperimentOptions resolve(YamlDocument* document, const std::string& path, const std::vector<Override>& overrides) {
   ExperimentOptions options;
   {

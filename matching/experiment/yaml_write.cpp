@@ -9,7 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-// "[levels, 1 <= x <= 12]": unit and range of an option, where it has any.
+// Unit and range of an option, as "[levels, 1 <= x <= 12]"; empty if it has neither.
 std::string limits_text(const OptionNode& option) {
   std::string text(option.info.unit);
   if (option.kind == OptionKind::integer || option.kind == OptionKind::real)
@@ -39,7 +39,7 @@ void write_section(std::string& text, const OptionNode& section, int depth, bool
   }
 }
 
-// A bar inside a cell would end it.
+// Escapes bars, which would end the cell of a table.
 std::string cell(std::string_view text) {
   std::string result;
   for (const char c : text) {

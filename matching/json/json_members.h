@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Structs as JSON objects: one description of a struct serves writing and reading. It is a function template
-/// describe(s, member) in the file that needs it, which calls member(key, s.value) for each of them. Shared by the
-/// sources that write JSON; shows the library's types.
+/// Conversion between structs and JSON objects. One description of a struct serves both directions: a function template
+/// describe(s, member), in the source that needs it, which calls member(key, s.value) for every member. For the sources
+/// that write JSON; it exposes types of the JSON library.
 
 #include "matching/json/json_text.h"
 
@@ -31,7 +31,7 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 }  // namespace json_detail
 
-/// Optional members without a value are left out; numbers with names become an object.
+/// Converts to JSON. Optional members without a value are omitted; a list of named numbers becomes an object.
 template <class T>
 Json json_of(const T& value) {
   if constexpr (json_detail::Plain<T>) {
@@ -57,7 +57,7 @@ Json json_of(const T& value) {
   }
 }
 
-/// The other way; null becomes NaN. \throws Json::exception for a key that is missing and a value of another type
+/// Sets a value from JSON; null becomes NaN. \throws Json::exception for a missing key or a value of another type
 template <class T>
 void set_from_json(const Json& json, T& value) {
   if constexpr (std::is_same_v<T, double>) {

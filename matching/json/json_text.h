@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// From a JSON document to its text and back. The library's writer and parser are templates; they are compiled here alone, not
+/// Conversion between JSON documents and text. The library's writer and parser are templates, which are compiled here
+/// alone. It exposes types of the JSON library.
 /// with every source that makes a document. Shows the library's types.
 
 #include <nlohmann/json.hpp>
@@ -12,11 +13,11 @@ namespace shellmatch {
 
 using Json = nlohmann::ordered_json;
 
-/// Indented by two blanks, with a newline at the end. Texts such as names of files may hold any bytes; those that are no
-/// UTF-8 are replaced.
+/// The document as text, indented by two blanks, with a newline at the end. Bytes that are not UTF-8, as in file names,
+/// are replaced.
 std::string json_text(const Json& json);
 
-/// \throws Json::exception for what is no JSON
+/// Parses a document. \throws Json::exception for invalid JSON
 Json parse_json(std::istream& in);
 
 }  // namespace shellmatch

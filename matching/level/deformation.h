@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The answer: a volumetric map phi on its grid, with the placement that leads from the user's coordinates
-/// to the unit domain and back.
+/// The result of a matching: a volumetric map phi on its grid, and the similarity between the user's coordinates and
+/// the unit domain.
 
 #include "geometry/surface/placement.h"
 #include "grid/octree/octree.h"
@@ -13,13 +13,13 @@ namespace shellmatch {
 template <int Dim>
 struct Deformation {
   Octree<Dim> grid;
-  std::vector<Vec<Dim>> phi;     ///< deformed position of every node, hanging ones included; unit domain
+  std::vector<Vec<Dim>> phi;     ///< deformed positions of all nodes, hanging nodes included; unit domain
   Similarity<Dim> placement;
 
-  /// phi of a point of the unit domain; outside it, the displacement of the nearest point of the domain.
+  /// phi at a point x of the unit domain. A point outside it gets the displacement of the nearest point of the domain.
   Vec<Dim> operator()(const Vec<Dim>& x) const;
 
-  /// The same for a point in the coordinates of the shapes as the user gave them.
+  /// The image of a point in the user's coordinates.
   Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse((*this)(placement(x))); }
 };
 

@@ -26,7 +26,7 @@ void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<D
 template <int Dim>
 void FieldGrid<Dim>::compute(const SignedDistance<Dim>& shape, const CoefficientOptions& options) {
   distance.compute(grid, shape, options.distance);
-  // Those of fast marching have changed everywhere.
+  // Fast marching changes the distances at all nodes, so all fits have to be computed again.
   if (options.distance == DistanceMethod::fast_marching) hessians = {};
   hessians.update(grid, distance.values(), options);
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A shape's own grid for its smooth fields: fine around the shape, as wide as splines need it, and nowhere
-/// else; and distances that are kept while a grid grows.
+/// A separate grid for the smooth fields of one shape, refined only as far around the shape as the splines need it, and
+/// signed distances that are updated as a grid is refined.
 
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/hierarchical_fit.h"
@@ -17,12 +17,12 @@ namespace shellmatch {
 template <int Dim>
 class NodalDistance {
  public:
-  /// Exact distances are kept over refinements: a node's distance does not change, only new nodes ask. Those
-  /// of fast marching improve everywhere. By either method signs are exact.
+  /// Computes the distances at all nodes. Exact distances at old nodes are kept, so that only new nodes are computed;
+  /// fast marching recomputes all. The signs are exact with either method.
   void compute(const Octree<Dim>& grid, const SignedDistance<Dim>& shape, DistanceMethod method);
 
   const std::vector<double>& values() const { return values_; }
-  /// Gives them away.
+  /// Returns the distances and releases them here.
   std::vector<double> take() { return std::exchange(values_, {}); }
 
  private:
@@ -33,17 +33,16 @@ template <int Dim>
 struct FieldGrid {
   Octree<Dim> grid;
   NodalDistance<Dim> distance;
-  HierarchicalFit<Dim> hessians;  ///< of the distance
+  HierarchicalFit<Dim> hessians;  ///< second derivatives of the distance
 
-  /// Uniform; nothing is computed yet.
+  /// A uniform grid of this level; nothing is computed yet.
   explicit FieldGrid(int level) : grid(level) {}
 
-  /// Distances and their second derivatives at the nodes. To be called at the beginning and after every
-  /// refinement.
+  /// Computes distances and their second derivatives at the nodes. Call it at the beginning and after every refinement.
   void compute(const SignedDistance<Dim>& shape, const CoefficientOptions& options);
 
-  /// Splits every finest cell with a corner nearer to the shape than `reach` of its sides, at least 1.
-  /// \pre the distances are those of this grid
+  /// Splits every finest cell with a corner nearer to the shape than `reach` (>= 1) sides of the cell.
+  /// \pre compute() has been called for this grid
   void refine(double reach);
 };
 

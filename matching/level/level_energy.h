@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The energy of an experiment on one grid, with all that it refers to.
+/// The energy of an experiment on one grid, together with all objects that it refers to.
 
 #include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
@@ -11,13 +11,14 @@
 
 namespace shellmatch {
 
-/// sigma on a grid with finest cells of this side.
+/// The half width sigma of the band on a grid whose finest cells have this side.
 inline double band_half_width(const CascadeOptions& o, double finest_side) {
   const bool finest = finest_side <= std::ldexp(1.0, -o.max_level);
   return (finest ? o.sigma_cells : o.coarse_sigma_cells) * finest_side;
 }
 
-/// Grid and those of the geometry must outlive it; it does not move, as its parts refer to each other.
+/// `grid`, and a grid to which the geometry refers, must outlive this object. It cannot be moved, because its members
+/// refer to each other.
 template <int Dim>
 struct LevelEnergy {
   const Octree<Dim>& grid;

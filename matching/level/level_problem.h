@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The matching energy on one grid as a problem for the solvers: the only place where energies and solvers meet.
+/// The matching energy on one grid as a problem for the solvers. Energies and solvers meet here only.
 
 #include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
@@ -16,9 +16,9 @@ namespace shellmatch {
 template <int Dim>
 class LevelProblem final : public SecondOrderObjective {
  public:
-  /// \param phi   nodal positions that fixed nodes keep; overwritten by evaluate()
-  /// \param mass  lumped mass of each unknown node, in the order of unknowns.nodes()
-  /// \param metric  matrices of the metrics h1 and h1_band on the unknown nodes; without it there are none
+  /// \param phi nodal positions: those of fixed nodes are kept, the others overwritten by evaluate()
+  /// \param mass lumped mass of each unknown node, in the order of unknowns.nodes()
+  /// \param metric matrices of the metrics h1 and h1_band on the unknown nodes; null if neither is used
   LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy, EnergyHessian<Dim>& hessian,
                const TermValues& weights, std::span<const double> mass, std::vector<Vec<Dim>> phi,
                std::function<Eigen::SparseMatrix<double>(Metric)> metric = {});
@@ -36,16 +36,16 @@ class LevelProblem final : public SecondOrderObjective {
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
   void precondition(std::span<const double> r, std::span<double> z) const override { hessian_.precondition(r, z); }
 
-  /// The elements of the grid.
+  /// The number of the grid's elements.
   std::size_t n_regions() const override { return unknowns_->elements().size(); }
   std::vector<RegionDamping> regions_beyond_model(std::span<const double> x, std::span<const double> d) override;
   void add_damping(std::span<const RegionDamping> regions) override;
 
-  /// The unknowns of the nodal positions.
+  /// The unknowns that belong to the nodal positions `phi`.
   std::vector<double> unknowns_of(const std::vector<Vec<Dim>>& phi) const;
-  /// The nodal positions that were evaluated last.
+  /// The nodal positions of the latest evaluation.
   const std::vector<Vec<Dim>>& last_positions() const { return phi_; }
-  /// The nodal positions of the unknowns.
+  /// The nodal positions that belong to the unknowns `x`.
   std::vector<Vec<Dim>> positions(std::span<const double> x) const;
 
  private:

@@ -9,7 +9,7 @@ namespace shellmatch {
 template <int Dim>
 std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leaves) {
   using Coord = typename Octree<Dim>::Coord;
-  // The volumes in units of the smallest possible cell: at most 2^57, and they have to fill the domain.
+  // The cells must fill the domain. Volumes are in units of the smallest possible cell, at most 2^57 in total.
   constexpr int finest = Octree<Dim>::max_level;
   std::uint64_t volume = 0;
   const std::uint64_t domain = std::uint64_t{1} << (Dim * finest);
@@ -22,7 +22,7 @@ std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leave
   }
   if (volume != domain) return std::nullopt;
 
-  // Cells above the leaves, level by level: they are the ones to split.
+  // The ancestors of the leaves, by level: the cells to split.
   std::vector<std::vector<Coord>> inner(static_cast<std::size_t>(finest_level) + 1);
   for (const LeafPlace<Dim>& leaf : leaves)
     if (leaf.level > 0) {
@@ -48,10 +48,10 @@ std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leave
       const auto& cell = grid.cell(c);
       return cell.level == level && std::binary_search(to_split.begin(), to_split.end(), cell.corner);
     });
-    // Balance splits more than was asked for only where the cells are not balanced.
+    // Enforcing the balance splits more cells only if the list is not balanced.
     if (grid.leaves().size() > leaves.size()) return std::nullopt;
   }
-  // As many leaves as cells, and every cell among them, once: then they are the same.
+  // With as many leaves as listed cells, and every listed cell found once among them, both sets are equal.
   if (grid.leaves().size() != leaves.size()) return std::nullopt;
   std::vector<char> is_met(static_cast<std::size_t>(grid.n_cells()), 0);
   for (const LeafPlace<Dim>& leaf : leaves) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// From a list of cells back to the tree that has them as its leaves.
+/// Rebuilds an octree from the list of its leaves.
 
 #include "grid/octree/octree.h"
 
@@ -9,16 +9,16 @@
 
 namespace shellmatch {
 
-/// A cell's level and its lower corner in units of its side.
+/// Level of a cell, and its lower corner in units of its side.
 template <int Dim>
 struct LeafPlace {
   int level = 0;
   typename Octree<Dim>::Coord corner{};
 };
 
-/// The tree whose leaves are exactly these cells, in any order; nothing if they overlap, leave gaps or are
-/// not 2:1 balanced. Takes memory in proportion to the number of cells, whatever the cells are. \pre levels
-/// in [0, max_level], corners in [0, 2^level)
+/// The tree whose leaves are exactly these cells, given in any order; nothing if they overlap, leave gaps or are not
+/// 2:1 balanced. The memory is proportional to the number of cells. \pre levels in [0, max_level], corners in [0,
+/// 2^level)
 template <int Dim>
 std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leaves);
 

@@ -11,7 +11,7 @@ namespace shellmatch {
 
 namespace {
 
-/// The finite element function with these values at the free nodes.
+/// The values at all nodes of the finite element function with these values at the free nodes.
 template <int Dim>
 std::vector<double> conforming(const Octree<Dim>& grid, std::vector<double> nodal) {
   distribute(grid, nodal);
@@ -79,7 +79,7 @@ GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
 
 template <int Dim>
 GeometryPair<Dim> ShapeFields<Dim>::smooth_geometry() {
-  // Nothing is refined after these: whatever has been read goes at once.
+  // No refinement follows the finest level, so that intermediate data are released as soon as they have been used.
   const bool last = own_[0]->grid.finest_level() == options_->cascade.max_level;
   std::array<NodalGeometry<Dim>, 2> geometry;
   for_both([&](int s) {
@@ -101,7 +101,7 @@ GeometryPair<Dim> ShapeFields<Dim>::smooth_geometry() {
 
 template <int Dim>
 void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
-  if (is_smooth()) compute_distances_on(grid);  // for nothing else, and so not on the finest
+  if (is_smooth()) compute_distances_on(grid);  // refinement alone needs them, hence never on the finest grid
   const int n_shapes = refines_at_template(*options_) ? 2 : 1;
   grid.refine([&](Index leaf) {
     for (int s = 0; s < n_shapes; ++s)

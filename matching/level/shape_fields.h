@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The two shapes as the grids of a cascade see them: distances, the geometry that the energies read, and
-/// where to refine.
+/// The fields of both shapes during a cascade: distances, the geometry that the energies read, and the refinement at
+/// the shapes.
 
 #include "energies/fields/geometry_field.h"
 #include "geometry/distance/signed_distance.h"
@@ -15,22 +15,22 @@
 
 namespace shellmatch {
 
-/// All calls must be made with one and the same grid of phi, before and after it is refined.
+/// All calls must be given the same grid of phi, before and after its refinements.
 template <int Dim>
 class ShapeFields {
  public:
-  /// All must outlive this object; the shapes lie in the unit domain.
+  /// All arguments must outlive this object. \pre the shapes lie in the unit domain
   ShapeFields(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
               const ExperimentOptions& options);
 
-  /// Distances at the nodes of the shapes' own grids, which grow with this one, or of this grid. To be called
-  /// after every refinement.
+  /// Computes distances at the nodes of the shapes' own grids, which are refined together with `grid`, or of `grid`
+  /// itself. Call it after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
-  /// What the options' energy reads of both. Multilinear fields refer to `grid`. \pre compute_distances()
+  /// The geometry of both shapes as the options ask for. Multilinear fields refer to `grid`. \pre compute_distances()
   GeometryPair<Dim> geometry(const Octree<Dim>& grid);
 
-  /// Splits every leaf that meets the shapes (paper, section 5): the reference, or either. \pre
+  /// Splits every leaf that meets the reference, or either shape if the options say so (paper, section 5). \pre
   /// compute_distances()
   void refine(Octree<Dim>& grid);
 
@@ -42,23 +42,23 @@ class ShapeFields {
 
   std::array<const SignedDistance<Dim>*, 2> shapes_;
   const ExperimentOptions* options_;
-  std::array<NodalDistance<Dim>, 2> on_grid_;         ///< of phi
-  /// For smooth fields; none once the last fields have been made on them.
+  std::array<NodalDistance<Dim>, 2> on_grid_;         ///< at the nodes of phi's grid
+  /// The shapes' own grids, for smooth fields; released once the fields of the finest level have been made.
   std::array<std::optional<FieldGrid<Dim>>, 2> own_;
-  std::optional<GeometryPair<Dim>> smooth_;           ///< of the shapes' own grids as they are
+  std::optional<GeometryPair<Dim>> smooth_;           ///< of the present state of the shapes' own grids
 };
 
-/// The geometry whose fields are multilinear on one grid, from their values at its nodes.
+/// Multilinear geometry on one grid, from the fields at its nodes.
 template <int Dim>
 GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
                                        const CoefficientFields<Dim>& target,
                                        const ExperimentOptions& options);
 
-/// A field's values at the nodes of a grid.
+/// The values of a field at the nodes of a grid.
 template <int Dim>
 CoefficientFields<Dim> at_nodes(const GeometryField<Dim>& field, const Octree<Dim>& grid);
 
-/// phi = id at the nodes.
+/// The identity: phi = x at the nodes.
 template <int Dim>
 std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid);
 

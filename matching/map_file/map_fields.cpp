@@ -17,7 +17,7 @@ std::vector<NodalField> nodal_fields(const CoefficientFields<Dim>& reference, co
       for (int k = 0; k < n; ++k) list.push_back(v[k]);
     return list;
   };
-  constexpr int n_sym = Dim * (Dim + 1) / 2;  // packed entries of a symmetric matrix
+  constexpr int n_sym = Dim * (Dim + 1) / 2;  // number of packed entries of a symmetric matrix
   const bool operators = reads_shape_operators(options.energy);
   const char* first = operators ? "S1" : options.coefficients.invert_at_point ? "root_C1" : "inverse_root_C1";
   return {{"d1", 1, reference.distance},

@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// What VTK has to say, kept from the terminal.
+/// Keeps VTK's messages off the terminal.
 
 #include <memory>
 
 namespace shellmatch {
 
-/// While it lives, VTK's messages are noted instead of printed.
+/// During the lifetime of an object, VTK's messages are recorded instead of printed.
 class VtkMessages {
  public:
   VtkMessages();
@@ -14,7 +14,7 @@ class VtkMessages {
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
-  /// Has there been one?
+  /// Whether there has been a message.
   bool any() const;
 
  private:

@@ -36,7 +36,7 @@ std::string file_in(const std::string& path) {
                     what_to_give);
 }
 
-// VTK trusts what it reads: whatever is cut off, changed or not ours is kept from it.
+// Refuses files that are cut off, changed or not written by this program before VTK reads them, as VTK does not check.
 vtkNew<vtkUnstructuredGrid> read_grid(const std::string& path) {
   const FileChecksum checksum = verify_checksum(path);
   if (checksum == FileChecksum::earlier)
@@ -71,7 +71,7 @@ vtkDoubleArray& doubles(vtkFieldData& data, const char* name, int n_components, 
   return *array;
 }
 
-// The cells as the file has them: level and lower corner, checked to lie on the lattice.
+// Level and lower corner of the cells in the file, checked to lie on the lattice.
 template <int Dim>
 std::vector<LeafPlace<Dim>> places_of(vtkUnstructuredGrid& data, const std::string& path) {
   auto* levels = vtkIntArray::SafeDownCast(data.GetCellData()->GetArray("level"));

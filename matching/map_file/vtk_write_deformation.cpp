@@ -31,7 +31,7 @@ vtkNew<Array> new_array(const std::string& name, int n_components, Eigen::Index 
   return array;
 }
 
-// Vectors of the plane become vectors of space.
+// An array of vectors; those of the plane get a third component, 0.
 template <class Array, class Entry>
 vtkNew<Array> vector_array(const std::string& name, int n_components, Index n, const Entry& entry) {
   const int written = n_components == 2 ? 3 : n_components;
@@ -127,7 +127,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);  // higher ones take four times as long for a tenth less
+  writer->SetCompressionLevel(1);  // higher levels take four times as long for a tenth less
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)
     throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Checksums that tell damaged or changed contents: no protection against malice.
+/// Checksums that detect damaged or changed contents. They do not protect against malicious changes.
 
 #include <cstdint>
 #include <istream>
@@ -11,8 +11,8 @@
 
 namespace shellmatch {
 
-/// XXH3 of 64 bits (Collet, xxHash, https://xxhash.com; the same numbers since its version 0.8), as 16 hexadecimal
-/// digits, of bytes that come piece by piece.
+/// XXH3 of 64 bits (Collet, xxHash, https://xxhash.com; the same values since its version 0.8) of bytes that are added
+/// piece by piece, as 16 hexadecimal digits.
 class Checksum {
  public:
   Checksum();
@@ -21,7 +21,7 @@ class Checksum {
   Checksum& operator=(const Checksum&) = delete;
 
   Checksum& add(std::string_view bytes);
-  /// Of all that has been added so far.
+  /// The checksum of all bytes added so far.
   std::string text() const;
 
  private:
@@ -31,10 +31,10 @@ class Checksum {
 
 std::string text_checksum(std::string_view text);
 
-/// Of the next `length` bytes; nothing where the stream ends before.
+/// The checksum of the next `length` bytes; nothing where the stream ends before.
 std::optional<std::string> stream_checksum(std::istream& in, std::uintmax_t length);
 
-/// Of a whole file. \throws InputError if it cannot be read
+/// The checksum of a whole file. \throws InputError if it cannot be read
 std::string file_checksum(const std::string& path);
 
 }  // namespace shellmatch

@@ -16,7 +16,7 @@ constexpr std::string_view earlier_begin = "\n<!-- shellmatch checksum ", line_e
 
 std::string checksum_line(const std::string& sum) { return fmt::format("\n<!-- shellmatch xxh3 {}{}", sum, line_end); }
 
-// The last n bytes; nothing of a shorter file.
+// The last n bytes of a file; nothing if it is shorter.
 std::string end_of(std::ifstream& in, std::uintmax_t size, std::size_t n) {
   if (size < n) return "";
   std::string end(n, '\0');

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A checksum at the end of a file, so that no damaged file reaches a library that trusts its input.
+/// A checksum at the end of a file, which keeps damaged files from libraries that do not check their input.
 
 #include <string>
 
@@ -8,15 +8,15 @@ namespace shellmatch {
 
 enum class FileChecksum {
   matches,
-  differs,  ///< or is missing: the file is cut off, changed, or append_checksum() has never seen it
-  earlier   ///< a checksum in the form of an earlier version (FNV-1a, to version 0.1.0), which is not verified
+  differs,  ///< or is missing: the file was cut off or changed, or was not written by append_checksum()
+  earlier   ///< written by an earlier version (FNV-1a, up to version 0.1.0), which is not verified
 };
 
-/// Appends a line with a checksum of all that is in the file, in the form of an XML comment that names its kind.
+/// Appends a line with the checksum of the file's contents, as an XML comment that states the kind of checksum.
 /// \throws EnvironmentError if the file cannot be read or written
 void append_checksum(const std::string& path);
 
-/// Does the file end with the checksum of its contents? \throws InputError if it cannot be read
+/// Compares the checksum at the end of the file with its contents. \throws InputError if the file cannot be read
 FileChecksum verify_checksum(const std::string& path);
 
 }  // namespace shellmatch

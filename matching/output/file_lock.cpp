@@ -14,7 +14,7 @@ namespace shellmatch {
 
 namespace {
 
-// Whoever held the lock before may have removed the file since it was opened here.
+// The previous holder of the lock may have removed the file after it was opened here.
 bool is_file_at(int file, const std::string& path) {
   struct stat here {
   }, there{};
@@ -41,7 +41,7 @@ FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind
 }
 
 FileLock::~FileLock() {
-  // Where somebody has removed the file, the name may stand for the lock of another process by now.
+  // If the file has been removed, the name may belong to another process' lock; it is removed only if it is ours.
   if (state_ == State::held && kind_ == Kind::exclusive && is_file_at(file_, path_)) unlink(path_.c_str());
   close(file_);
 }

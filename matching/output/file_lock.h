@@ -1,24 +1,25 @@
 #pragma once
 /// \file
-/// A file that a process holds for itself, or together with others, for as long as it lives.
+/// Exclusive and shared locks between processes, by means of a file.
 
 #include <string>
 
 namespace shellmatch {
 
-/// Locks of the whole file (flock). The system gives them back when the process ends, however it ends.
+/// A lock of a whole file (flock). The system releases it when the process ends, in whatever way.
 class FileLock {
  public:
   enum class Kind { exclusive, shared };
   enum class State {
     held,        ///< by this object
-    taken,       ///< by another
-    unsupported  ///< some network file systems know no locks: there the user has to see to it
+    taken,       ///< by another process
+    unsupported  ///< by some network file systems; the user has to exclude other runs
   };
 
-  /// Creates the file where it is missing. \throws EnvironmentError if it cannot be opened
+  /// Creates the file where it is missing and tries to lock it, without waiting. \throws EnvironmentError if it cannot
+  /// be opened
   FileLock(const std::string& path, Kind kind);
-  /// A lock that is held exclusively goes with its file; others leave the file where it is.
+  /// Releases the lock; an exclusive one also removes its file.
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

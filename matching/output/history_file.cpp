@@ -116,7 +116,7 @@ Plot energy_plot(const History& history, bool over_seconds) {
   plot.series.resize(1 + history.term_names.size());
   plot.series[0].name = "sum";
   for (std::size_t k = 0; k < history.term_names.size(); ++k) plot.series[k + 1].name = history.term_names[k];
-  double finished = 0, steps = 0;  // of the minimisations before this one
+  double finished = 0, steps = 0;  // totals of the earlier minimisations
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
     const HistoryRow& row = history.rows[i];
     if (i > 0) {
@@ -124,7 +124,7 @@ Plot energy_plot(const History& history, bool over_seconds) {
       if (row.level != last.level || row.substep != last.substep) {
         finished += last.record.seconds;
         plot.marks.push_back(over_seconds ? finished : steps);
-        // Another nu is another energy: no line leads from one to the other.
+        // Another nu changes the energy, so the lines are interrupted.
         for (Series& s : plot.series) {
           s.x.push_back(plot.marks.back());
           s.y.push_back(0);
@@ -141,7 +141,7 @@ Plot energy_plot(const History& history, bool over_seconds) {
       plot.series[k + 1].y.push_back(row.record.terms[k]);
     }
   }
-  // The terms that bend and stretch start at rounding errors: those would take most of the axis.
+  // Bending and membrane terms start with rounding errors, which would take up most of the logarithmic axis.
   double largest = 0;
   for (const double value : plot.series[0].y) largest = std::max(largest, value);
   for (Series& s : plot.series)

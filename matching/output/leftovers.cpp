@@ -20,7 +20,7 @@ constexpr std::string_view lock_ending = ".lock", partial_infix = ".partial-";
 
 std::string partial_prefix(const fs::path& place) { return fmt::format(".{}{}", place.filename().string(), partial_infix); }
 
-// The output folder to which a lock or a hidden folder belongs; empty for any other name.
+// The name of the output folder to which a lock or a hidden folder belongs; empty for any other name.
 std::string name_of_output(std::string_view hidden) {
   if (!hidden.starts_with('.')) return "";
   std::size_t end = hidden.rfind(partial_infix);
@@ -70,7 +70,7 @@ void remove_leftovers_in(const std::string& parent) {
   for (const std::string& name : outputs) try {
       remove_leftovers((fs::path(parent) / name).string());
     } catch (const EnvironmentError&) {
-      // Of another user, perhaps. A run of that name will say so.
+      // It may belong to another user; a run for that output folder will report it.
     }
 }
 

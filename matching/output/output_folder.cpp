@@ -20,14 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Has an earlier run written this folder?
+// Whether an earlier run has written this folder.
 bool looks_like_output(const fs::path& folder) {
   for (const char* name : {"summary.json", "history.csv", "deformation.vtu"})
     if (fs::is_regular_file(folder / name)) return true;
   return false;
 }
 
-// What the commands write into their folders; a study has that of a run in `output`, and pictures are PNG.
+// Whether a command writes a file of this name into its output folder. A study has that of a run in `output`; pictures
+// are PNG.
 bool is_written_by_runs(std::string_view name) {
   constexpr std::string_view names[] = {"summary.json", "history.csv",   "deformation.vtu", "deformed.ply", "deformed.csv",
                                         "config.yaml",  "curvature.ply", "curvature.csv",   "result.json",  "log.txt",
@@ -38,7 +39,7 @@ bool is_written_by_runs(std::string_view name) {
   return std::ranges::find(names, name) != std::end(names);
 }
 
-// The first thing in the folder that no run has written, empty if there is none.
+// The first entry of the folder that no run has written; empty if there is none.
 std::string foreign_thing(const fs::path& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
@@ -71,7 +72,7 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
   if (path.empty()) throw_input_error("the output folder has no name; give one with -o");
   std::error_code error;
   fs::path place =
-      fs::weakly_canonical(fs::absolute(path), error);  // follows links: what they lead to is replaced
+      fs::weakly_canonical(fs::absolute(path), error);  // resolves links, so that their target is replaced
   if (error) cannot_write(path, error.value());
   if (!place.has_filename()) place = place.parent_path();
   if (!place.has_filename()) throw_input_error("{}: cannot be the output folder; give another with -o", path);
@@ -91,7 +92,7 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
   if (lock_->state() == FileLock::State::taken)
     throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
   if (lock_->state() == FileLock::State::held) remove_partial_folders(place);
-  // What is left where there are no locks: count up until the name is free.
+  // Without locks, leftovers may have the name: count up until it is free.
   for (int attempt = 0; partial_.empty(); ++attempt) {
     const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
     const fs::path hidden = partial_folder_name(final_) + suffix;
@@ -114,7 +115,7 @@ OutputFolder::~OutputFolder() {
 void OutputFolder::remove_created_parents() noexcept {
   if (first_created_parent_.empty()) return;
   std::error_code error;
-  // Only folders that are still empty: somebody else may use them by now.
+  // Removes only folders that are empty: other processes may use them by now.
   for (fs::path p = fs::path(final_).parent_path();
        fs::remove(p, error) && p.string() != first_created_parent_;)
     p = p.parent_path();
@@ -141,10 +142,10 @@ void OutputFolder::commit() {
   if (error) cannot_write(partial_, error.value());
   for (const std::string& folder : folders) synchronise_folder(folder);
 
-  check_place(final_, force_);  // it may have been filled since
+  check_place(final_, force_);  // it may have been filled during the run
   if (is_filled(final_)) {
-    // Exchanges both in one step; file systems that cannot do so get two, with the old folder kept in
-    // between.
+    // Exchanges both folders in one step. File systems without this operation need two, between which the old folder is
+    // kept under a hidden name.
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
       committed_ = true;
       fs::remove_all(partial_, error);

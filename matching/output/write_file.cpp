@@ -13,7 +13,7 @@ namespace shellmatch {
 
 namespace {
 
-// A file descriptor that closes itself.
+// A file descriptor that is closed by its destructor.
 class Descriptor {
  public:
   Descriptor(const std::string& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
@@ -29,7 +29,7 @@ class Descriptor {
   int fd_;
 };
 
-// Delayed writing may find out here only that the disk is full.
+// With delayed allocation, a full disk may be reported only here.
 void synchronise(const std::string& path, int flags) {
   Descriptor file(path, flags);
   if (file.get() < 0 || (::fsync(file.get()) != 0 && errno != EINVAL && errno != EROFS))

@@ -9,7 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-// The axes that a plane across `axis` contains, in their order.
+// The two axes within a plane across `axis`, in their order.
 std::array<int, 2> axes_of_plane(int axis) { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
 
 Vec<2> in_plane(const Vec<3>& x, int axis) {
@@ -43,7 +43,7 @@ SliceLines slice_surface(const Surface<3>& surface, int axis, double place) {
       const Vec<3>& a = surface.vertices[facet[k]];
       const Vec<3>& b = surface.vertices[facet[(k + 1) % 3]];
       const double from = a[axis] - place, to = b[axis] - place;
-      // A vertex on the plane counts as above it, so that an edge is cut once or not at all.
+      // A vertex on the plane counts as above it, so that the plane cuts an edge once or not at all.
       if ((from < 0) == (to < 0)) continue;
       cuts[n++] = in_plane(a + from / (from - to) * (b - a), axis);
     }

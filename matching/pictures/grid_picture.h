@@ -11,17 +11,17 @@
 
 namespace shellmatch {
 
-/// Straight pieces in which a plane cuts something; coordinates along the two axes that the plane contains.
+/// Straight segments of the intersection with a plane, in coordinates along the two axes within the plane.
 using SliceLines = std::vector<std::array<Vec<2>, 2>>;
 
-/// Sides of the leaves that the plane x[axis] = place of the unit domain cuts, 0 <= place < 1.
+/// Edges of the leaves cut by the plane x[axis] = place of the unit domain, 0 <= place < 1.
 SliceLines slice_grid(const Octree<3>& grid, int axis, double place);
 
 /// The curve in which that plane cuts the surface.
 SliceLines slice_surface(const Surface<3>& surface, int axis, double place);
 
-/// Three slices through the middle of the shapes, one across each axis, with both shapes' curves; unit
-/// domain. \throws EnvironmentError if the file cannot be written
+/// Draws three slices through the middle of the shapes, one across each axis, with the curves of both shapes; all in
+/// the unit domain. \throws EnvironmentError if the file cannot be written
 void write_grid_picture(const Octree<3>& grid, const Surface<3>& reference, const Surface<3>& template_shape,
                         const std::string& title, const std::string& path);
 

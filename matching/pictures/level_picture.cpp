@@ -15,7 +15,7 @@ namespace {
 const Color template_color = color_from_oklch(0.66, 0.10, 255),
             deformed_color = color_from_oklch(0.74, 0.13, 55);
 
-// An upper end for colours that a few outliers do not decide.
+// A quantile of the values, as an upper end of a colour bar that a few outliers do not determine.
 double quantile(std::vector<double> values, double share) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.empty()) return 0;
@@ -24,7 +24,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
-// What a vertex's colour says, ready for either dimension.
+// A panel that colours the vertices by a scalar, in either dimension.
 struct ScalarPanel {
   std::string caption;
   std::vector<double> values;
@@ -90,7 +90,7 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   return panels;
 }
 
-// Sides of all leaves that are wide enough to be told apart, at the nodes' positions.
+// Edges of all leaves that are wide enough to be seen, at the positions phi of the nodes.
 RenderLines grid_lines(const Octree<2>& grid, const std::vector<Vec<2>>* phi, double least_side) {
   RenderLines lines;
   static constexpr int sides[4][2] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
@@ -141,7 +141,7 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
     if (picture.phi)
       for (const Vec<2>& x : *picture.phi) box.add(x);
     const Frame domain{box.min.array() - 0.03, box.max.array() + 0.03};
-    const double least_side = 3.0 / size;  // finer cells would only be a grey area
+    const double least_side = 3.0 / size;  // edges of finer cells would merge into a grey area
     const RenderContour before{.contour = picture.reference, .line_width = 1.4};
     const RenderContour after{.contour = picture.deformed, .line_width = 1.4};
     const auto draw_grid = [&](const RenderContour& c, const std::vector<Vec<2>>* phi) {
@@ -163,7 +163,7 @@ void write_level_picture(const LevelPicture<Dim>& picture, const std::string& pa
   SHELLMATCH_CHECK(picture.reference->vertices.size() == picture.deformed->vertices.size(),
                    "the deformed shape has the reference's vertices");
   const std::vector<Panel> panels = draw_panels(picture);
-  // Six panels make two rows of three rather than one long row.
+  // More than five panels are drawn in two rows.
   const int columns = panels.size() > 5 ? static_cast<int>(panels.size() + 1) / 2 : 0;
   write_png(compose_panels(panels, picture.title, columns), path);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The pictures of a run: reference, template and deformed reference, and how far one is from the other.
+/// The pictures of a run: reference, template and deformed reference, with their distances.
 
 #include "geometry/surface/surface.h"
 #include "grid/octree/octree.h"
@@ -10,30 +10,30 @@
 
 namespace shellmatch {
 
-/// What a picture shows; the unit domain or the user's coordinates, but one of them for all.
-/// Holds no copies: everything pointed to must outlive the call.
+/// The contents of a picture, all in the unit domain or all in the user's coordinates. Nothing is copied: all objects
+/// pointed to must outlive the call.
 template <int Dim>
 struct LevelPicture {
   const Surface<Dim>* reference = nullptr;
   const Surface<Dim>* template_shape = nullptr;
   const Surface<Dim>* deformed = nullptr;  ///< vertex by vertex the image of `reference`
-  std::string title = {};                  ///< "level 5", or empty
-  std::vector<double> distance = {};  ///< of each deformed vertex to the template, or empty: no such panel
+  std::string title = {};                  ///< for instance "level 5"; may be empty
+  std::vector<double> distance = {};  ///< of each deformed vertex to the template; empty omits the panel
   std::string distance_label = "distance to template";
   double distance_max = 0;              ///< end of the colour bar; 0 takes the 98 % quantile
-  std::vector<double> area_ratio = {};  ///< at each vertex, deformed over reference, or empty: no such panel
-  const Octree<Dim>* grid = nullptr;    ///< in the plane only, in the unit domain: drawn with the shapes ...
-  const std::vector<Vec<Dim>>* phi = nullptr;  ///< ... undeformed, and deformed by its nodes' positions
-  int panel_size = 0;                          ///< pixels of a panel's side; 0 chooses
-  bool draft = false;  ///< in space: coarser samples and no soft shade, a sixth of the time
+  std::vector<double> area_ratio = {};  ///< at each vertex, deformed over reference; empty omits the panel
+  const Octree<Dim>* grid = nullptr;    ///< drawn with the shapes; in the plane only, in the unit domain
+  const std::vector<Vec<Dim>>* phi = nullptr;  ///< positions of the grid's nodes, for drawing it deformed
+  int panel_size = 0;                          ///< side of a panel in pixels; 0 chooses one
+  bool draft = false;  ///< in space: coarser samples without soft shadows, in a sixth of the time
 };
 
-/// A row of panels with a pattern that the deformation carries along. \pre reference, template_shape and
-/// deformed are set and not empty. \throws EnvironmentError if the file cannot be written
+/// Draws a row of panels with a pattern that the deformation carries along. \pre reference, template_shape and deformed
+/// are set and not empty \throws EnvironmentError if the file cannot be written
 template <int Dim>
 void write_level_picture(const LevelPicture<Dim>& picture, const std::string& path);
 
-/// "pictures/level_05.png"
+/// The name of a level's picture: "pictures/level_05.png".
 std::string level_picture_name(int level);
 
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How a matching tells of its progress, and how it is stopped on its way.
+/// The interface by which a matching reports its progress and can be stopped.
 
 #include "base/types.h"
 #include "solvers/minimizer.h"
@@ -11,27 +11,27 @@ namespace shellmatch {
 
 struct GradientReport;
 
-/// One minimisation of the cascade, as it begins.
+/// The parameters of one minimisation of the cascade, reported as it begins.
 struct LevelStart {
   int level = 0;
-  int substep = 1, n_substeps = 1;  ///< minimisations with decreasing nu on the same grid, counted from 1
+  int substep = 1, n_substeps = 1;  ///< minimisations on one grid with decreasing nu, counted from 1
   double nu = 0, volume_weight = 0, sigma = 0;
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0;
 };
 
-/// What wants to know how a matching goes on. Every function is called by the thread that called match_shapes or
-/// run_matching. An exception thrown by an observer ends the matching with nothing half-written.
+/// Receives the progress of a matching. All functions are called by the thread that called match_shapes or
+/// run_matching. An exception thrown by an observer ends the matching; no incomplete output is left.
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// Something worth telling the user once, such as vertices that were welded.
+  /// A remark for the user, such as the number of welded vertices.
   virtual void note(const std::string& /*text*/) {}
-  /// The run turns to something else: "reading", "matching", "writing".
+  /// The run enters a phase: "reading", "matching", "writing".
   virtual void phase(const std::string& /*name*/) {}
   virtual void level_started(const LevelStart& /*start*/) {}
-  /// After every accepted step. Return false to stop cleanly.
+  /// Called after every accepted step. Return false to stop the matching; it then ends with the result so far.
   virtual bool iterated(const LevelStart& /*start*/, const IterationRecord& /*record*/) { return true; }
-  /// Derivatives were checked after an iteration (check_gradient.every); before iterated() of that iteration.
+  /// Called when derivatives were checked after an iteration (check_gradient.every), before its iterated().
   virtual void gradient_checked(const LevelStart& /*start*/, const GradientReport& /*report*/) {}
   virtual void level_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
 };

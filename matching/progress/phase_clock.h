@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Wall time by phase.
+/// Measures wall time by phase.
 
 #include <chrono>
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace shellmatch {
 
-/// Seconds of wall time by phase of the run.
+/// Seconds of wall time by name of the phase.
 using PhaseSeconds = std::map<std::string, double>;
 
 /// Adds the time from start(name) to the next start() or to destruction to seconds[name].

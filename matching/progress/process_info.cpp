@@ -13,7 +13,7 @@ namespace shellmatch {
 
 namespace {
 
-// The first number of a file, or none: "max" in a cgroup's limit is none.
+// The first number in a file, or `none` if there is none, as for "max" in a cgroup's limit.
 std::uint64_t number_in(const char* path, std::uint64_t none) {
   std::ifstream in(path);
   std::uint64_t number;
@@ -25,7 +25,7 @@ std::uint64_t number_in(const char* path, std::uint64_t none) {
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // in kilobytes on Linux
 }
 
 std::uint64_t available_memory_bytes() {

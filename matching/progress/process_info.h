@@ -1,27 +1,25 @@
 #pragma once
 /// \file
-/// What the machine gives and what this process has taken.
+/// Resources of the machine and of this process.
 
 #include <cstdint>
 #include <string>
 
 namespace shellmatch {
 
-/// Most memory that this process has held at a time, in bytes; 0 where the system does not tell.
+/// Peak resident memory of this process in bytes; 0 if unknown.
 std::uint64_t peak_memory_bytes();
 
-/// Memory that could be taken now without swapping, in bytes, with the limits of a container heeded; 0 where
-/// the system does not tell.
+/// Memory in bytes that can be allocated without swapping, within the limits of a container; 0 if unknown.
 std::uint64_t available_memory_bytes();
 
-/// Room on the disk that holds `path` or its nearest existing parent, in bytes; 0 where the system does not
-/// tell.
+/// Free space in bytes on the disk that holds `path` or its nearest existing parent; 0 if unknown.
 std::uint64_t free_disk_bytes(const std::string& path);
 
-/// Name and version of the compiler that made the program: "gcc 12.2.0".
+/// Name and version of the compiler of this program: "gcc 12.2.0".
 std::string compiler_name();
 
-/// The program's own version: "0.1.0".
+/// The version of this program: "0.1.0".
 std::string program_version();
 
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Known correspondences, against which the map that was found is measured.
+/// Known correspondences, by which the error of a matching is measured.
 
 #include "base/types.h"
 
@@ -11,7 +11,7 @@
 
 namespace shellmatch {
 
-/// True positions of some of the reference's vertices, user's coordinates.
+/// True positions of some vertices of the reference, in the user's coordinates.
 template <int Dim>
 using Correspondence = std::vector<std::pair<Index, Vec<Dim>>>;
 

@@ -44,7 +44,7 @@ Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& 
 
 namespace {
 
-/// Area that a polygon encloses, or the length of an edge of a ring.
+/// Area of a polygon, or length of an edge of a ring.
 double polygon_measure(const std::vector<Vec<3>>& x, const std::vector<Index>& polygon) {
   Vec<3> area = Vec<3>::Zero();
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
@@ -52,7 +52,7 @@ double polygon_measure(const std::vector<Vec<3>>& x, const std::vector<Index>& p
   return area.norm();
 }
 
-/// Measures of what surrounds each vertex.
+/// For each vertex the measure of the polygons around it.
 template <int Dim>
 std::vector<double> vertex_measures(const OriginalShape<Dim>& shape) {
   std::vector<double> sum(shape.vertices.size(), 0.0);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The reference after the deformation: the surface that was matched, and the shape as it was read.
+/// The deformed reference: the surface that was matched, and the shape as it was read.
 
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
@@ -10,9 +10,9 @@
 
 namespace shellmatch {
 
-/// The same surface with its facets split until none is longer than `length`: what is measured is then the image
-/// of the curve, not the polygon through the images of its corners. In space the surface itself, as meshes are as
-/// fine as their shape asks for.
+/// A curve with its edges subdivided to at most `length`, so that measurements see the image of the curve and not the
+/// polygon through the images of its corners. A surface in space is returned unchanged, because meshes resolve their
+/// shape.
 template <int Dim>
 Surface<Dim> subdivided(const Surface<Dim>& surface, double length);
 
@@ -20,8 +20,8 @@ Surface<Dim> subdivided(const Surface<Dim>& surface, double length);
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
-/// The reference as it was read, moved by the deformation, with the attributes distance_to_template (user's unit)
-/// and area_ratio (length_ratio in the plane) besides its own.
+/// The reference as it was read, moved by the deformation, with the additional attributes distance_to_template (user's
+/// unit) and area_ratio (length_ratio in the plane).
 template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance);

@@ -69,7 +69,7 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
   };
   summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
   if constexpr (Dim == 3) {
-    // The largest change of an angle under a linear map with stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90 degrees.
+    // Largest change of an angle under a linear map with stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90 degrees.
     std::vector<double> degrees = angle_distortions(reference, deformed);
     for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
     summary.angle_distortion = weighted(degrees);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The figures of a summary, from what was computed.
+/// Computes the figures of a summary from the results of a matching.
 
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
@@ -14,7 +14,7 @@ TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDi
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
-/// Area (length) and angle distortion and facets that face away, over all facets.
+/// Adds area (length) and angle distortion and the number of flipped facets, over all facets.
 template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance);

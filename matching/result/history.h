@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The accepted steps of a whole matching.
+/// The accepted steps of a matching.
 
 #include "solvers/minimizer.h"
 
@@ -9,14 +9,14 @@
 
 namespace shellmatch {
 
-/// One accepted step. The substeps of a level are minimisations with decreasing nu, counted from 1.
+/// One accepted step. `substep` counts the minimisations of a level, with decreasing nu, from 1.
 struct HistoryRow {
   int level = 0, substep = 0;
   double nu = 0;
   IterationRecord record;
 };
 
-/// All steps; `term_names` names IterationRecord::terms.
+/// All steps; `term_names` are the names of IterationRecord::terms.
 struct History {
   std::vector<std::string> term_names;
   std::vector<HistoryRow> rows;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a matching gives back: values, which stand by themselves. matching/write_result.h makes files of them.
+/// The result of a matching, as values that refer to nothing else. matching/write_result.h writes them to files.
 
 #include "geometry/surface/surface.h"
 #include "grid/fits/curvature.h"
@@ -23,13 +23,13 @@ struct MatchedSurfaces {
 
 template <int Dim>
 struct MatchResult {
-  /// The map phi: `map.apply(x)` moves any point, in the coordinates of the shapes that were given.
+  /// The map phi: `map.apply(x)` moves any point, in the coordinates of the given shapes.
   Deformation<Dim> map;
-  /// The reference as it was given, each of its vertices moved, in their order; with the attributes
-  /// distance_to_template (unit of the shapes) and area_ratio (length_ratio in the plane) besides its own.
+  /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
+  /// distance_to_template (unit of the shapes) and area_ratio (length_ratio in the plane).
   OriginalShape<Dim> deformed;
-  /// Distances both ways, folds, distortion, energies and costs of every level. Where `summary.interrupted` an observer
-  /// has stopped the matching, and all the rest is what was reached until then.
+  /// Distances in both directions, folds, distortion, energies and costs of every level. `summary.interrupted` says
+  /// that an observer stopped the matching; the result is then that of the last step.
   MatchSummary summary;
   History history;  ///< every accepted step
   MatchedSurfaces<Dim> surfaces;
@@ -37,12 +37,12 @@ struct MatchResult {
   CoefficientFields<Dim> reference_fields, template_fields;
 };
 
-/// What the finished levels of a matching have given: from here another one of the same shapes and options goes on.
+/// The result of the finished levels, from which a matching of the same shapes and options can be resumed.
 template <int Dim>
 struct MatchProgress {
   Deformation<Dim> map;
   History history;
-  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, with the times until then
+  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, whose times are those until then
 };
 
 using AnyMatchResult = std::variant<MatchResult<2>, MatchResult<3>>;

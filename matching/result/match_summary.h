@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The figures of a matching: did it really match, and what did it cost?
+/// The figures of a matching: its quality and its cost.
 
 #include "energies/assembly/band_report.h"
 #include "energies/assembly/folds.h"
@@ -25,7 +25,7 @@ struct TwoSidedDistance {
   OneSidedDistance deformed_to_template, template_to_deformed;
 };
 
-/// Statistics of a ratio or an angle over the deformed surface, weighted by the reference's area.
+/// Mean and range of a ratio or an angle over the deformed surface, weighted by the reference's area.
 struct DistortionSummary {
   double mean = 0, min = 0, max = 0;
 };
@@ -36,14 +36,14 @@ struct LevelSummary {
   int n_substeps = 1;
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0, n_band_cells = 0;
   NamedValues energy_minimised;  ///< by term, with the quadrature that was minimised
-  NamedValues energy_reported;   ///< by term, with a finer one
-  int iterations = 0;            ///< of all substeps, as the evaluations
+  NamedValues energy_reported;   ///< by term, with a finer quadrature
+  int iterations = 0;            ///< over all substeps, as are the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
   double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
   double l2_gradient_norm = 0;            ///< at the end, in L2
-  std::string solver;                     ///< that ended the last substep
-  std::string stop_reason, stop_message;  ///< of the last substep; the message is in the method's or library's words
-  std::vector<std::string> fallbacks;     ///< of all substeps: which method gave up, why, and which went on
+  std::string solver;                     ///< method that ended the last substep
+  std::string stop_reason, stop_message;  ///< of the last substep; the message is that of the method or library
+  std::vector<std::string> fallbacks;     ///< of all substeps: method that gave up, why, and its successor
   FoldReport folds;
   BandReport band;
   std::optional<TwoSidedDistance> distance;
@@ -53,34 +53,34 @@ struct LevelSummary {
 struct ShapeSummary {
   std::string file;
   std::size_t n_vertices = 0, n_facets = 0;  ///< of the closed surface that was matched
-  std::vector<std::string> notes;            ///< what was mended
+  std::vector<std::string> notes;            ///< repairs
 };
 
 struct PlacementSummary {
   std::string kind;  ///< "fit" or "as-is"
-  double scale = 1;  ///< x -> scale x + offset, user's coordinates to unit domain
+  double scale = 1;  ///< x -> scale x + offset maps the user's coordinates to the unit domain
   std::vector<double> offset;
 };
 
-/// All that differs from one run of the same experiment to the next.
+/// Figures that differ between runs of the same experiment.
 struct RunFigures {
   std::string compiler;
   int threads = 0;
   double seconds = 0;  ///< wall time of the whole run
   NamedValues phase_seconds;
-  std::vector<double> level_seconds;  ///< one for each level
+  std::vector<double> level_seconds;  ///< one entry for each level
   std::uint64_t peak_memory_bytes = 0;
-  /// The levels after which a run that was stopped was taken up again; seconds are then those of all parts.
+  /// The levels after which a stopped run was resumed; the times are then sums over all parts.
   std::optional<std::vector<int>> resumed_after;
 };
 
-/// One check of derivatives on the way.
+/// One check of derivatives during a run.
 struct GradientCheckSummary {
   int level = 0, substep = 0, iteration = 0;
   bool passed = false;
-  std::string failed_terms;      ///< with commas
-  double worst_order = 2;        ///< order of a Taylor remainder that is furthest from 2
-  double worst_functor_error = 0;  ///< of gradients against the element functors, relative
+  std::string failed_terms;      ///< separated by commas
+  double worst_order = 2;        ///< order of a Taylor remainder that is farthest from 2
+  double worst_functor_error = 0;  ///< relative, of gradients against the element functors
 };
 
 struct MatchSummary {
@@ -91,16 +91,16 @@ struct MatchSummary {
   PlacementSummary placement;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;
-  /// Mean distance from the true positions where they are known, relative to the template's diagonal.
+  /// Mean distance from the true positions, relative to the template's diagonal; none where these are unknown.
   std::optional<double> correspondence_error_before, correspondence_error;
-  /// Deformed over reference area (length in the plane); 1 is none.
+  /// Deformed over reference area (length in the plane); 1 means no distortion.
   std::optional<DistortionSummary> area_distortion;
-  /// Degrees; 0 is none; not in the plane.
+  /// Largest change of an angle in degrees; 0 means no distortion; none in the plane.
   std::optional<DistortionSummary> angle_distortion;
-  /// Facets of the deformed surface that face away from the template's.
+  /// Number of facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;
   std::vector<LevelSummary> levels;  ///< from coarse to fine
-  /// Where they were asked for.
+  /// Only if they were requested.
   std::optional<std::vector<GradientCheckSummary>> gradient_checks;
   RunFigures run;
 };

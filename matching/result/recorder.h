@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The observer that writes down what a matching tells of itself.
+/// An observer that records the history of a matching.
 
 #include "matching/progress/observer.h"
 #include "matching/result/history.h"
@@ -11,10 +11,10 @@
 
 namespace shellmatch {
 
-/// Keeps the history and the checks of derivatives, and passes everything on.
+/// Records the history and the checks of derivatives, and passes all calls on to another observer.
 class Recorder final : public Observer {
  public:
-  /// `next` must outlive it.
+  /// `next` must outlive this object.
   explicit Recorder(Observer& next);
 
   void note(const std::string& text) override { next_.note(text); }
@@ -28,7 +28,7 @@ class Recorder final : public Observer {
 
   History history;
   std::vector<GradientCheckSummary> gradient_checks;
-  int level = 0;  ///< the one that was started last; 0: none
+  int level = 0;  ///< the level started last; 0 before the first
 
  private:
   Observer& next_;

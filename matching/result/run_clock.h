@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a matching costs, for its summary.
+/// Measures the cost of a matching for its summary.
 
 #include "matching/progress/phase_clock.h"
 #include "matching/result/match_summary.h"
@@ -9,19 +9,19 @@
 
 namespace shellmatch {
 
-/// Wall times of a matching since this object was made, and those of earlier ones that it goes on from.
+/// Wall times of a matching since the construction of this object, and of earlier runs from which it was resumed.
 class RunClock {
  public:
-  /// By phase, filled by PhaseClock.
+  /// Seconds by phase, set by PhaseClock.
   PhaseSeconds phases;
 
-  /// Adds what the levels that were finished before have taken.
+  /// Adds the times of the levels that earlier runs have finished.
   void add_earlier(const RunFigures& figures);
 
-  /// Of this process alone.
+  /// Seconds since the construction, of this process alone.
   double seconds() const;
 
-  /// Sets times, memory, threads and compiler in `figures`; its `level_seconds` and `resumed_after` stay.
+  /// Sets times, memory, threads and compiler in `figures`; leaves `level_seconds` and `resumed_after` unchanged.
   void state(RunFigures& figures) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What to tell at the end of a run.
+/// Messages about the quality of a matching at the end of a run.
 
 #include "matching/result/match_summary.h"
 
@@ -9,8 +9,8 @@
 
 namespace shellmatch {
 
-/// A line each: how near the deformed reference and the template are, and what looks as if the two did not match at
-/// all, which no error is: units, places or shapes that do not belong together.
+/// One line for each message: the distances between the deformed reference and the template, and signs that they do not
+/// match at all. These are no errors; they hint at wrong units, positions or pairs of shapes.
 std::vector<std::string> verdict(const MatchSummary& summary);
 
 }  // namespace shellmatch

@@ -30,7 +30,7 @@ using Curvatures = std::vector<PrincipalCurvature<Dim>>;
 template <int Dim>
 using Distance = std::function<double(const Vec<Dim>&)>;
 
-// Free nodes that the values in the leaves around the points depend on, ascending.
+// The free nodes on which the values in the leaves around the points depend, in ascending order.
 template <int Dim>
 std::vector<Index> nodes_around(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& points) {
   std::vector<char> needed(grid.n_nodes(), 0);
@@ -44,7 +44,7 @@ std::vector<Index> nodes_around(const Octree<Dim>& grid, const std::vector<Vec<D
   return nodes;
 }
 
-// What the energies would read at these points, times `scale`.
+// The curvatures that the energies would read at these points, times `scale`.
 template <int Dim>
 Curvatures<Dim> curvatures_on_grid(const Octree<Dim>& grid, const std::vector<double>& distance,
                                    const CoefficientOptions& options, const std::vector<Vec<Dim>>& points,
@@ -61,7 +61,7 @@ Curvatures<Dim> curvatures_on_grid(const Octree<Dim>& grid, const std::vector<do
   return result;
 }
 
-// Calls finished(grid, curvatures, seconds) for the grid of every level.
+// Calls finished(level, grid, curvatures, seconds) for every level.
 template <int Dim, class Finished>
 void over_levels(const Distance<Dim>& distance, const std::vector<Vec<Dim>>& points, double scale,
                  const ExperimentOptions& options, const Finished& finished) {
@@ -102,7 +102,8 @@ Curvatures<Dim> by_formula(const Surface<Dim>& surface, const ExactShape<Dim>& f
   Curvatures<Dim> result;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     const Mat<Dim> s = formula.shape_operator(surface.vertices[v]);
-    // The exact normal is where S vanishes; the mesh's is near enough, as P S P drops what is left of it.
+    // Points where S vanishes have no normal of their own. The mesh's normal is sufficient, because P S P removes its
+    // error.
     result.push_back(principal_curvature<Dim>(s, normals[v].normalized()));
   }
   return result;

@@ -34,7 +34,7 @@ std::vector<double> member(const Curvatures<Dim>& all, double PrincipalCurvature
   return values;
 }
 
-// The size that a share of the values does not exceed; more than 0.
+// The quantile `share` of the absolute values; greater than 0.
 double size_quantile(const std::vector<double>& values, double share) {
   std::vector<double> sizes;
   for (const double v : values)

@@ -9,7 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-// The middle of the sizes of a quantity that is known at some vertices.
+// The median of the absolute values of a quantity that is known at some vertices.
 template <class Values>
 double median_size(const Values& values, const auto& member) {
   std::vector<double> sizes;

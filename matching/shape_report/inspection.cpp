@@ -16,16 +16,16 @@ namespace shellmatch {
 
 namespace {
 
-// Curvature of a piece of the shape, and how much of the shape the piece is.
+// The curvature of a part of the shape, and the measure of that part.
 struct Bend {
   double curvature, weight;
 };
 
 template <int Dim>
-constexpr int n_edges = Dim == 2 ? 1 : 3;  // of a facet
+constexpr int n_edges = Dim == 2 ? 1 : 3;  // edges of a facet
 
-// Largest change of the normal along a facet's edges, over their length. Normals of vertices are means of those
-// of the facets around, weighted by measure.
+// Largest change of the normal along a facet's edges, divided by their length. The normal of a vertex is the mean of
+// those of the surrounding facets, weighted by measure.
 template <int Dim>
 std::vector<Bend> bends(const Surface<Dim>& s) {
   std::vector<Vec<Dim>> normals(s.vertices.size(), Vec<Dim>::Zero());
@@ -52,7 +52,7 @@ std::size_t count_edges(const Surface<3>& s) {
   return edges.size();
 }
 
-// The curvature that a share of the shape does not exceed.
+// The quantile `share` of the curvature, weighted by measure.
 double quantile(std::vector<Bend> all, double share) {
   if (all.empty()) return 0;
   std::sort(all.begin(), all.end(), [](const Bend& a, const Bend& b) { return a.curvature < b.curvature; });
@@ -97,7 +97,7 @@ double mean_edge_length(const Surface<Dim>& s) {
   return n == 0 ? 0 : sum / static_cast<double>(n);
 }
 
-// Coarsest level with 2^-level <= length; 15 is the finest that there is.
+// Coarsest level with 2^-level <= length, at most 15.
 int level_of_length(double length) {
   return std::isfinite(length) ? std::clamp(static_cast<int>(std::ceil(-std::log2(length))), 1, 15) : 1;
 }

@@ -24,7 +24,7 @@ std::string inspection_json(const Inspection& r) {
   json["level_of_curvature"] = r.level_of_curvature;
   json["level_of_edges"] = r.level_of_edges;
   json["notes"] = r.notes;
-  // File names may hold any bytes; JSON may not.
+  // File names may hold arbitrary bytes, which JSON does not allow.
   return json_text(json);
 }
 

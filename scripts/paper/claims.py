@@ -1,11 +1,11 @@
-"""What the paper claims, and the numbers that say whether it is so here."""
+"""The paper's claims, and the numbers by which they are judged."""
 
 import collections
 
 from paper.experiments import bending_pairs
 from paper.numbers import level_of, text
 
-# holds: whether the numbers agree; papers: whether the paper says so, or it is ours to say.
+# holds: whether the numbers support the claim; papers: whether the claim is the paper's or our own.
 Claim = collections.namedtuple("Claim", "words holds numbers papers")
 
 
@@ -68,7 +68,7 @@ def penalty_limit(rows):
                    f"by {text(first)} in the first decade and {text(last)} in the last")
 
 
-# Words, runs that they need (name, or name and profile), judge, and whether the paper says so.
+# Words, required runs (name, or name and profile), function that judges them, and whether the claim is the paper's.
 claims = [
     ("The Cauchy-Green membrane oscillates under compression, the model does not (fig:cubes)",
      ["cubes_no_bending", "cubes_cauchy_green"], oscillates, True),
@@ -93,7 +93,7 @@ claims = [
 
 
 def judged(results):
-    """Every claim for which there are runs."""
+    """The claims whose runs are available, judged."""
     found = []
     for words, needs, judge, papers in claims:
         runs = [results.get(*need) if isinstance(need, tuple) else results.get(need) for need in needs]

@@ -1,4 +1,4 @@
-"""What is repeated: the paper's experiments, the real pairs beside them, and the paper's own numbers."""
+"""The experiments to repeat: those of the paper, pairs of real shapes, and the numbers that the paper gives."""
 
 import pathlib
 
@@ -11,7 +11,7 @@ experiments = [
     ("dolphin", 3, (4, 8)), ("dolphin_no_bending", 3, ()), ("dolphin_turned", 3, (8,)),
     ("dolphin_reversed", 3, (8,)), ("beet", 3, (4, 8)), ("leaves", 2, (10,)),
 ]
-# These have no second derivative for Newton's method, which is the default profile's.
+# Experiments without a second derivative, which Newton's method of the default profile needs.
 first_order = {"cubes_cauchy_green", "cubes_no_p2", "cubes_quadratic"}
 # Real shapes nearest to the paper's: the experiment whose weights they take, and two files below the data's folder.
 data_pairs = [
@@ -36,10 +36,12 @@ bending_pairs = [
     ("hand_outlines", "leaves", 2, "hands2d_basel/hand00_registered.csv", "hands2d_basel/hand03_registered.csv"),
 ]
 bending_levels = 6, 8  # the finest, in space and in the plane
-# Built-in pairs of known correspondence that run with and without bending; on a coarse level, too, where their shape is hardly seen.
+# Built-in pairs of known correspondence that run with and without bending, also on a coarse level that hardly resolves
+# their shape.
 built_in_pairs = "cubes", "hand", "dolphin"
 coarse_level = 5
-# Beginnings of claims that the reduced levels have not shown: the page says "no", --check --reduced does not ask for them.
+# Claims, by their beginnings, that do not hold on the reduced levels: the page says "no", and --check --reduced accepts
+# it.
 open_when_reduced = ("Bending is indispensable",)
 # Table tab:parstimes: time below the finest level, at it, and DOFs.
 papers_table = {"faces": ("1 h 04", "4 h 34", "695 K"), "hand": ("30 min", "1 h 27", "313 K"),

@@ -1,10 +1,10 @@
-"""Numbers and tables as they stand on the page."""
+"""Formats numbers and tables for the page."""
 
 import math
 
 
 def text(value, digits=2):
-    """A number as it stands in a table."""
+    """Formats a number for a table."""
     if value is None:
         return ""
     if value == 0:
@@ -26,5 +26,5 @@ def table(header, rows):
 
 
 def level_of(summary, level):
-    """The summary of a level, or of the finest there is below it."""
+    """The summary of a level, or of the finest level below it."""
     return [entry for entry in summary["levels"] if entry["level"] <= level][-1]

@@ -1,4 +1,4 @@
-"""docs/paper.md from the summaries."""
+"""Writes docs/paper.md from the summaries."""
 
 import itertools
 import shutil
@@ -15,7 +15,7 @@ def ended_by(level):
 
 
 def cells_of(summary):
-    """What the tables say of a run's finest level, in words: by name."""
+    """The entries of the tables for a run's finest level, by name."""
     last, times, distance = summary["levels"][-1], summary["run"]["level_seconds"], summary["levels"][-1]["distance"]
     known = summary.get("correspondence_error")
     return {

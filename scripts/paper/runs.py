@@ -64,7 +64,7 @@ class Results:
 
     @staticmethod
     def made_by(folder):
-        """What a finished run was made by, or nothing."""
+        """The record of the configuration and program that made a finished run; {} if unknown."""
         try:
             return json.loads(folder.with_name(folder.name + ".made.json").read_text())
         except (OSError, ValueError):
@@ -108,7 +108,7 @@ class Results:
         return [work for name in only for work in works if work[0] == name or name == "bending" and work[0].startswith(("bending_", "coarse_"))]
 
     def correspondence(self, name, template):
-        """A file that says that vertex i belongs to the template's vertex i."""
+        """Writes a correspondence file that maps vertex i to the template's vertex i."""
         lines = template.read_text().splitlines()
         if template.suffix == ".off":
             vertices = [line.split() for line in lines[2:2 + int(lines[1].split()[0])]]
@@ -127,7 +127,7 @@ class Results:
         return files if all(file.exists() for file in files) else None
 
     def read_all(self):
-        """Every finished run that is there and was made by the configuration as it is."""
+        """All finished runs that were made by the present configuration."""
         configs = {name: name for name, _, _ in experiments} | {name: config for name, config, _, _, _ in data_pairs}
         configs |= {f"bending_{name}{kind}": config for name, config, _, _, _ in bending_pairs for kind in ("", "_without")}
         configs |= {f"coarse_{run}": run for name in built_in_pairs for run in (name, f"{name}_no_bending")}

@@ -21,7 +21,7 @@ namespace {
 Plot read_plot(std::istream& in) {
   const auto json = nlohmann::json::parse(in);
   const Plot plot = json.get<Plot>();
-  // A misspelt key would otherwise pass as one that is left out.
+  // Unknown keys are refused, because a misspelt key would otherwise be ignored.
   const auto check = [](const nlohmann::json& given, const nlohmann::json& known) {
     for (const auto& [key, value] : given.items())
       if (!known.contains(key)) throw_input_error("there is no '{}' in a plot", key);

@@ -19,7 +19,7 @@ namespace shellmatch {
 
 namespace {
 
-// Resident memory of a process and its descendants, in bytes; 0 for one that is gone.
+// Resident memory in bytes of a process and its descendants; 0 if it has ended.
 std::uint64_t resident_bytes(int pid, int depth = 0) {
   std::uint64_t total = 0, resident = 0;
   const std::string folder = fmt::format("/proc/{}", pid);
@@ -33,20 +33,20 @@ std::uint64_t resident_bytes(int pid, int depth = 0) {
   return bytes;
 }
 
-// Between fork and exec: only what a child of a process with threads may call. Reports errno through
-// `report`.
+// Runs between fork and exec, where only async-signal-safe functions may be called. Writes errno to `report` on
+// failure.
 [[noreturn]] void become(char* const* arguments, int log, int report, int parent,
                          const ProcessLimits& limits) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);  // it died before it could be heeded
+  if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) ::signal(signal, SIG_DFL);
   if (limits.memory_bytes > 0) {
     const rlim_t most = 2 * limits.memory_bytes + (rlim_t{1} << 30);
     const rlimit limit{most, most};
     setrlimit(RLIMIT_DATA, &limit);
   }
-  // A crash is a result here, not something to look into: no core file.
+  // A crash is a result of the study: no core file is needed.
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   const int nothing = open("/dev/null", O_RDONLY);
@@ -81,10 +81,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
   pid_ = fork();
   if (pid_ < 0) fail("the system starts no further process");
   if (pid_ == 0) become(arguments.data(), file, report[1], self, limits);
-  setpgid(pid_, pid_);  // whoever comes first
+  setpgid(pid_, pid_);  // both parent and child set the group, as their order is undefined
   close(file);
   close(report[1]);
-  // The pipe closes with the exec; before, it tells why there was none.
+  // The exec closes the pipe; if it fails, the pipe delivers its error.
   int error = 0;
   ssize_t n = 0;
   while ((n = read(report[0], &error, sizeof error)) < 0 && errno == EINTR) {
@@ -133,7 +133,7 @@ std::optional<ProcessResult> ChildProcess::poll() {
   }
   ProcessResult result;
   result.seconds = seconds();
-  kill(-pid_, SIGKILL);  // what it has left behind
+  kill(-pid_, SIGKILL);  // kills processes that the child has left
   pid_ = -1;
   result.peak_memory_bytes = std::max(peak_, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
   if (ended > 0 && WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);

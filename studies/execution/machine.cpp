@@ -43,7 +43,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
   std::vector<std::pair<std::string, std::string>> list = {
       {"shellmatch", program_version() + (revision.empty() ? "" : " (" + revision + ")")},
       {"compiler", compiler_name()}};
-  // "Ceres=2.1.0;NLopt=2.7.1", as CMake has found them.
+  // The versions that CMake found, as "Ceres=2.1.0;NLopt=2.7.1".
   std::istringstream libraries(SHELLMATCH_LIBRARIES);
   for (std::string entry; std::getline(libraries, entry, ';');)
     list.emplace_back(entry.substr(0, entry.find('=')), entry.substr(entry.find('=') + 1));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// On what a study ran: the machine, without its name, and the versions of all that took part.
+/// Describes the machine on which a study ran, without its name, and the versions of the software involved.
 
 #include <string>
 #include <utility>
@@ -8,16 +8,16 @@
 
 namespace shellmatch {
 
-/// "Intel Xeon ..., 2 cores, 8 GB": the cores that this process may use.
+/// "Intel Xeon ..., 2 cores, 8 GB"; counts the cores that this process may use.
 std::string machine_text();
 
-/// Number of processors that this process may use.
+/// The number of processors that this process may use.
 int n_processors();
 
-/// Mean number of processes that wanted to run during the last minute.
+/// Load average of the last minute.
 double machine_load();
 
-/// Name and version: the program with the revision it was built from, the compiler, the libraries, the
+/// Names and versions of the program (with the revision it was built from), the compiler, the libraries and the
 /// system's kernel.
 std::vector<std::pair<std::string, std::string>> versions();
 

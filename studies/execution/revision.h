@@ -6,8 +6,8 @@
 
 namespace shellmatch {
 
-/// What `git describe --always --dirty` said when the program was built; empty outside of a repository.
-/// Its body is written by cmake/Revision.cmake at every build.
+/// The output of `git describe --always --dirty --tags` at build time; empty outside of a repository.
+/// cmake/Revision.cmake writes the definition at every build.
 std::string build_revision();
 
 }  // namespace shellmatch

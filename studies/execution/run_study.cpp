@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The last line of a log without the program's name: "error: not enough memory; ...".
+// The last line of a log without the program's name, as "error: not enough memory; ...".
 std::string last_words(const std::string& log) {
   std::ifstream in(log, std::ios::binary | std::ios::ate);
   const std::streamoff end = in.tellg(), from = std::max<std::streamoff>(0, end - 2000);
@@ -36,7 +36,7 @@ std::string last_words(const std::string& log) {
   return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
 }
 
-// What a process that exited without an error has left.
+// Sets the status of a run whose process exited without an error, from its output.
 void judge_output(const std::string& output, RunResult& result) {
   result.status = RunStatus::failed;
   try {
@@ -57,7 +57,7 @@ void judge_output(const std::string& output, RunResult& result) {
   }
 }
 
-// A run that is under way. Should it go before its end, the process and its folder go with it.
+// A run in progress. Destroyed before its end, it kills the process and removes its folder.
 class ActiveRun {
  public:
   ActiveRun(const StudyRun& run, const std::string& place, const std::string& program,
@@ -70,7 +70,7 @@ class ActiveRun {
         folder_.path_of("log.txt"), limits);
   }
 
-  // True once it has ended and its folder is in its place.
+  // Returns true once the process has ended and its folder has been committed.
   bool advance() {
     const std::optional<ProcessResult> end = child_->poll();
     if (!end) return false;
@@ -114,7 +114,7 @@ class ActiveRun {
   std::unique_ptr<ChildProcess> child_;
 };
 
-// Does the run have to run, with this result from before?
+// Whether the run has to be performed, given its earlier result.
 bool is_due(const RunResult& result, const RunLimits& limits, bool retry) {
   const auto raised = [](double now, double then) { return then > 0 && (now == 0 || now > then); };
   switch (result.status) {
@@ -131,14 +131,15 @@ bool is_due(const RunResult& result, const RunLimits& limits, bool retry) {
   }
 }
 
-// The names that a study's folder may hold; anything else there belongs to somebody else.
+// Whether a study's folder may contain this name; other entries belong to the user.
 bool is_known_entry(const std::string& name) {
   for (const char* known : {"study.yaml", "runs", "table.csv", "convergence.csv", "summary.md", "plots"})
     if (name == known) return true;
   return name.starts_with(".");
 }
 
-// The folder, absolute and with all that a study needs in it, unless it is somebody else's.
+// Creates the folder with its subfolders and returns its absolute path. \throws InputError if it belongs to something
+// else
 std::string prepared(const std::string& path) {
   const std::string absolute = fs::absolute(path).lexically_normal().string();
   std::error_code error;
@@ -186,8 +187,7 @@ RunResult StudyFolder::result_of(const StudyRun& run) const {
 bool run_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder,
                const StudySettings& settings, StudyObserver& observer) {
   const RunLimits& limits = study.options.limits;
-  // The very file that is being executed, even where it has been replaced meanwhile: one build makes one
-  // study.
+  // The executable of this process, even if its file has been replaced meanwhile: all runs of a study use one build.
   const std::string program = settings.program.empty() ? "/proc/self/exe" : settings.program;
   const std::string machine = machine_text();
   std::vector<std::unique_ptr<ActiveRun>> active;
@@ -201,7 +201,7 @@ bool run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
         continue;
       }
       std::error_code error;
-      fs::remove_all(place, error);  // the result of another configuration, or a folder without one
+      fs::remove_all(place, error);  // a result of another configuration, or a folder without result
       RunResult result;
       result.fingerprint = run.fingerprint;
       result.limit_seconds = limits.seconds;

@@ -17,10 +17,10 @@ namespace shellmatch {
 
 namespace {
 
-// More is a mistake in the file, not a study.
+// Protects against mistakes in the file; no study needs more.
 constexpr std::size_t most_runs = 20000;
 
-// Checksums of input files, each read once for all runs.
+// Checksums of the input files, each of which is read once for all runs.
 class InputContents {
  public:
   std::string of(const std::string& source, const std::string& where) {
@@ -43,7 +43,7 @@ class InputContents {
   std::map<std::string, std::string> known_;
 };
 
-// The same experiment wherever its files lie: `inputs` tells their contents.
+// The experiment independent of the location of its files, whose contents `inputs` identifies.
 std::string portable_yaml(ExperimentOptions o) {
   for (std::string* source : {&o.input.reference, &o.input.template_file, &o.input.correspondence})
     if (!is_generated_source(*source)) *source = std::filesystem::path(*source).filename().string();
@@ -51,7 +51,7 @@ std::string portable_yaml(ExperimentOptions o) {
 }
 
 std::string energy_key_of(ExperimentOptions o, const std::string& inputs) {
-  // All that does not change the function that is minimised last. Whatever is not named here counts.
+  // Resets all options that do not change the function minimised last. Options not listed here are part of the key.
   const ScheduleStep last = schedule_of_level(o.cascade, o.cascade.max_level).back();
   const ExperimentOptions defaults;
   o.profile = defaults.profile;
@@ -92,7 +92,7 @@ class Product {
   }
 
  private:
-  // One axis of parameters after the other.
+  // Recursion over the axes of parameters.
   void grid(const StudyChoice& problem, std::vector<Override>& changes, StudyRun& run, std::size_t axis,
             std::size_t metric) {
     if (axis == study_.parameters.size()) return add(problem, changes, run, metric);
@@ -115,7 +115,7 @@ class Product {
       if (source->empty())
         throw_input_error("{}: input.{} is missing; set it, or name a base file that does", where, key);
 
-    // A run of a study is one piece of work from the beginning, or its times tell nothing.
+    // Checkpoints are disabled, because the times of a resumed run would not be comparable.
     run.options.resume = {.enabled = false};
     const LevelwiseSolverOptions& solver = run.options.solver;
     const bool own = !make_minimizer(solver)->uses_metric() && solver.levels.entries.empty();

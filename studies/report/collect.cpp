@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// `write` gets the name of a file in the same folder, with the same ending.
+// Replaces a file atomically. `write` receives a temporary name in the same folder with the same extension.
 void replace(const fs::path& place, const std::function<void(const std::string&)>& write) {
   const fs::path beside =
       place.parent_path() / fmt::format("{}{}-{}", partial_file_prefix, ::getpid(), place.filename().string());
@@ -51,7 +51,7 @@ void collect_study(const Study& study, const std::vector<StudyRun>& runs, const 
       replace(plots / (plot.name + ".png"),
               [&](const std::string& beside) { write_plot(plot.plot, beside); });
   replace_file(folder.path() + "/summary.md", study_report(study, table));
-  folder.remove_leftovers();  // of whoever has ended since this study began
+  folder.remove_leftovers();  // of processes that have ended since the study began
 }
 
 }  // namespace shellmatch

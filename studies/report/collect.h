@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The tables, plots and summary of a study, from the results that there are.
+/// Writes the tables, plots and summary of a study from the available results.
 
 #include "studies/execution/run_study.h"
 
@@ -8,11 +8,11 @@
 
 namespace shellmatch {
 
-/// Writes table.csv, convergence.csv, plots/ and summary.md into the folder; each file appears as a whole.
+/// Writes table.csv, convergence.csv, plots/ and summary.md to the folder, each file atomically.
 /// \throws EnvironmentError if nothing can be written
 void collect_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder);
 
-/// Writes a file beside its place and renames it. \throws EnvironmentError
+/// Writes a file under a temporary name and renames it. \throws EnvironmentError
 void replace_file(const std::string& path, const std::string& contents);
 
 }  // namespace shellmatch

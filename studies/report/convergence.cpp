@@ -7,7 +7,7 @@ namespace shellmatch {
 
 std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary,
                                                  int max_level) {
-  ConvergencePoint before;  // the cost of the minimisations before
+  ConvergencePoint before;  // cost of the earlier minimisations
   int n_substeps = 0;
   for (std::size_t i = 0; i < summary.levels.size(); ++i) {
     const LevelSummary& level = summary.levels[i];

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How a run went down on the finest level, and what it cost to come near the best energy known.
+/// The convergence of a run on the finest level, and the cost of coming close to the best known energy.
 
 #include "matching/output/history_file.h"
 #include "matching/output/summary.h"
@@ -10,25 +10,25 @@
 
 namespace shellmatch {
 
-/// An accepted step of the very last minimisation of a cascade. Costs are those of the whole cascade up to
-/// here: earlier minimisations have another energy, and what they cost was spent on the way to this one.
+/// An accepted step of the last minimisation of a cascade. Costs are those of the whole cascade until this step:
+/// earlier minimisations have other energies, but they are part of the way to this one.
 struct ConvergencePoint {
   int iteration = 0;
   double value = 0;
-  long evaluations = 0;  ///< of the energy, with or without its gradient
+  long evaluations = 0;  ///< of the energy, with or without gradient
   long gradient_evaluations = 0;
-  double seconds = 0;  ///< of minimisation; reading, set-up and output are the same for every solver
+  double seconds = 0;  ///< of minimisation; reading, set-up and output do not depend on the solver
 };
 
-/// The steps of the last substep of `max_level`; empty where the run did not come so far. The totals of the
-/// levels below are taken from the summary, which also counts trials after the last accepted step.
+/// The steps of the last substep of `max_level`; empty if the run did not reach it. The totals of earlier minimisations
+/// are taken from the summary, which also counts trial steps after the last accepted one.
 std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary,
                                                  int max_level);
 
-/// (value - best) / |best|; NaN where best is 0 or one of them is not finite.
+/// (value - best) / |best|; NaN if best is 0 or one of them is not finite.
 double relative_gap(double value, double best);
 
-/// What it cost until the gap was at most that large for the first time.
+/// The cost until the gap first fell to a given bound.
 struct GapCost {
   long evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;

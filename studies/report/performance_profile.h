@@ -7,9 +7,9 @@
 
 namespace shellmatch {
 
-/// rho(tau), the share of problems that a solver solves within tau times the cost of the best solver for that
-/// problem: a step function that is continuous from the right. share[i] holds from ratio[i] on; ratios rise
-/// strictly and begin with 1.
+/// rho(tau), the share of problems that a solver solves within tau times the cost of the best solver for that problem.
+/// A step function, continuous from the right: its value is share[i] from ratio[i] on. The ratios increase strictly,
+/// beginning with 1.
 struct PerformanceProfile {
   std::vector<double> ratio, share;
 
@@ -17,9 +17,8 @@ struct PerformanceProfile {
   double at(double tau) const;
 };
 
-/// One profile for each solver. \param costs costs[p][s] > 0 of solver s on problem p, infinity where it did
-/// not solve it. A problem that nobody solved counts as unsolved for all. \pre every problem has as many
-/// costs as the first
+/// One profile for each solver. \param costs costs[p][s] > 0 of solver s on problem p, infinity if it did not solve it.
+/// A problem that no solver solved counts as unsolved for all. \pre every problem has the same number of costs
 std::vector<PerformanceProfile> performance_profiles(const std::vector<std::vector<double>>& costs);
 
 }  // namespace shellmatch

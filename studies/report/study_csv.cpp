@@ -28,7 +28,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-// Empty without a summary.
+// The value of a summary's member; empty without a summary.
 template <class Get>
 auto of_summary(Get get) {
   return [get](const StudyRow& row) { return row.summary ? get(*row.summary) : std::string(); };
@@ -58,7 +58,7 @@ double minimisation_seconds(const MatchSummary& s) {
   return sum;
 }
 
-// The value of that parameter in YAML's notation.
+// The value of the parameter `key` in YAML's notation.
 std::string parameter_of(const StudyRow& row, const std::string& key) {
   for (const auto& [name, value] : row.run.parameters)
     if (name == key) return quoted(value);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A study's tables as files with comma-separated values.
+/// The tables of a study as CSV files.
 
 #include "studies/report/study_table.h"
 
@@ -9,14 +9,14 @@
 
 namespace shellmatch {
 
-/// One line for each run. What is not known is empty. All columns but those of study_timing_columns() are the
-/// same to the bit whenever and wherever the study is run, as long as no run is ended by its limits.
+/// One line for each run; unknown values are empty. Except for study_timing_columns(), all columns are the same bit for
+/// bit for every execution of the study in which no run exceeds its limits.
 std::string study_csv(const StudyTable& table);
 
 /// One line for each accepted step on the finest level.
 std::string convergence_csv(const StudyTable& table);
 
-/// Columns that differ from one time to the next.
+/// The columns that differ from one execution to the next.
 std::vector<std::string> study_timing_columns();
 
 }  // namespace shellmatch

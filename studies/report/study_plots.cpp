@@ -20,7 +20,7 @@ void append_new(std::vector<std::string>& list, const std::string& name) {
   if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
 }
 
-// A colour for each solver, a pattern of dashes for each of its variants (metric, parameters).
+// One colour for each solver, one dash pattern for each of its variants (metric, parameters).
 class Styles {
  public:
   explicit Styles(const StudyTable& table) {
@@ -43,10 +43,10 @@ class Styles {
   std::map<std::string, std::pair<int, int>> styles_;
 };
 
-// High enough for its legend.
+// The height in pixels that the legend needs.
 int height_for(std::size_t n_entries) { return std::max(560, 130 + static_cast<int>(21 * n_entries)); }
 
-// Evaluations or seconds to a gap, by instance and method; infinity where it was not reached.
+// Evaluations or seconds until the gap was reached, by instance and method; infinity if it was not.
 std::vector<std::vector<double>> costs_to_gap(const StudyTable& table, std::size_t gap, bool seconds) {
   const std::vector<std::string> instances = instances_of(table), methods = methods_of(table);
   std::vector<std::vector<double>> costs;

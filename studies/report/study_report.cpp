@@ -40,7 +40,7 @@ std::string statuses(const Rows& rows) {
   return text;
 }
 
-// "120 / 3.4": evaluations and seconds to a gap.
+// Evaluations and seconds until a gap was reached: "120 / 3.4".
 std::string cost_text(const Rows& rows, std::size_t gap) {
   const double evaluations = median_of(rows, [&](const StudyRow& r) {
     return r.to_gap[gap] ? static_cast<double>(r.to_gap[gap]->evaluations) : infinity;
@@ -85,7 +85,7 @@ std::string instance_section(const StudyTable& table, const std::string& instanc
     if (rows.empty()) order.push_back(&row);
     rows.push_back(&row);
   }
-  // Best energy first, what has none last.
+  // By ascending energy; runs without an energy come last.
   std::stable_sort(order.begin(), order.end(), [](const StudyRow* a, const StudyRow* b) {
     const auto rank = [](const StudyRow* r) { return std::isfinite(r->energy) ? r->energy : infinity; };
     return rank(a) < rank(b);
@@ -116,7 +116,7 @@ std::string instance_section(const StudyTable& table, const std::string& instanc
   return text;
 }
 
-// What a reader must know of the timings before he believes them.
+// Conditions under which the timings were measured.
 std::string timing_notes(const StudyTable& table) {
   bool parallel = false, busy = false;
   std::set<std::string> machines, programs;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// summary.md: a study's results for people.
+/// summary.md: the results of a study for readers.
 
 #include "studies/report/study_table.h"
 
@@ -8,7 +8,7 @@
 
 namespace shellmatch {
 
-/// What the plots are called is settled in study_plots.h; they lie in plots/ beside the summary.
+/// The text of the summary. It refers to the plots in plots/ by their names in study_plots.h.
 std::string study_report(const Study& study, const StudyTable& table);
 
 }  // namespace shellmatch

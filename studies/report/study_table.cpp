@@ -17,8 +17,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The parameters whose value decides on what is minimised: those that change the energy's key where all else
-// is equal.
+// The parameters on which the minimised function depends: those that change the energy key while all else is equal.
 std::set<std::string> energy_parameters(const std::vector<StudyRun>& runs) {
   std::set<std::string> found;
   for (std::size_t axis = 0; !runs.empty() && axis < runs.front().parameters.size(); ++axis) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The results of a study side by side: one row for each run.
+/// The results of a study as a table with one row for each run.
 
 #include "studies/report/convergence.h"
 #include "studies/execution/run_study.h"
@@ -12,18 +12,18 @@
 
 namespace shellmatch {
 
-/// Relative gaps to the best energy known, to which costs are stated.
+/// Relative gaps to the best known energy for which costs are stated.
 inline constexpr std::array<double, 3> study_gaps = {1e-1, 1e-2, 1e-3};
 
 struct StudyRow {
   StudyRun run;
   RunResult result;
-  std::string instance;  ///< problem, with the parameters that change the function to be minimised
+  std::string instance;  ///< problem, with the parameters that change the minimised function
   std::string method;    ///< solver, metric and all other parameters
   std::optional<MatchSummary> summary;
-  std::vector<ConvergencePoint> finest;  ///< steps of the last minimisation; empty where it was not reached
+  std::vector<ConvergencePoint> finest;  ///< steps of the last minimisation; empty if it was not reached
   double energy = 0;  ///< at the end of the finest level, with the quadrature that was minimised; else NaN
-  double best = 0;    ///< least energy of all runs that minimise the same function; NaN where there is none
+  double best = 0;    ///< least energy of all runs that minimise the same function; NaN without one
   std::array<std::optional<GapCost>, study_gaps.size()> to_gap;
 };
 
@@ -32,8 +32,8 @@ struct StudyTable {
   std::vector<StudyRow> rows;
 };
 
-/// Reads what there is; runs without a result are rows, too. \throws InputError where the output of a
-/// finished run is damaged
+/// Reads the available results; runs without a result have a row, too. \throws InputError if the output of a finished
+/// run is damaged
 StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder);
 
 }  // namespace shellmatch

@@ -249,8 +249,8 @@ TEST(Resume, AStateThatCannotBeReadBeginsAnew) {
   stop_at(4, o, tmp / "out");
   const std::string state = tmp / "out.unfinished/state.json", history = tmp / "out.unfinished/history.csv";
   put(history, "rubbish\n");
-  KeptManifest manifest = read_manifest(state).value();
-  for (KeptManifest::File& file : manifest.files)
+  CheckpointManifest manifest = read_manifest(state).value();
+  for (CheckpointManifest::File& file : manifest.files)
     if (file.name == "history.csv") file.checksum = file_checksum(history);
   put(state, manifest_json(manifest));
   const Watcher anew = run(o, tmp / "out");
@@ -265,9 +265,9 @@ TEST(Resume, AStateOfAnEarlierFormatBeginsAnewAndSaysSo) {
   const ExperimentOptions o = experiment();
   stop_at(4, o, tmp / "out");
   const std::string state = tmp / "out.unfinished/state.json";
-  KeptManifest manifest = read_manifest(state).value();
+  CheckpointManifest manifest = read_manifest(state).value();
   manifest.format = 1;
-  for (KeptManifest::File& file : manifest.files) file.checksum = "0123456789abcdef";
+  for (CheckpointManifest::File& file : manifest.files) file.checksum = "0123456789abcdef";
   put(state, manifest_json(manifest));
   const Watcher anew = run(o, tmp / "out");
   EXPECT_NE(anew.notes.find("another build of the program has written it"), std::string::npos) << anew.notes;

@@ -17,12 +17,12 @@ using namespace test;
 
 TEST(KinkFree, RoomIsTheDistanceToTheNearestFace) {
   const Octree<2> grid(2);
-  const Vec<2> room = room_within_cell<2>(grid, Vec<2>(0.26, 0.4));
-  EXPECT_NEAR(room[0], 0.01, 1e-15);
-  EXPECT_NEAR(room[1], 0.1, 1e-15);
+  const Vec<2> distance = distance_to_cell_faces<2>(grid, Vec<2>(0.26, 0.4));
+  EXPECT_NEAR(distance[0], 0.01, 1e-15);
+  EXPECT_NEAR(distance[1], 0.1, 1e-15);
   // Outside, positions are projected back: the domain's boundary is the only face.
-  EXPECT_NEAR(room_within_cell<2>(grid, Vec<2>(-0.3, 0.4))[0], 0.3, 1e-15);
-  EXPECT_NEAR(room_within_cell<2>(grid, Vec<2>(1.2, 0.4))[0], 0.2, 1e-15);
+  EXPECT_NEAR(distance_to_cell_faces<2>(grid, Vec<2>(-0.3, 0.4))[0], 0.3, 1e-15);
+  EXPECT_NEAR(distance_to_cell_faces<2>(grid, Vec<2>(1.2, 0.4))[0], 0.2, 1e-15);
 }
 
 template <int Dim>
