@@ -31,6 +31,11 @@ void compile_share(std::vector<CompiledTerm<Dim>>& terms) {
   compile_listed<Share>(AllTerms<Dim>{}, terms);
 }
 
+#ifdef SHELLMATCH_TERM_DIM
 template void compile_share<SHELLMATCH_TERM_DIM, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<SHELLMATCH_TERM_DIM>>&);
+#else
+template void compile_share<2, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<2>>&);
+template void compile_share<3, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<3>>&);
+#endif
 
 }  // namespace shellmatch
