@@ -126,7 +126,7 @@ class Compiled {
   template <std::size_t Output, class V>
   [[gnu::always_inline]] static void sweep(const V* v, V seed, V* adjoint) {
     V a[n_];
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       a[outputs_[Output]] = seed;
       (backward<Output, n_ - 1 - I>(v, a), ...);
       for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
@@ -156,7 +156,7 @@ class Compiled {
   [[gnu::always_inline]] static V value(const V* active, const V* passive) {
     static_assert(n_outputs_ == 1);
     V v[n_];
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (forward<I>(v, active, passive), ...);
     }(std::make_index_sequence<n_>{});
     return v[outputs_[0]];
@@ -168,7 +168,7 @@ class Compiled {
   [[gnu::always_inline]] static V gradient(const V* active, const V* passive, V seed, V* adjoint) {
     static_assert(n_outputs_ == 1);
     V v[n_];
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (forward<I>(v, active, passive), ...);
       sweep<0>(v, seed, adjoint);
       return v[outputs_[0]];
@@ -180,10 +180,10 @@ class Compiled {
   template <class V>
   [[gnu::always_inline]] static void jacobian(const V* active, const V* passive, V* values, V* derivative) {
     V v[n_];
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (forward<I>(v, active, passive), ...);
     }(std::make_index_sequence<n_>{});
-    [&]<std::size_t... O>(std::index_sequence<O...>) {
+    [&]<std::size_t... O>(std::index_sequence<O...>) __attribute__((always_inline)) {
       ((values[O] = v[outputs_[O]], sweep<O>(v, broadcast(V{}, 1.0), derivative + O * Functor::n_active)), ...);
     }(std::make_index_sequence<n_outputs_>{});
   }

@@ -18,7 +18,7 @@ using autodiff::Pack;
 /// body(integral_constant) for 0, ..., N - 1.
 template <int N, class Body>
 [[gnu::always_inline]] inline void unrolled(Body&& body) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
+  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
     (body(std::integral_constant<int, I>{}), ...);
   }(std::make_integer_sequence<int, N>{});
 }
@@ -54,21 +54,24 @@ template <class Term, bool WithGradient>
   else return run(passive_inputs<BandFunctor<Term>, Term>(p, own).data());
 }
 
-/// h += factor j^T w j
+/// Lower triangle of h += factor j^T w j, which is what the Cholesky factor is made from; w is symmetric.
 template <int NArguments, int NVariables>
-void add_congruent(double factor, const SquarePack<NArguments>& w,
-                   const std::array<std::array<Pack, NVariables>, NArguments>& j, SquarePack<NVariables>& h) {
-  std::array<std::array<Pack, NVariables>, NArguments> wj{};
-  for (int e = 0; e < NArguments; ++e)
-    for (int f = 0; f < NArguments; ++f)
-      for (int v = 0; v < NVariables; ++v) wj[e][v] += w[e][f] * j[f][v];
-  for (int u = 0; u < NVariables; ++u)
-    for (int v = u; v < NVariables; ++v) {
-      Pack sum{};
-      for (int e = 0; e < NArguments; ++e) sum += j[e][u] * wj[e][v];
-      h[u][v] += factor * sum;
-      if (u != v) h[v][u] += factor * sum;
+[[gnu::always_inline]] inline void add_congruent(double factor, const SquarePack<NArguments>& w,
+                                                 const std::array<std::array<Pack, NVariables>, NArguments>& j,
+                                                 SquarePack<NVariables>& h) {
+  for (int v = 0; v < NVariables; ++v) {
+    std::array<Pack, NArguments> wj;
+    for (int e = 0; e < NArguments; ++e) {
+      wj[e] = w[e][0] * j[0][v];
+      for (int f = 1; f < NArguments; ++f) wj[e] += w[e][f] * j[f][v];
+      wj[e] *= factor;
     }
+    for (int u = v; u < NVariables; ++u) {
+      Pack sum = h[u][v];
+      for (int e = 0; e < NArguments; ++e) sum += j[e][u] * wj[e];
+      h[u][v] = sum;
+    }
+  }
 }
 
 /// Derivative of output `Output` of a functor by the coordinates of phi, on which the template's values depend.
@@ -144,6 +147,8 @@ void add_in_all_by_tangent(const BandModelPoint<Term::dim>& at, double weight, c
   constexpr int n_all = BandModelPoint<dim>::n_all;
   SquarePack<n_tangent> of_tangent{};
   add_in_tangent<Term>(at, weight, own, of_tangent);
+  for (int i = 0; i < n_tangent; ++i)
+    for (int k = 0; k < i; ++k) of_tangent[k][i] = of_tangent[i][k];
   std::array<std::array<Pack, n_all>, n_tangent> j{};
   for (int r = 0; r < m; ++r)
     for (int s = 0; s < m; ++s)

@@ -35,8 +35,9 @@ struct BandCode {
   /// Values, times seed; with the gradient, adds the derivative times seed to `adjoint`.
   Pack (*value)(PointArrays<Dim>& p, const Pack& seed, const double* own);
   Pack (*gradient)(PointArrays<Dim>& p, const Pack& seed, const double* own);
-  /// Adds weight J^T W''_+ J, with J the derivative of the argument and W''_+ the positive part of the density's second
-  /// derivative. add_in_tangent is null where the tangent variables do not tell the term's derivative.
+  /// Adds weight J^T W''_+ J to the lower triangle of h, with J the derivative of the argument and W''_+ the positive
+  /// part of the density's second derivative. add_in_tangent is null where the tangent variables do not determine the
+  /// term's derivative.
   void (*add_in_tangent)(const BandModelPoint<Dim>& at, double weight, const double* own,
                          SquarePack<BandModelPoint<Dim>::n_tangent>& h);
   void (*add_in_all)(const BandModelPoint<Dim>& at, double weight, const double* own,

@@ -18,13 +18,17 @@ struct TangentVariables {
                   SquarePack<n>& h) {
     code.add_in_tangent(at, weight, own, h);
   }
-  /// The change of Dphi along a direction of the variables.
-  static void dphi_of(const BandModelPoint<Dim>& at, const std::array<autodiff::Pack, n>& direction,
-                      std::array<std::array<autodiff::Pack, Dim>, Dim>& dphi) {
-    for (int i = 0; i < Dim - 1; ++i)
-      for (int j = 0; j < Dim - 1; ++j)
-        for (int a = 0; a < Dim; ++a)
-          for (int d = 0; d < Dim; ++d) dphi[a][d] += direction[i * (Dim - 1) + j] * at.t2[i][a] * at.t1[j][d];
+  /// The change of Dphi along a direction of the variables, the first `First` entries of which are 0.
+  template <int First>
+  [[gnu::always_inline]] static void dphi_of(const BandModelPoint<Dim>& at, const std::array<autodiff::Pack, n>& direction,
+                                             std::array<std::array<autodiff::Pack, Dim>, Dim>& dphi) {
+    for (int v = First; v < n_dphi; ++v) {
+      const int i = v / (Dim - 1), j = v % (Dim - 1);
+      for (int a = 0; a < Dim; ++a) {
+        const autodiff::Pack along = direction[v] * at.t2[i][a];
+        for (int d = 0; d < Dim; ++d) dphi[a][d] += along * at.t1[j][d];
+      }
+    }
   }
 };
 
@@ -36,9 +40,10 @@ struct AllVariables {
                   SquarePack<n>& h) {
     code.add_in_all(at, weight, own, h);
   }
+  template <int First>
   static void dphi_of(const BandModelPoint<Dim>&, const std::array<autodiff::Pack, n>& direction,
                       std::array<std::array<autodiff::Pack, Dim>, Dim>& dphi) {
-    for (int i = 0; i < Dim * Dim; ++i) dphi[i / Dim][i % Dim] = direction[i];
+    for (int i = First; i < Dim * Dim; ++i) dphi[i / Dim][i % Dim] = direction[i];
   }
 };
 

@@ -5,6 +5,8 @@
 #include "energies/elements/sum_factorised_evaluator.h"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -35,21 +37,31 @@ void add_modes(const BandModelPoint<Dim>& at, const SquarePack<Variables::n>& h,
   const auto l = cholesky<n_variables>(h);
   const Pack root_weight = autodiff::root_of(at.weight);
   std::array<std::array<Pack, n_variables>, n_dofs> modes;
-  for (int mode = 0; mode < n_variables; ++mode) {
-    // Component a of corner c moves row a of Dphi by grad N_c, and phi_a by N_c.
-    std::array<Pack, n_variables> direction;
-    for (int v = 0; v < n_variables; ++v) direction[v] = l[v][mode];
+  // The factor is lower triangular: the first `mode` entries of a mode are 0.
+  const auto add_mode = [&]<int Mode>(std::integral_constant<int, Mode>) __attribute__((always_inline)) {
+    constexpr bool moves_dphi = Mode < Variables::n_dphi;
+    std::array<Pack, n_variables> direction{};
+    for (int v = Mode; v < n_variables; ++v) direction[v] = l[v][Mode];
     std::array<std::array<Pack, Dim>, Dim> dphi{};
-    Variables::dphi_of(at, direction, dphi);
-    for (int a = 0; a < Dim; ++a)
-      for (int d = 0; d < Dim; ++d) dphi[a][d] *= root_weight * inverse_side;
-    for (int c = 0; c < n_corners<Dim>; ++c)
-      for (int a = 0; a < Dim; ++a) {
-        Pack s = q.n[c] * root_weight * direction[Variables::n_dphi + a];
-        for (int d = 0; d < Dim; ++d) s += q.dn[c][d] * dphi[a][d];
-        modes[c * Dim + a][mode] = s;
+    if constexpr (moves_dphi) {
+      Variables::template dphi_of<Mode>(at, direction, dphi);
+      for (int a = 0; a < Dim; ++a)
+        for (int d = 0; d < Dim; ++d) dphi[a][d] *= root_weight * inverse_side;
+    }
+    // Component a of corner c moves row a of Dphi by grad N_c, and phi_a by N_c.
+    for (int a = 0; a < Dim; ++a) {
+      const Pack of_phi = root_weight * direction[Variables::n_dphi + a];
+      for (int c = 0; c < n_corners<Dim>; ++c) {
+        Pack s = q.n[c] * of_phi;
+        if constexpr (moves_dphi)
+          for (int d = 0; d < Dim; ++d) s += q.dn[c][d] * dphi[a][d];
+        modes[c * Dim + a][Mode] = s;
       }
-  }
+    }
+  };
+  [&]<int... Mode>(std::integer_sequence<int, Mode...>) __attribute__((always_inline)) {
+    (add_mode(std::integral_constant<int, Mode>{}), ...);
+  }(std::make_integer_sequence<int, n_variables>{});
   // All modes of a point at once: the sums are read and written once, which is what this loop's time is.
   int entry = 0;
   for (int i = 0; i < n_dofs; ++i) {
@@ -113,7 +125,7 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       for (const Acting& term : acting) Variables::add(*term.code, at, term.weight, term.own, h);
       // Lanes without weight may hold anything: an infinity would outlive the multiplication by zero.
       for (int i = 0; i < Variables::n; ++i)
-        for (int j = 0; j < Variables::n; ++j)
+        for (int j = 0; j <= i; ++j)
           h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
       add_modes<Variables>(at, h, points[q], batch.inverse_side, k);
     }
