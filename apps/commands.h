@@ -91,7 +91,7 @@ class CheckFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Executes a command. \throws InputError, EnvironmentError, CheckFailed, or Interrupted if a signal stopped it
+/// Executes a command. \throws InputError, EnvironmentError, CheckFailed, or Stopped (base/stop.h) if a signal stopped it
 void execute(const MatchCommand& command);
 void execute(const RunCommand& command);
 void execute(const GenerateCommand& command);

@@ -19,7 +19,7 @@ struct Acting {
   CellKernel<Dim> apply;
   const Material<double>* material;
   double weight, *value;
-  bool may_fail;  ///< checked after every batch: a term that forbids folds ends the block at the first fold
+  bool may_fail;  ///< corner terms find folds: checked after every batch, the first fold ends the block
   Pack sum{};
 };
 

@@ -40,6 +40,23 @@ inline constexpr auto all_term_names = [] {
   return names;
 }();
 
+namespace detail {
+
+/// Terms of one name stand together, the first of them brings the factor, and no two of them have the same model.
+constexpr bool is_good_list() {
+  for (std::size_t i = 0; i < all_term_infos.size(); ++i) {
+    const bool is_first = i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name;
+    if (is_first == all_term_infos[i].weight.name.empty()) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (all_term_infos[j].name == all_term_infos[i].name && (is_first || all_term_infos[j].model == all_term_infos[i].model))
+        return false;
+  }
+  return true;
+}
+static_assert(is_good_list(), "energies/terms/list.h: terms of one name stand together, only the first has a weight, models differ");
+
+}  // namespace detail
+
 /// The term of this name. \pre there is one; a name that is known at compile time is checked there
 constexpr Term term_named(std::string_view name) {
   for (std::size_t i = 0; i < n_all_terms; ++i)

@@ -17,7 +17,7 @@ using Triangles = std::vector<std::array<Index, 3>>;
 /// ignored.
 Triangles triangulate(const OriginalShape<3>& shape);
 
-/// Merges vertices with equal coordinates on boundary edges; returns the number of vertices removed. Vertices
+/// Merges vertices with equal coordinates on boundary edges; returns the number of vertices merged; they stay until remove_unused_vertices(). Vertices
 /// inside a closed part are not merged, because contact there is not a seam.
 std::size_t weld_seams(Surface<3>& surface);
 
