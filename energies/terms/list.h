@@ -10,7 +10,6 @@
 #include "energies/terms/match.h"
 #include "energies/terms/membrane.h"
 #include "energies/terms/membrane_without_p2.h"
-#include "energies/terms/normals_to_normals.h"
 #include "energies/terms/quadratic_bending.h"
 #include "energies/terms/simplified_volume.h"
 #include "energies/terms/symmetric_dirichlet_volume.h"
@@ -26,6 +25,6 @@ using AllTerms = TermList<Match<Dim>,
                           Membrane<Dim>, MembraneWithoutP2<Dim>, CauchyGreenMembrane<Dim>,
                           Bending<Dim>, BendingWithoutP2<Dim>, QuadraticBending<Dim>,
                           SymmetricDirichletVolume<Dim>, SimplifiedVolume<Dim>, FullVolume<Dim>,
-                          FoldBarrier<Dim>, NormalsToNormals<Dim>>;
+                          FoldBarrier<Dim>>;
 
 }  // namespace shellmatch
