@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 
 namespace shellmatch {
 
@@ -18,6 +19,8 @@ using Mat = Eigen::Matrix<double, Dim, Dim>;
 /// Index of a vertex, facet, node or cell within its own array; -1 where there is none.
 using Index = std::int32_t;
 inline constexpr Index no_index = -1;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Number of corners of a cell: 4 or 8. Bit k of a corner's number is its side along axis k: 0 lower, 1
 /// upper.

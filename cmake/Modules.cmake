@@ -24,6 +24,9 @@ if(SHELLMATCH_SANITIZE)
   target_link_options(shellmatch_flags INTERFACE -fsanitize=${SHELLMATCH_SANITIZE})
 endif()
 
+add_library(shellmatch_quick INTERFACE)
+target_compile_options(shellmatch_quick INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # Headers that nearly all files include are precompiled once for all targets with the same flags. Every source still
 # includes all headers that it uses; builds without precompiled headers check this (preset 'tidy', or
 # CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
@@ -39,6 +42,36 @@ target_compile_options(shellmatch_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
+# shellmatch_unity(target sources...)
+#
+# Compiles up to five sources of a room together, so that the headers and templates that they share are read and made once.
+# Names of anonymous namespaces are therefore unique in a room. Every source still compiles alone (presets 'dev' and 'tidy').
+# The source property SHELLMATCH_UNIT names another unit, or `alone` for a source that takes long by itself.
+function(shellmatch_unity target)
+  if(NOT SHELLMATCH_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # Names of anonymous namespaces are local to the unit, not to the file that g++ sees included.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  foreach(source ${ARGN})
+    get_source_file_property(unit ${source} SHELLMATCH_UNIT)
+    get_source_file_property(own_headers ${source} SKIP_PRECOMPILE_HEADERS)
+    if(unit AND NOT unit STREQUAL alone)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})
+    elseif(NOT unit AND NOT own_headers)
+      get_filename_component(room ${source} DIRECTORY)
+      string(MAKE_C_IDENTIFIER "${target}_${room}" room)
+      math(EXPR n_${room} "${n_${room}} + 1")
+      math(EXPR group "(${n_${room}} - 1) / 5")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${group})
+    endif()
+  endforeach()
+endfunction()
+
+# Modules that call the others and have no loops of their own that count: what matters is that they compile quickly.
+set(shellmatch_callers render matching studies)
+
 # shellmatch_module(name SOURCES ... PUBLIC targets... PRIVATE targets...)
 function(shellmatch_module name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
@@ -52,11 +85,19 @@ function(shellmatch_module name)
   target_link_libraries(shellmatch_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
                         $<BUILD_INTERFACE:shellmatch_flags>)
   # g++ silently takes code generation flags from the precompiled header instead of the command line. Geometry therefore
-  # has its own, or CGAL's -frounding-math would be lost.
+  # has its own, or CGAL's -frounding-math would be lost, and so have the callers.
+  if(name IN_LIST shellmatch_callers)
+    target_link_libraries(shellmatch_${name} PRIVATE $<BUILD_INTERFACE:shellmatch_quick>)
+  endif()
   if(name MATCHES "^(base|geometry)$")
     target_precompile_headers(shellmatch_${name} PRIVATE ${shellmatch_precompiled_headers})
+  elseif(name STREQUAL render)  # the first of the callers
+    target_precompile_headers(shellmatch_${name} PRIVATE ${shellmatch_precompiled_headers})
+  elseif(name IN_LIST shellmatch_callers)
+    target_precompile_headers(shellmatch_${name} REUSE_FROM shellmatch_render)
   else()
     target_precompile_headers(shellmatch_${name} REUSE_FROM shellmatch_base)
   endif()
+  shellmatch_unity(shellmatch_${name} ${ARG_SOURCES})
   set_property(GLOBAL APPEND PROPERTY SHELLMATCH_MODULES shellmatch_${name})
 endfunction()

@@ -60,5 +60,6 @@ void write_result(const MatchResult<Dim>& result, const ExperimentOptions& optio
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

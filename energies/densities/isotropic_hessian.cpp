@@ -1,6 +1,7 @@
 #include "energies/densities/isotropic_hessian.h"
 
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -13,9 +14,7 @@ template <int Dim>
 Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
   // Singular vectors from A^T A; the decomposition need not be accurate where stretches coincide, as any
   // basis serves there.
-  Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen;
-  eigen.computeDirect(a.transpose() * a);
-  Mat<Dim> v = eigen.eigenvectors();
+  Mat<Dim> v = eigenpairs_in_closed_form<Dim>(a.transpose() * a).vectors;
   if (v.determinant() < 0) v.col(0) = -v.col(0);
   Mat<Dim> u;
   Vec<Dim> s;
@@ -61,8 +60,8 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
       add(flip, std::abs(gap) > 1e-4 ? (first[i] - first[j]) / gap
                                      : 0.5 * (second(i, i) + second(j, j)) - second(i, j));
     }
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> stretch(second);
-  for (int m = 0; m < Dim; ++m) add(stretch.eigenvectors().col(m).asDiagonal(), stretch.eigenvalues()[m]);
+  const Eigenpairs<Dim> stretch = eigenpairs<Dim>(second);
+  for (int m = 0; m < Dim; ++m) add(stretch.vectors.col(m).asDiagonal(), stretch.values[m]);
   return h;
 }
 

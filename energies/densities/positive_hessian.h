@@ -5,10 +5,10 @@
 /// (`is_isotropic`: W(Q A R) = W(A) for rotations Q and R), which gives its eigenvectors by principal stretches; of any
 /// other density W'' comes from second-order automatic differentiation and its negative eigenvalues are set to 0.
 
+#include "base/symmetric_eigen.h"
 #include "energies/autodiff/second_order.h"
 #include "energies/densities/isotropic_hessian.h"
 #include "energies/densities/square_pack.h"
-#include "energies/densities/symmetric_eigen.h"
 
 #include <array>
 #include <type_traits>

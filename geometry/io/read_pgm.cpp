@@ -7,17 +7,17 @@
 namespace shellmatch {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n\v\f";
+constexpr std::string_view white_space = " \t\r\n\v\f";
 
 // Words separated by blanks; comments run to the end of the line.
 std::int64_t next_count(std::string_view& rest, const std::string& path, std::string_view what) {
   while (true) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
     if (!rest.starts_with('#')) break;
     rest.remove_prefix(std::min(rest.find_first_of("\r\n"), rest.size()));
   }
   if (rest.empty()) throw_input_error("{}: the PGM image is cut off: {} is missing", path, what);
-  const std::optional<std::int64_t> value = to_integer(next_word(rest, blanks));
+  const std::optional<std::int64_t> value = to_integer(next_word(rest, white_space));
   if (!value || *value < 0)
     throw_input_error("{}: {} of the PGM image is not a whole number from 0", path, what);
   return *value;

@@ -9,7 +9,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-Kernel::Point_3 point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
+Kernel::Point_3 kernel_point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
 // Do two triangles with the same corners run the same way round? New copies of vertices count as the old.
 bool same_turn(const std::array<Index, 3>& before, const std::array<std::size_t, 3>& after,
@@ -25,7 +25,7 @@ bool same_turn(const std::array<Index, 3>& before, const std::array<std::size_t,
 
 Orientation orient_consistently(Surface<3>& surface) {
   std::vector<Kernel::Point_3> points;
-  for (const Vec<3>& x : surface.vertices) points.push_back(point(x));
+  for (const Vec<3>& x : surface.vertices) points.push_back(kernel_point(x));
   std::vector<std::array<std::size_t, 3>> triangles;
   for (const auto& [a, b, c] : surface.facets)
     triangles.push_back(
@@ -45,7 +45,7 @@ Orientation orient_consistently(Surface<3>& surface) {
 std::size_t count_flat_triangles(const Surface<3>& surface) {
   std::size_t n = 0;
   for (const auto& [a, b, c] : surface.facets)
-    n += CGAL::collinear(point(surface.vertices[a]), point(surface.vertices[b]), point(surface.vertices[c]))
+    n += CGAL::collinear(kernel_point(surface.vertices[a]), kernel_point(surface.vertices[b]), kernel_point(surface.vertices[c]))
              ? 1
              : 0;
   return n;

@@ -13,7 +13,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using SegmentBox = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Index>;
 
-Point point(const Surface<2>& outline, Index v) { return {outline.vertices[v].x(), outline.vertices[v].y()}; }
+Point outline_point(const Surface<2>& outline, Index v) { return {outline.vertices[v].x(), outline.vertices[v].y()}; }
 
 // Segments a -> b -> c fold back onto each other.
 bool fold_back(const Point& a, const Point& b, const Point& c) {
@@ -23,7 +23,7 @@ bool fold_back(const Point& a, const Point& b, const Point& c) {
 bool meet(const Surface<2>& outline, Index f, Index g) {
   const auto& [a, b] = outline.facets[f];
   const auto& [c, d] = outline.facets[g];
-  const Point pa = point(outline, a), pb = point(outline, b), pc = point(outline, c), pd = point(outline, d);
+  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c), pd = outline_point(outline, d);
   // A common end is no crossing, unless the segments run on top of each other from there.
   if (pb == pc) return fold_back(pa, pb, pd);
   if (pa == pd) return fold_back(pb, pa, pc);
@@ -38,7 +38,7 @@ void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
   std::vector<SegmentBox> boxes;
   for (std::size_t f = 0; f < outline.facets.size(); ++f) {
     const auto& [a, b] = outline.facets[f];
-    boxes.emplace_back(point(outline, a).bbox() + point(outline, b).bbox(), static_cast<Index>(f));
+    boxes.emplace_back(outline_point(outline, a).bbox() + outline_point(outline, b).bbox(), static_cast<Index>(f));
   }
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
                                 [&](const SegmentBox& one, const SegmentBox& two) {
@@ -61,9 +61,9 @@ std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline
   std::vector<std::pair<Index, Index>> found;
   const auto look = [&](Index f, Index v) {
     const auto& [a, b] = outline.facets[f];
-    if (CGAL::collinear(point(outline, a), point(outline, v), point(outline, b)) &&
-        CGAL::collinear_are_strictly_ordered_along_line(point(outline, a), point(outline, v),
-                                                        point(outline, b)))
+    if (CGAL::collinear(outline_point(outline, a), outline_point(outline, v), outline_point(outline, b)) &&
+        CGAL::collinear_are_strictly_ordered_along_line(outline_point(outline, a), outline_point(outline, v),
+                                                        outline_point(outline, b)))
       found.emplace_back(f, v);
   };
   for_each_near_pair(outline, [&](Index f, Index g) {

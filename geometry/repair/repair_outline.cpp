@@ -16,7 +16,7 @@ struct Ring {
   double area = 0;  // signed
 };
 
-using Point = std::pair<double, double>;
+using Coordinates = std::pair<double, double>;
 
 // Splits a ring where it returns to a visited point: the loop in between becomes a ring. A loop of two points
 // is a spike without width and is removed. The remaining rings visit no point twice; their orientation is
@@ -25,8 +25,8 @@ std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& ring, con
                                              std::size_t& n_spikes) {
   std::vector<std::vector<Index>> loops;
   std::vector<Index> path;
-  std::map<Point, std::size_t> place_in_path;
-  const auto key = [&](Index v) { return Point(x[v].x(), x[v].y()); };
+  std::map<Coordinates, std::size_t> place_in_path;
+  const auto key = [&](Index v) { return Coordinates(x[v].x(), x[v].y()); };
   const auto close = [&](std::size_t from) {
     if (path.size() - from > 2)
       loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(from), path.end());

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -16,7 +15,6 @@ namespace shellmatch {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Smaller decreases of a value, in sides of the domain, are rounding errors.
 constexpr double least_improvement = 1e-13;
 

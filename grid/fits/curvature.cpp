@@ -1,11 +1,9 @@
 #include "grid/fits/curvature.h"
 
 #include "base/parallel.h"
+#include "base/symmetric_eigen.h"
 #include "grid/octree/constraints.h"
-#include "grid/fits/matrix_root.h"
 #include "grid/fields/projection.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -138,9 +136,9 @@ CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<
       const Vec<Dim>& n = g.normal[free[i]];
       Mat<Dim> s = unpack_symmetric<Dim>(g.extended_shape[free[i]]) - n * n.transpose();
       if (cap > 0) {
-        const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(s);
-        const Vec<Dim> capped = eigen.eigenvalues().cwiseMax(-cap).cwiseMin(cap);
-        s = eigen.eigenvectors() * capped.asDiagonal() * eigen.eigenvectors().transpose();
+        const Eigenpairs<Dim> eigen = eigenpairs<Dim>(s);
+        const Vec<Dim> capped = eigen.values.cwiseMax(-cap).cwiseMin(cap);
+        s = eigen.vectors * capped.asDiagonal() * eigen.vectors.transpose();
       }
       g.extended_shape[free[i]] = pack_symmetric<Dim>(s);
     });

@@ -1,8 +1,8 @@
 #include "grid/fits/matrix_root.h"
 
 #include "base/error.h"
+#include "base/symmetric_eigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -90,16 +90,6 @@ Mat<Dim> compute(const Mat<Dim>& matrix, bool inverse) {
 }  // namespace
 
 template <int Dim>
-Eigenpairs<Dim> eigenpairs(const Mat<Dim>& a) {
-  // The iterative solver: the closed form (computeDirect) loses half the digits near double eigenvalues, and
-  // a shape operator next to an umbilic point has them.
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(a);
-  SHELLMATCH_CHECK(eigen.info() == Eigen::Success,
-                   "a shape operator has no eigenvalues; is a distance not finite?");
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
-}
-
-template <int Dim>
 Mat<Dim> franca_root(const Mat<Dim>& a) {
   return compute<Dim>(a, false);
 }
@@ -109,8 +99,6 @@ Mat<Dim> franca_inverse_root(const Mat<Dim>& a) {
   return compute<Dim>(a, true);
 }
 
-template Eigenpairs<2> eigenpairs<2>(const Mat<2>&);
-template Eigenpairs<3> eigenpairs<3>(const Mat<3>&);
 template Mat<2> franca_root<2>(const Mat<2>&);
 template Mat<3> franca_root<3>(const Mat<3>&);
 template Mat<2> franca_inverse_root<2>(const Mat<2>&);

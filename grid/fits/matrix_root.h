@@ -6,17 +6,6 @@
 
 namespace shellmatch {
 
-/// Eigenvalues, ascending, and the corresponding eigenvectors as columns.
-template <int Dim>
-struct Eigenpairs {
-  Vec<Dim> values;
-  Mat<Dim> vectors;
-};
-
-/// Eigendecomposition of a symmetric matrix. The matrix must be finite (SHELLMATCH_CHECK).
-template <int Dim>
-Eigenpairs<Dim> eigenpairs(const Mat<Dim>& a);
-
 /// The symmetric positive definite U with U U = A, without eigenvectors: L. P. Franca, 'An algorithm to
 /// compute the square root of a 3x3 positive definite matrix', Computers & Mathematics with Applications
 /// 18(5), 1989; in the plane U = (A + sqrt(det A) I)/sqrt(tr A + 2 sqrt(det A)). By the theorem of Cayley and

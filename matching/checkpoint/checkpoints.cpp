@@ -185,5 +185,6 @@ void CheckpointFolder::remove() {
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -5,17 +5,6 @@ namespace shellmatch {
 
 namespace {
 
-std::string_view word(TermCheck::State state) {
-  switch (state) {
-    case TermCheck::State::passed: return "passed";
-    case TermCheck::State::failed: return "failed";
-    case TermCheck::State::off: return "off";
-    case TermCheck::State::inactive: return "inactive";
-    case TermCheck::State::vanishing: return "vanishing";
-  }
-  return "?";
-}
-
 Json to_json(const DirectionCheck& d) {
   Json json = {{"resolved", d.resolved}, {"steps", d.steps}, {"remainders", d.remainders}, {"orders", d.orders},
                {"slope", d.slope}, {"second_derivative", d.curvature}};
@@ -31,7 +20,7 @@ Json to_json(const WorstElement& w) {
 }
 
 Json to_json(const TermCheck& t) {
-  Json json = {{"term", t.name}, {"state", word(t.state)}};
+  Json json = {{"term", t.name}, {"state", name_of(t.state)}};
   if (t.state == TermCheck::State::off) return json;
   json["value"] = t.value;
   json["gradient_norm"] = t.gradient_norm;

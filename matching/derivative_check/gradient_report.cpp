@@ -7,18 +7,18 @@
 
 namespace shellmatch {
 
-namespace {
-
-std::string_view word(TermCheck::State state) {
+std::string_view name_of(TermCheck::State state) {
   switch (state) {
     case TermCheck::State::passed: return "passed";
-    case TermCheck::State::failed: return "FAILED";
+    case TermCheck::State::failed: return "failed";
     case TermCheck::State::off: return "off";
     case TermCheck::State::inactive: return "inactive";
     case TermCheck::State::vanishing: return "vanishing";
   }
   return "?";
 }
+
+namespace {
 
 std::string orders_text(const TermCheck& t) {
   std::string text;
@@ -31,7 +31,7 @@ std::string orders_text(const TermCheck& t) {
 using Row = std::array<std::string, 8>;
 
 Row row_of(const TermCheck& t) {
-  const std::string state(word(t.state));
+  const std::string state(t.state == TermCheck::State::failed ? "FAILED" : name_of(t.state));
   if (t.state == TermCheck::State::off || t.state == TermCheck::State::inactive) return {t.name, "", "", "", "", "", "", state};
   const std::string ceres =
       t.ceres.n_elements > 0 ? fmt::format("{:.0e} ({})", t.ceres.worst_relative_error, t.ceres.n_elements) : "-";

@@ -69,6 +69,9 @@ struct TermCheck {
   std::vector<std::string> notes;   ///< remarks on what could not be checked
 };
 
+/// The name of a state, as in JSON.
+std::string_view name_of(TermCheck::State state);
+
 struct GradientReport {
   std::string source, state;  ///< the experiment, and the deformation at which it was checked
   int dimension = 0, level = 0, substep = 0, iteration = 0;  ///< substep, iteration: 0 unless checked during a run

@@ -6,11 +6,11 @@ namespace shellmatch {
 
 namespace {
 
-const std::string prefix = "generate:";
+const std::string scheme = "generate:";
 
 }  // namespace
 
-bool is_generated_source(const std::string& source) { return source.starts_with(prefix); }
+bool is_generated_source(const std::string& source) { return source.starts_with(scheme); }
 
 std::pair<std::string, std::string> split_variant(const std::string& text) {
   const std::size_t slash = text.find('/');
@@ -19,18 +19,18 @@ std::pair<std::string, std::string> split_variant(const std::string& text) {
 }
 
 void check_generated_source(const std::string& source) {
-  const auto [name, variant] = split_variant(source.substr(prefix.size()));
+  const auto [name, variant] = split_variant(source.substr(scheme.size()));
   constexpr double coarse = 0.05;  // upper bound of the edge lengths, for speed
   generate_shape(name, variant, coarse);
 }
 
 std::variant<OriginalShape<2>, OriginalShape<3>> generated_original(const std::string& source) {
-  const auto [name, variant] = split_variant(source.substr(prefix.size()));
+  const auto [name, variant] = split_variant(source.substr(scheme.size()));
   return generate_shape(name, variant);
 }
 
 std::optional<AnyExactShape> generated_formula(const std::string& source) {
-  const auto [name, variant] = split_variant(source.substr(prefix.size()));
+  const auto [name, variant] = split_variant(source.substr(scheme.size()));
   return exact_shape(name, variant);
 }
 
@@ -39,8 +39,8 @@ std::vector<std::pair<Index, Vec<Dim>>> generated_correspondence(const std::stri
                                                                  const std::string& template_shape) {
   std::vector<std::pair<Index, Vec<Dim>>> pairs;
   if (!is_generated_source(reference) || !is_generated_source(template_shape)) return pairs;
-  const auto [name, from] = split_variant(reference.substr(prefix.size()));
-  const auto [other, to] = split_variant(template_shape.substr(prefix.size()));
+  const auto [name, from] = split_variant(reference.substr(scheme.size()));
+  const auto [other, to] = split_variant(template_shape.substr(scheme.size()));
   if (name != other) return pairs;
   const AnyKnownPositions known = known_positions(name, from, to);
   for (const auto& [vertex, position] : std::get<KnownPositions<Dim>>(known)) pairs.emplace_back(vertex, position);

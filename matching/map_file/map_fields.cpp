@@ -57,5 +57,6 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
                                                    const std::vector<double>&, double)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -142,5 +142,6 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
                                        const std::vector<CellField>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

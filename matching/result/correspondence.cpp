@@ -42,5 +42,6 @@ double correspondence_error(const Correspondence<Dim>& truth, const std::vector<
   template double correspondence_error<Dim>(const Correspondence<Dim>&, const std::vector<Vec<Dim>>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -99,5 +99,6 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
                                                      const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

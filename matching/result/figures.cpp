@@ -83,5 +83,6 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
                                     const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

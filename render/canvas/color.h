@@ -14,6 +14,7 @@ struct Color {
 
 inline constexpr Color white{1, 1, 1};
 inline constexpr Color black{0, 0, 0};
+inline constexpr Color axis_grey{0.35, 0.37, 0.40};  ///< of axes and labels
 
 /// Conversion of an encoded component to linear light, and back. Both map [0, 1] to itself.
 double linear_from_srgb(double c);

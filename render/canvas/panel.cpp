@@ -11,7 +11,6 @@ namespace shellmatch {
 namespace {
 
 constexpr int gap = 12, title_height = 44, caption_height = 34, bar_height = 58;
-const Color grey{0.35, 0.37, 0.40};
 
 // The bar uses the rectangle at (left, top) of width `width` and height bar_height.
 void draw_bar(const ColorBar& bar, double left, double top, double width, Canvas& canvas) {
@@ -25,12 +24,12 @@ void draw_bar(const ColorBar& bar, double left, double top, double width, Canvas
     for (const Tick& t : linear_ticks(bar.min, bar.max, 4)) {
       const double x = x0 + length * (t.value - bar.min) / range;
       canvas.polyline(std::array{Vec<2>(x, top + thickness), Vec<2>(x, top + thickness + 4)}, false,
-                      {grey, 1, 1, {}});
+                      {axis_grey, 1, 1, {}});
       canvas.text(t.label, {x, top + thickness + 8},
-                  {.size = 11, .color = grey, .anchor_x = 0.5, .anchor_y = 1});
+                  {.size = 11, .color = axis_grey, .anchor_x = 0.5, .anchor_y = 1});
     }
   canvas.text(bar.label, {left + 0.5 * width, top + thickness + 37},
-              {.size = 12, .color = grey, .anchor_x = 0.5});
+              {.size = 12, .color = axis_grey, .anchor_x = 0.5});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace shellmatch {
 namespace {
 
 constexpr double font = 13;
-const Color grey{0.35, 0.37, 0.40}, light_grey{0.88, 0.89, 0.91}, faint{0.94, 0.945, 0.95};
+const Color light_grey{0.88, 0.89, 0.91}, faint{0.94, 0.945, 0.95};
 
 // Map of one axis from values to pixels.
 struct Axis {
@@ -89,7 +89,7 @@ void draw_legend(const Plot& plot, double left, double top, Canvas& canvas) {
     if (s.line)
       canvas.polyline(std::array{Vec<2>(left, y), Vec<2>(left + 26, y)}, false, {color, 2.4, 1, dashes_of(s)});
     if (s.points || !s.line) canvas.disc({left + 13, y}, 3.2, color);
-    canvas.text(s.name, {left + 34, y}, {.size = font, .color = grey, .anchor_y = 0.5});
+    canvas.text(s.name, {left + 34, y}, {.size = font, .color = axis_grey, .anchor_y = 0.5});
     y += 1.6 * font;
   }
 }
@@ -116,7 +116,7 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
               {.size = 1.25 * font, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
   if (x.min > x.max) {
     canvas.text("no values to show", {0.5 * (left + right), 0.5 * (top + bottom)},
-                {.size = font, .color = grey, .anchor_x = 0.5});
+                {.size = font, .color = axis_grey, .anchor_x = 0.5});
     return;
   }
   x.finish(0.02);
@@ -135,25 +135,25 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
     const double p = x.pixel(t.value);
     canvas.polyline(std::array{Vec<2>(p, top), Vec<2>(p, bottom)}, false,
                     {t.label.empty() ? faint : light_grey, 1, 1, {}});
-    canvas.text(t.label, {p, bottom + 10}, {.size = font, .color = grey, .anchor_x = 0.5, .anchor_y = 1});
+    canvas.text(t.label, {p, bottom + 10}, {.size = font, .color = axis_grey, .anchor_x = 0.5, .anchor_y = 1});
   }
   for (const Tick& t : y_ticks) {
     const double p = y.pixel(t.value);
     canvas.polyline(std::array{Vec<2>(left, p), Vec<2>(right, p)}, false,
                     {t.label.empty() ? faint : light_grey, 1, 1, {}});
-    canvas.text(t.label, {left - 8, p}, {.size = font, .color = grey, .anchor_x = 1, .anchor_y = 0.5});
+    canvas.text(t.label, {left - 8, p}, {.size = font, .color = axis_grey, .anchor_x = 1, .anchor_y = 0.5});
   }
   canvas.clip({left, top}, {right - left, bottom - top});
   for (const double m : plot.marks)
     if (x.shows(m))
       canvas.polyline(std::array{Vec<2>(x.pixel(m), top), Vec<2>(x.pixel(m), bottom)}, false,
-                      {grey, 1, 0.6, {2, 4}});
+                      {axis_grey, 1, 0.6, {2, 4}});
   for (std::size_t k = 0; k < plot.series.size(); ++k)
     draw_series(plot.series[k], color_of(plot, k), x, y, canvas);
   canvas.unclip();
   canvas.polyline(
       std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,
-      {grey, 1, 1, {}});
+      {axis_grey, 1, 1, {}});
   canvas.text(plot.x_label, {0.5 * (left + right), canvas.height() - 18}, {.size = font, .anchor_x = 0.5});
   canvas.text(plot.y_label, {22, 0.5 * (top + bottom)}, {.size = font, .anchor_x = 0.5, .turn = 90});
   draw_legend(plot, right + 16, top, canvas);

@@ -1,20 +1,18 @@
 #include "studies/report/study_plots.h"
 
 #include "base/error.h"
+#include "base/types.h"
 #include "studies/report/performance_profile.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace shellmatch {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void append_new(std::vector<std::string>& list, const std::string& name) {
   if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);

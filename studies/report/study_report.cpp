@@ -1,6 +1,7 @@
 #include "studies/report/study_report.h"
 
 #include "base/error.h"
+#include "base/types.h"
 #include "studies/execution/machine.h"
 #include "studies/report/study_plots.h"
 
@@ -9,15 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <set>
 
 namespace shellmatch {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Rows = std::vector<const StudyRow*>;  // the repeats of one method on one instance
 

@@ -16,7 +16,6 @@ struct EnumNames<Fruit> {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 const std::vector<std::string> words = {"sigma", "nu", "volume", "max_level", "min_level"};
 

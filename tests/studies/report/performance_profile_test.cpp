@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 
 namespace shellmatch {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Three problems, by hand: the best is 1, 2, 4.
 TEST(PerformanceProfile, ByHand) {

@@ -120,7 +120,6 @@ TEST_F(StudyTableTest, SeveralWorkOnSingleRuns) {
 }
 
 TEST(Median, OfRepeats) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(median({3, 1, 2}), 2);
   EXPECT_EQ(median({4, 1}), 2.5);
   EXPECT_EQ(median({infinity, 1, infinity}), infinity);
