@@ -16,7 +16,7 @@ struct EarlierRuns {
   bool restart = false;  ///< ignore the checkpoint of an earlier run
 };
 
-/// Reads the shapes, matches them (matching/match_task.h) and writes the output folder, all of it or nothing. With
+/// Reads the shapes, matches them (matching/match_placed_shapes.h) and writes the output folder, all of it or nothing. With
 /// options.resume it writes a checkpoint after finished levels, and resumes from that of an earlier run of the same
 /// experiment (matching/checkpoint/checkpoints.h).
 /// \return the result that was written, of the dimension of the shapes
