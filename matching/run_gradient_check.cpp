@@ -6,6 +6,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <algorithm>
 
@@ -72,6 +73,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
 
 GradientReport run_gradient_check(const ExperimentOptions& options, const GradientCheckRequest& request,
                                   Observer& observer) {
+  check_experiment(options);
   set_n_threads(options.threads);
   observer.stage("reading");
   AnyShapePair shapes = open_shape_pair(options.input, observer);

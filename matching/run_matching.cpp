@@ -7,6 +7,7 @@
 #include "matching/cascade/size_estimate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
+#include "matching/experiment/yaml_options.h"
 #include "matching/match_placed_shapes.h"
 #include "matching/pictures/level_picture.h"
 #include "matching/write_result.h"
@@ -166,6 +167,7 @@ class Run {
 
 AnyMatchResult run_matching(const ExperimentOptions& options, const std::string& output_folder,
                             const EarlierRuns& earlier, Observer& observer) {
+  check_experiment(options);
   set_n_threads(options.threads);
   RunClock clock;
   PhaseClock phase(clock.phases);
