@@ -246,6 +246,29 @@ TEST(PositiveHessian, DensitiesThatSayTheyAreIsotropicAre) {
   check_isotropy<3>();
 }
 
+// By their closed forms, along x + 2 y.
+TEST(SecondOrder, LogarithmAndPowersHaveTheirDerivatives) {
+  using Scalar = autodiff::SecondOrder<2, Pack>;
+  const Pack x0{0.1, 0.5, 1, 1.5, 2, 3, 5, 8}, y0 = Pack{} + 0.25;
+  const Scalar u = Scalar::variable(x0, 0) + 2.0 * Scalar::variable(y0, 1);
+  const Scalar logarithm = log(u), power = pow(u, -1.5), cube = pow(-u, 3.0);
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    const double t = x0[lane] + 0.5;
+    const auto expect = [&](const Scalar& s, double f, double f1, double f2) {
+      const double error = 1e-14 * (std::abs(f) + std::abs(f1) + std::abs(f2));
+      EXPECT_NEAR(s.v[lane], f, error);
+      EXPECT_NEAR(s.g[0][lane], f1, error);
+      EXPECT_NEAR(s.g[1][lane], 2 * f1, 2 * error);
+      EXPECT_NEAR(s.h(0, 0)[lane], f2, error);
+      EXPECT_NEAR(s.h(0, 1)[lane], 2 * f2, 2 * error);
+      EXPECT_NEAR(s.h(1, 1)[lane], 4 * f2, 4 * error);
+    };
+    expect(logarithm, std::log(t), 1 / t, -1 / (t * t));
+    expect(power, std::pow(t, -1.5), -1.5 * std::pow(t, -2.5), 3.75 * std::pow(t, -3.5));
+    expect(cube, -t * t * t, -3 * t * t, -6 * t);
+  }
+}
+
 // max_of takes value and both derivatives of the larger one, lane by lane, and of the second where they are equal.
 TEST(SecondOrder, MaximumHasTheDerivativesOfTheLargerOne) {
   using Scalar = autodiff::SecondOrder<2, Pack>;
