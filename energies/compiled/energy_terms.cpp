@@ -5,6 +5,7 @@
 #include "energies/terms/term_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace shellmatch {
@@ -15,6 +16,26 @@ namespace {
 template <int Dim>
 const BandCode<Dim>* band_code_of(const CompiledTerm<Dim>& term) {
   return std::get_if<BandCode<Dim>>(&term.code);
+}
+
+std::string name_of(const TermInfo& info) {
+  return info.model.empty() ? std::string(info.name) : fmt::format("{} ({})", info.name, info.model);
+}
+
+// Of every term, whatever its weight, which may become positive later.
+template <int Dim>
+void check_options(const CompiledTerm<Dim>& term, const Material<double>& material) {
+  std::string values = fmt::format("lambda = {}, mu = {}", material.lambda, material.mu);
+  for (std::size_t i = 0; i < term.own.size(); ++i) {
+    const TermOption& option = term.own[i];
+    const double value = material.own[i];
+    if (!std::isfinite(value) || !in_range(value, option.info))
+      throw_input_error("energy.{}: {} is out of range; expected a finite number, {}", option.name, value, range_text(option.info));
+    values += fmt::format(", {} = {}", option.name, value);
+  }
+  if (const double modulus = term.modulus(material); !std::isfinite(modulus))
+    throw_input_error("energy: the stiffness of the term {} is {} with {}; expected a finite number", name_of(term.info),
+                      modulus, values);
 }
 
 }  // namespace
@@ -39,6 +60,7 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
       if (const auto* that = band_code_of(other.term); that && that->reads_curvature)
         SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
                          "one term reads roots of shape operators and another the shape operators themselves");
+  check_options(term, {lambda_, mu_, own.data()});
   Entry& entry = entries_.emplace_back(Entry{term, std::move(own), {}});
   entry.material = {lambda_, mu_, entry.own.data()};
   return Term{entries_.size() - 1};

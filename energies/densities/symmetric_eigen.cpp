@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <limits>
+
 namespace shellmatch {
 
 void remove_negative_eigenvalues(int n, double* matrix) {
@@ -12,6 +14,7 @@ void remove_negative_eigenvalues(int n, double* matrix) {
 
 double largest_eigenvalue(int n, const double* matrix) {
   const Eigen::Map<const Eigen::MatrixXd> m(matrix, n, n);
+  if (!m.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
 
