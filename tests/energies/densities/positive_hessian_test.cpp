@@ -215,37 +215,6 @@ TEST(PositiveHessian, LargestSecondDerivativeAtRest) {
   EXPECT_NEAR(largest_second_derivative<SquareDensity<4>>(material), 2, 1e-12);
 }
 
-/// W(Q A R) = W(A) for rotations Q and R?
-template <class Density, int Dim>
-bool turns_freely() {
-  std::mt19937 random(Dim);
-  const Material<double> material{0.7, 1.3};
-  for (int trial = 0; trial < 20; ++trial) {
-    const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
-    const Mat<Dim> turned = random_rotation<Dim>(random) * a * random_rotation<Dim>(random);
-    const double expected = Density::value(small(a), material);
-    if (!(std::abs(Density::value(small(turned), material) - expected) <= 1e-11 * (1 + std::abs(expected)))) return false;
-  }
-  return true;
-}
-
-template <int Dim>
-void check_isotropy() {
-  const auto check = []<class Density>() {
-    static_assert(Density::is_isotropic);
-    return turns_freely<Density, Dim>();
-  };
-  EXPECT_TRUE(check.template operator()<ThinShellDensity<Dim>>());
-  EXPECT_TRUE(check.template operator()<SymmetricDirichletDensity<Dim>>());
-  EXPECT_TRUE(check.template operator()<FullVolumeDensity<Dim>>());
-  EXPECT_FALSE((turns_freely<Anisotropic<Dim>, Dim>()));
-}
-
-TEST(PositiveHessian, DensitiesThatSayTheyAreIsotropicAre) {
-  check_isotropy<2>();
-  check_isotropy<3>();
-}
-
 // By their closed forms, along x + 2 y.
 TEST(SecondOrder, LogarithmAndPowersHaveTheirDerivatives) {
   using Scalar = autodiff::SecondOrder<2, Pack>;
