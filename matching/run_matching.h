@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A whole run: reads two files and writes an output folder, with checkpoints of the finished levels.
+/// A whole run: reads two files and writes an output folder, with checkpoints after finished levels.
 
 #include "matching/experiment/options.h"
 #include "matching/progress/observer.h"

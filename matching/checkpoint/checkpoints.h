@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Checkpoints: a run writes every finished level to the folder NAME.unfinished beside its output folder NAME, so that
-/// the same command resumes a run that was stopped or killed.
+/// Checkpoints: at the end of levels (resume.min_seconds) a run writes its state to the folder NAME.unfinished beside its
+/// output folder NAME, in the place of the checkpoint before, so that the same command resumes a run that was stopped or
+/// killed.
 
 #include "geometry/surface/surface.h"
 #include "matching/level/deformation.h"
@@ -83,7 +84,7 @@ class CheckpointFolder {
 /// Contents of state.json, the file by which a checkpoint is recognised.
 struct CheckpointManifest {
   int format = 2;  ///< of the manifest; format 1 had other checksums
-  int level = 0;  ///< the last finished level
+  int level = 0;  ///< the finished level that was kept
   std::string program, reference, template_shape;
   struct File {
     std::string name, checksum;
