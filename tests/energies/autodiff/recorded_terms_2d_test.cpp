@@ -9,7 +9,8 @@ using namespace test;
 // All of the list, and one from elsewhere whose argument reads an option of its own.
 template <class Term>
 struct RecordedTerms2d : ::testing::Test {};
-TYPED_TEST_SUITE(RecordedTerms2d, TermTypes<2, example::NormalAlignment<2>>, TermTestNames);
+using Types2d = TermTypes<2, example::NormalAlignment<2>>;
+TYPED_TEST_SUITE(RecordedTerms2d, Types2d, TermTestNames);
 TYPED_TEST(RecordedTerms2d, AreTheirFunctors) { check_recorded<TypeParam>(); }
 
 }  // namespace

@@ -9,7 +9,8 @@ using namespace test;
 // All of the list, and one from elsewhere whose argument reads an option of its own.
 template <class Term>
 struct RecordedTerms3d : ::testing::Test {};
-TYPED_TEST_SUITE(RecordedTerms3d, TermTypes<3, example::NormalAlignment<3>>, TermTestNames);
+using Types3d = TermTypes<3, example::NormalAlignment<3>>;
+TYPED_TEST_SUITE(RecordedTerms3d, Types3d, TermTestNames);
 TYPED_TEST(RecordedTerms3d, AreTheirFunctors) { check_recorded<TypeParam>(); }
 
 // Sharing and folding pay off: bending in space is the longest of the band terms.
