@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace shellmatch {
@@ -22,26 +24,28 @@ std::string name_of(const TermInfo& info) {
   return info.model.empty() ? std::string(info.name) : fmt::format("{} ({})", info.name, info.model);
 }
 
+void check_number(std::string_view name, double value, const OptionInfo& info) {
+  if (!std::isfinite(value) || !in_range(value, info))
+    throw_input_error("energy.{}: {} is out of range; expected a finite number, {}", name, value, range_text(info));
+}
+
 // Of every term, whatever its weight, which may become positive later.
 template <int Dim>
 void check_options(const CompiledTerm<Dim>& term, const Material<double>& material) {
-  std::string values = fmt::format("lambda = {}, mu = {}", material.lambda, material.mu);
-  for (std::size_t i = 0; i < term.own.size(); ++i) {
-    const TermOption& option = term.own[i];
-    const double value = material.own[i];
-    if (!std::isfinite(value) || !in_range(value, option.info))
-      throw_input_error("energy.{}: {} is out of range; expected a finite number, {}", option.name, value, range_text(option.info));
-    values += fmt::format(", {} = {}", option.name, value);
-  }
+  for (std::size_t i = 0; i < term.own.size(); ++i) check_number(term.own[i].name, material.own[i], term.own[i].info);
   if (const double modulus = term.modulus(material); !std::isfinite(modulus))
-    throw_input_error("energy: the stiffness of the term {} is {} with {}; expected a finite number", name_of(term.info),
-                      modulus, values);
+    throw_input_error("energy: the stiffness of the term {} is {} with lambda = {} and mu = {}; expected a finite number",
+                      name_of(term.info), modulus, material.lambda, material.mu);
 }
 
 }  // namespace
 
 template <int Dim>
 EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options) : lambda_(options.lambda), mu_(options.mu) {
+  const auto check = [](std::string_view name, const auto& value, const OptionInfo& info) {
+    if constexpr (std::is_same_v<decltype(value), const double&>) check_number(name, value, info);
+  };
+  EnergyOptions::describe(options, check);
   for (std::size_t t = 0; t < term_names().size(); ++t) {
     const std::size_t place = options.terms.chosen(Term{t});
     const CompiledTerm<Dim>& term = all_compiled_terms<Dim>()[place];

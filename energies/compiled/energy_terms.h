@@ -22,7 +22,7 @@ class EnergyTerms {
     Material<double> material;  ///< refers to `own`
   };
 
-  /// \throws InputError as add()
+  /// \throws InputError if a number is out of its range, and as add()
   explicit EnergyTerms(const EnergyOptions& options);
   EnergyTerms(const EnergyTerms&) = delete;
   EnergyTerms& operator=(const EnergyTerms&) = delete;

@@ -44,18 +44,18 @@ static_assert(!detail::option_names_differ(TermList<Named<2>>{}), "a factor");
 static_assert(!detail::option_names_differ(TermList<Named<3>>{}), "a choice of models");
 static_assert(!detail::option_names_differ(TermList<Named<4>, FoldBarrier<3>>{}), "of a term of the list");
 
-TEST(EnergyOptions, AMaterialWithoutAStiffnessIsRefused) {
+TEST(EnergyOptions, NumbersThatAProgramHasSetAreChecked) {
+  const auto refuse = [](auto change, std::initializer_list<std::string> parts) {
+    EnergyOptions options;
+    EXPECT_NO_THROW(EnergyTerms<3>{options});
+    change(options);
+    expect_input_error([&] { EnergyTerms<3>{options}; }, parts);
+  };
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-  EnergyOptions options;
-  EXPECT_NO_THROW(EnergyTerms<3>{options});
-  options.lambda = nan;
-  expect_input_error([&] { EnergyTerms<3>{options}; }, {"the stiffness of the term membrane (thin_shell) is nan", "lambda = nan"});
-  options.lambda = 1;
-  options.mu = infinite;
-  expect_input_error([&] { EnergyTerms<2>{options}; }, {"the stiffness of the term", "mu = inf"});
-  options.mu = 1;
-  options.terms.own("fold_threshold") = nan;
-  expect_input_error([&] { EnergyTerms<3>{options}; }, {"energy.fold_threshold: nan is out of range", "0 < x <= 0.9"});
+  refuse([&](EnergyOptions& o) { o.lambda = nan; }, {"energy.lambda: nan is out of range; expected a finite number, x >= 0"});
+  refuse([&](EnergyOptions& o) { o.mu = infinite; }, {"energy.mu: inf is out of range; expected a finite number, x > 0"});
+  refuse([&](EnergyOptions& o) { o.terms.own("fold_threshold") = nan; }, {"energy.fold_threshold: nan", "0 < x <= 0.9"});
+  refuse([&](EnergyOptions& o) { o.terms.factor("match"_term) = -1; }, {"energy.match_weight: -1", "x >= 0"});
 }
 
 TEST(EnergyOptions, ThoseOfATermFromElsewhereAreChecked) {
@@ -63,6 +63,10 @@ TEST(EnergyOptions, ThoseOfATermFromElsewhereAreChecked) {
   const auto alignment = compile_term<example::NormalAlignment<2>>();
   for (const double bad : {std::nan(""), -1.0})
     expect_input_error([&] { terms.add(alignment, {bad}); }, {"energy.normal_stretch:", "x >= 0"});
+  // A density whose second derivative is not finite where it should rest.
+  auto broken = alignment;
+  broken.modulus = [](const Material<double>& c) { return std::sqrt(-c.mu); };
+  expect_input_error([&] { terms.add(broken); }, {"the stiffness of the term normal_alignment is", "lambda = 1 and mu = 1"});
   EXPECT_EQ(terms.size(), term_names().size()) << "nothing was added";
   EXPECT_NO_THROW(terms.add(alignment, {2.0}));
 }
