@@ -6,7 +6,7 @@
 #include "apps/output_file.h"
 #include "apps/progress.h"
 #include "base/error.h"
-#include "geometry/io/write_shape.h"
+#include "base/replace_file.h"
 #include "matching/run_gradient_check.h"
 
 #include <charconv>

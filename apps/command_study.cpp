@@ -3,6 +3,7 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "base/stop.h"
 #include "studies/report/collect.h"
 

@@ -43,8 +43,9 @@ inline constexpr const char* output_footer = R"(
 The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours), the deformation
 (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
 It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
-replaces it if it is the output of an earlier run, and never anything else. While a run works, finished levels are
-kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart begins anew.)";
+replaces it if it is the output of an earlier run, and never anything else. While a run works, the last
+finished level is kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart
+begins anew.)";
 
 inline constexpr const char* generate = "Write one of the built-in shapes to a file.";
 

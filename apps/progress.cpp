@@ -59,13 +59,13 @@ void Progress::rewrite(const std::string& text) {
 
 void Progress::note(const std::string& text) { line(text); }
 
-void Progress::phase(const std::string& name) {
+void Progress::stage(const std::string& name) {
   stop_if_wanted();
   if (terminal_) rewrite(name);
   else if (verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));
 }
 
-void Progress::level_started(const LevelStart& start) {
+void Progress::minimisation_started(const LevelStart& start) {
   stop_if_wanted();
   time_left_.started(start.level, start.substep, start.n_substeps, start.n_nodes, now());
   const std::string text =
@@ -96,7 +96,7 @@ void Progress::gradient_checked(const LevelStart& start, const GradientReport& r
                    report.passed() ? "checked" : "WRONG: " + report.failed_terms()));
 }
 
-void Progress::level_finished(const LevelStart& start, const MinimizerSummary& summary) {
+void Progress::minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) {
   if (terminal_ && start.substep < start.n_substeps) return;
   const std::optional<double> left = time_left_.at(now());
   line(fmt::format("{}: energy {:.4e} after {} iterations in {:.1f} s ({}){}", place(start, max_level_),

@@ -12,7 +12,7 @@
 namespace shellmatch {
 
 /// Writes to stderr. On a terminal, one line with energy and estimated time is rewritten, and one line per finished
-/// level stays; elsewhere each minimisation writes a line at its beginning and its end. Between phases and iterations
+/// level stays; elsewhere each minimisation writes a line at its beginning and its end. Between stages and iterations
 /// the observer stops the run on request (base/stop.h).
 class Progress final : public Observer {
  public:
@@ -20,13 +20,13 @@ class Progress final : public Observer {
   ~Progress() override;
 
   void note(const std::string& text) override;
-  void phase(const std::string& name) override;
-  void level_started(const LevelStart& start) override;
+  void stage(const std::string& name) override;
+  void minimisation_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
   /// Ends the rewritten line. Call it before other output.
   void finished() { clear(); }
   void gradient_checked(const LevelStart& start, const GradientReport& report) override;
-  void level_finished(const LevelStart& start, const MinimizerSummary& summary) override;
+  void minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) override;
 
  private:
   double now() const;

@@ -107,6 +107,8 @@ void remove_negative_eigenvalues(int n, double* matrix) {
 }
 
 double largest_eigenvalue(int n, const double* matrix) {
+  if (!std::all_of(matrix, matrix + n * n, [](double entry) { return std::isfinite(entry); }))
+    return std::numeric_limits<double>::quiet_NaN();
   const JacobiEigen eigen(n, matrix);
   double largest = eigen.value(0);
   for (int m = 1; m < n; ++m) largest = std::max(largest, eigen.value(m));

@@ -24,7 +24,7 @@ Eigenpairs<Dim> eigenpairs_in_closed_form(const Mat<Dim>& a);
 /// Sets the negative eigenvalues of a symmetric matrix of n rows to 0, in place.
 void remove_negative_eigenvalues(int n, double* matrix);
 
-/// Largest eigenvalue of a symmetric matrix of n rows.
+/// Largest eigenvalue of a symmetric matrix of n rows; NaN if an entry is not finite.
 double largest_eigenvalue(int n, const double* matrix);
 
 }  // namespace shellmatch

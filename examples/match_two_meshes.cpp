@@ -41,7 +41,7 @@ OriginalShape<3> globe(int n_rings, Vec<3> (*shape)(const Vec<3>&)) {
 
 // Told on the way; whoever returns false in iterated() stops the matching.
 struct Progress : Observer {
-  void level_finished(const LevelStart& start, const MinimizerSummary&) override {
+  void minimisation_finished(const LevelStart& start, const MinimizerSummary&) override {
     if (start.substep == start.n_substeps) std::printf("level %d is done\n", start.level);
   }
 };

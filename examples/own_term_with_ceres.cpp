@@ -1,33 +1,18 @@
-// A term of one's own, added to those of the energy and minimised by Ceres' GradientProblemSolver.
+// A term of one's own (examples/normal_alignment.h), added to those of the energy and minimised by Ceres'
+// GradientProblemSolver. Value, gradient, vector code and Newton's model are made from its type.
 // Builds on match_two_meshes.
 // Sample output:
 //   without it: |Dphi n1 - n2|^2 = 0.145, match 1.3e-06
 //   with it:    |Dphi n1 - n2|^2 = 0.017, match 3.2e-06
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
+#include "examples/normal_alignment.h"
 #include "examples/small_problem.h"
 
 #include <ceres/ceres.h>
 #include <cstdio>
 
 using namespace shellmatch;
-
-// |Dphi n1 - n2|^2: unit normals stay unit normals, as Kirchhoff and Love suppose of a thin shell. This is all that is
-// written: value, gradient, vector code and Newton's model are made from it.
-template <int Dim>
-struct NormalAlignment : BandTerm<Dim> {
-  static constexpr TermInfo info{.name = "normals"};
-  using Density = SquareDensity<Dim>;
-  template <class T, class P>
-  static constexpr SmallVec<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    const auto carried = times(dphi, x.n1);
-    const auto n2 = renormalised(y.n2);
-    SmallVec<T, Dim> gap;
-    for (int i = 0; i < Dim; ++i) gap[i] = carried[i] - n2[i];
-    return gap;
-  }
-};
 
 // The energy as Ceres sees it: a function of the unknowns.
 struct Energy final : ceres::FirstOrderFunction {
@@ -51,7 +36,7 @@ int main() {
   example::SmallProblem small(5);
   const LevelEnergy<2> level = small.level();
   const auto terms = std::make_shared<EnergyTerms<2>>(small.options.energy);
-  const Term own = terms->add(compile_term<NormalAlignment<2>>());
+  const Term own = terms->add(compile_term<example::NormalAlignment<2>>());
   const MatchingEnergy<2> energy(level.unknowns, level.geometry, terms, level.sigma, 2);
   TermValues weights(terms->size()), probe = weights;
   for (std::size_t t = 0; t < small.weights.size(); ++t) weights[t] = small.weights[t];

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/experiment/yaml_options.h"
-#include "matching/match_task.h"
+#include "matching/match_placed_shapes.h"
 
 #include <utility>
 
@@ -16,12 +16,12 @@ MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& tem
   set_n_threads(options.threads);
   RunClock clock;
   Recorder recorder(observer);
-  MatchTask<Dim> task;
-  task.shapes = {reference, template_shape};
-  task.placement = task.shapes.place(options);
-  check_size<Dim>(refined_measures(task.shapes.reference.surface, task.shapes.template_shape.surface, options),
+  MatchInputs<Dim> inputs;
+  inputs.shapes = {reference, template_shape};
+  inputs.placement = inputs.shapes.place(options);
+  check_size<Dim>(refined_measures(inputs.shapes.reference.surface, inputs.shapes.template_shape.surface, options),
                   options.cascade.min_level, options.cascade.max_level, "");
-  return run_task(std::move(task), options, recorder, clock);
+  return match_placed_shapes(std::move(inputs), options, recorder, clock);
 }
 
 template MatchResult<2> match_shapes<2>(const Shape<2>&, const Shape<2>&, const ExperimentOptions&, Observer&);

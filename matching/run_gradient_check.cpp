@@ -6,6 +6,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
+#include "matching/experiment/yaml_options.h"
 
 #include <algorithm>
 
@@ -46,13 +47,13 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
   }
   const int level_number = level_of(options, request, found);
 
-  observer.phase("coefficients");
+  observer.stage("coefficients");
   const SignedDistance<Dim> d1(shapes.reference.surface), d2(shapes.template_shape.surface);
   ShapeFields<Dim> fields(d1, d2, options);
   Octree<Dim> grid(options.cascade.min_level);
   fields.compute_distances(grid);
   for (int l = options.cascade.min_level; l < level_number; ++l) {
-    observer.phase(fmt::format("level {}", l + 1));
+    observer.stage(fmt::format("level {}", l + 1));
     fields.refine(grid);
     fields.compute_distances(grid);
   }
@@ -61,7 +62,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
   const TermValues weights = term_weights(options.energy, step.nu, step.volume_weight);
   GradientReport report = check_gradient<Dim>(level, CheckedEnergy<Dim>(level), phi, weights, request.settings,
-                                              [&](const std::string& term) { observer.phase(fmt::format("checking {}", term)); });
+                                              [&](const std::string& term) { observer.stage(fmt::format("checking {}", term)); });
   report.state = request.state.text();
   report.nu = step.nu;
   report.volume_weight = step.volume_weight;
@@ -72,8 +73,9 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
 
 GradientReport run_gradient_check(const ExperimentOptions& options, const GradientCheckRequest& request,
                                   Observer& observer) {
+  check_experiment(options);
   set_n_threads(options.threads);
-  observer.phase("reading");
+  observer.stage("reading");
   AnyShapePair shapes = open_shape_pair(options.input, observer);
   return std::visit([&]<int Dim>(ShapePair<Dim>& pair) { return check<Dim>(options, request, std::move(pair), observer); },
                     shapes);

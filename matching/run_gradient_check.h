@@ -19,7 +19,7 @@ struct GradientCheckRequest {
 };
 
 /// Reads and places the shapes, builds the grid and the energy that the cascade has at the end of that level, and
-/// checks the derivatives there. The observer's phases report the steps. \throws InputError, EnvironmentError
+/// checks the derivatives there. The observer's stages report the steps. \throws InputError, EnvironmentError
 GradientReport run_gradient_check(const ExperimentOptions& options, const GradientCheckRequest& request,
                                   Observer& observer);
 

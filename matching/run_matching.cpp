@@ -7,7 +7,8 @@
 #include "matching/cascade/size_estimate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
-#include "matching/match_task.h"
+#include "matching/experiment/yaml_options.h"
+#include "matching/match_placed_shapes.h"
 #include "matching/pictures/level_picture.h"
 #include "matching/write_result.h"
 #include "matching/output/summary.h"
@@ -26,7 +27,7 @@ class Run {
  public:
   Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer, RunClock& clock)
       : options_(options), folder_(folder), recorder_(observer), clock_(clock), last_checkpoint_(clock.seconds()) {
-    task_.shapes = std::move(shapes);
+    inputs_.shapes = std::move(shapes);
   }
 
   MatchResult<Dim> go(bool restart) {
@@ -39,12 +40,12 @@ class Run {
 
  private:
   MatchResult<Dim> match(bool restart) {
-    task_.placement = task_.shapes.place(options_);
-    const Shape<Dim>&reference = task_.shapes.reference, &template_shape = task_.shapes.template_shape;
+    inputs_.placement = inputs_.shapes.place(options_);
+    const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
     const InputOptions& input = options_.input;
-    task_.truth = input.correspondence.empty()
+    inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
     if (options_.resume.enabled) {
@@ -54,21 +55,21 @@ class Run {
                                    "that this run is stopped", checkpoints_->path()));
         checkpoints_.reset();
       } else if (!restart) {
-        task_.before = read_checkpoint();
+        inputs_.before = read_checkpoint();
       }
     }
-    task_.finished = [this](const LevelEnd<Dim>& end) {
+    inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
       write_checkpoint(end);
     };
-    MatchResult<Dim> result = run_task(std::move(task_), options_, recorder_, clock_);
+    MatchResult<Dim> result = match_placed_shapes(std::move(inputs_), options_, recorder_, clock_);
     write(result);
     return result;
   }
 
   void write(MatchResult<Dim>& result) {
     writing_ = true;
-    recorder_.phase("writing");
+    recorder_.stage("writing");
     PhaseClock phase(clock_.phases);
     phase.start("output");
     write_result_files(result, options_, folder_);
@@ -82,7 +83,7 @@ class Run {
   // The checkpoint of an earlier run of the same experiment, if there is one.
   std::optional<MatchProgress<Dim>> read_checkpoint() {
     std::string obstacle = checkpoints_->obstacle();
-    std::optional<Checkpoint<Dim>> checkpoint;
+    std::optional<MatchProgress<Dim>> checkpoint;
     try {
       if (obstacle.empty()) checkpoint = checkpoints_->read<Dim>();
     } catch (const InputError& error) {
@@ -96,7 +97,7 @@ class Run {
     recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", checkpoint_level_, checkpoints_->path(),
                                checkpoint->summary.run.seconds));
     checkpoints_->copy_pictures(folder_.path_of("pictures"));
-    return MatchProgress<Dim>{std::move(checkpoint->deformation), std::move(checkpoint->history), std::move(checkpoint->summary)};
+    return checkpoint;
   }
 
   // Writes a checkpoint of a finished level. Failure is reported but does not end the run, which may never need it.
@@ -155,7 +156,7 @@ class Run {
   OutputFolder& folder_;
   Recorder recorder_;
   RunClock& clock_;
-  MatchTask<Dim> task_;  // moved from when the matching starts
+  MatchInputs<Dim> inputs_;  // moved from when the matching starts
   std::optional<CheckpointFolder> checkpoints_;
   int checkpoint_level_ = 0;  // 0: there is no checkpoint
   double last_checkpoint_;
@@ -166,10 +167,11 @@ class Run {
 
 AnyMatchResult run_matching(const ExperimentOptions& options, const std::string& output_folder,
                             const EarlierRuns& earlier, Observer& observer) {
+  check_experiment(options);
   set_n_threads(options.threads);
   RunClock clock;
   PhaseClock phase(clock.phases);
-  observer.phase("reading");
+  observer.stage("reading");
   phase.start("reading");
   AnyShapePair shapes = open_shape_pair(options.input, observer);
   phase.stop();

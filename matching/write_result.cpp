@@ -48,7 +48,7 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
 }
 
 template <int Dim>
-void write_result(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
+void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
   OutputFolder place(folder, force);
   write_result_files(result, options, place);
   write_summary(result.summary, place.path_of("summary.json"));
@@ -56,7 +56,7 @@ void write_result(const MatchResult<Dim>& result, const ExperimentOptions& optio
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
-  template void write_result<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
+  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

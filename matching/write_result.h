@@ -17,7 +17,7 @@ namespace shellmatch {
 /// \param force whether to replace the folder of an earlier run
 /// \throws InputError, EnvironmentError as OutputFolder (matching/output/output_folder.h)
 template <int Dim>
-void write_result(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder,
+void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder,
                   bool force = false);
 
 /// Writes the same files without summary.json into a folder that the caller commits. The caller writes summary.json

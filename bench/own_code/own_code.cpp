@@ -5,6 +5,7 @@
 // Usage: own_code [ROUNDS]        5 if not given
 
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "bench/own_code/alternatives.h"
 #include "bench/own_code/trial.h"
 #include "geometry/distance/facet_tree.h"

@@ -25,7 +25,6 @@ class Compiled {
   }();
 
   static constexpr bool has_operands(Op op) { return op != Op::constant && op != Op::active && op != Op::passive; }
-  static constexpr bool is_unary(Op op) { return op == Op::negate || op == Op::sqrt || op == Op::exp; }
 
   static constexpr std::size_t n_outputs_ = n_outputs_of<Functor>;
   static constexpr auto outputs_ = full_.outputs;
@@ -72,6 +71,8 @@ class Compiled {
     else if constexpr (n.op == Op::negate) v[I] = -v[n.a];
     else if constexpr (n.op == Op::sqrt) v[I] = root_of(v[n.a]);
     else if constexpr (n.op == Op::exp) v[I] = exp_of(v[n.a]);
+    else if constexpr (n.op == Op::log) v[I] = log_of(v[n.a]);
+    else if constexpr (n.op == Op::pow) v[I] = pow_of(v[n.a], n.value);
     else if constexpr (n.op == Op::max) v[I] = max_of(v[n.a], v[n.b]);
   }
 
@@ -109,6 +110,11 @@ class Compiled {
         add_adjoint<Output, I, n.a, false>(a, V(0.5 * g / v[I]));
       } else if constexpr (n.op == Op::exp) {
         add_adjoint<Output, I, n.a, false>(a, V(g * v[I]));
+      } else if constexpr (n.op == Op::log) {
+        add_adjoint<Output, I, n.a, false>(a, V(g / v[n.a]));
+      } else if constexpr (n.op == Op::pow) {
+        // Not exponent v[I] / v[n.a], which is NaN at 0.
+        add_adjoint<Output, I, n.a, false>(a, V(g * (n.value * pow_of(v[n.a], n.value - 1))));
       } else if constexpr (n.op == Op::max) {
         const V first = where_greater(v[n.a], v[n.b], g);
         add_adjoint<Output, I, n.a, false>(a, first);

@@ -4,8 +4,8 @@
 /// straight-line code for value and gradient by energies/autodiff/compiled.h. Recording folds constants and shares
 /// common subexpressions; afterwards, nodes that no result depends on are removed.
 ///
-/// A recorded functor must not branch on data, other than by max_of. It may use + - * /, unary minus, sqrt, exp,
-/// max_of, and constants of type double.
+/// A recorded functor must not branch on data, other than by max_of. It may use + - * /, unary minus, sqrt, exp, log,
+/// pow with a constant exponent, max_of, and constants of type double. To add a function: docs/autodiff.md.
 
 #include <array>
 #include <bit>
@@ -15,13 +15,13 @@
 
 namespace shellmatch::autodiff {
 
-enum class Op : unsigned char { constant, active, passive, add, subtract, multiply, divide, negate, sqrt, exp, max };
+enum class Op : unsigned char { constant, active, passive, add, subtract, multiply, divide, negate, sqrt, exp, log, pow, max };
 
 /// One operation. `a` and `b` are the node numbers of its operands; for an input, `a` is its position.
 struct Node {
   Op op = Op::constant;
   int a = -1, b = -1;
-  double value = 0;        ///< value of a constant
+  double value = 0;        ///< value of a constant; of pow the exponent
   bool is_active = false;  ///< depends on an active input, hence has an adjoint
   constexpr bool same_as(const Node& o) const { return op == o.op && a == o.a && b == o.b && value == o.value; }
 };
@@ -97,6 +97,9 @@ class Expression {
   // Functions of constants are not folded, because those of the standard library are not constexpr.
   friend constexpr Expression sqrt(const Expression& x) { return append(Op::sqrt, x, x); }
   friend constexpr Expression exp(const Expression& x) { return append(Op::exp, x, x); }
+  friend constexpr Expression log(const Expression& x) { return append(Op::log, x, x); }
+  /// x^exponent. The exponent is a number, so that one derivative does.
+  friend constexpr Expression pow(const Expression& x, double exponent) { return append(Op::pow, x, x, exponent); }
   friend constexpr Expression max_of(const Expression& x, const Expression& y) { return append(Op::max, x, y); }
 
  private:
@@ -104,9 +107,9 @@ class Expression {
     if (!is_constant()) return node_;
     return record.find_or_add(Node{.op = Op::constant, .value = value_});
   }
-  static constexpr Expression append(Op op, const Expression& x, const Expression& y) {
+  static constexpr Expression append(Op op, const Expression& x, const Expression& y, double value = 0) {
     Record& record = x.record_ ? *x.record_ : *y.record_;
-    Node n{.op = op, .a = x.materialise(record), .b = y.materialise(record)};
+    Node n{.op = op, .a = x.materialise(record), .b = y.materialise(record), .value = value};
     const bool commutes = op == Op::add || op == Op::multiply || op == Op::max;
     if (commutes && n.b < n.a) {
       const int t = n.a;

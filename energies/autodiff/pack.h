@@ -24,6 +24,8 @@ inline Pack where_greater(Pack x, Pack y, Pack d) { return x > y ? d : Pack{}; }
 
 inline double root_of(double x) { return std::sqrt(x); }
 inline double exp_of(double x) { return std::exp(x); }
+inline double log_of(double x) { return std::log(x); }
+inline double pow_of(double x, double exponent) { return std::pow(x, exponent); }
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"  // false alarm of GCC 12 in its intrinsics, which begin with x = x
 // The compiler may not vectorise std::sqrt, which can set errno. Eigen's square root is vectorised, as is its
@@ -39,6 +41,15 @@ inline Pack exp_of(Pack x) {
   return x;
 }
 #pragma GCC diagnostic pop
+// Lane by lane: no term of the list calls these.
+inline Pack log_of(Pack x) {
+  for (int lane = 0; lane < pack_size; ++lane) x[lane] = std::log(x[lane]);
+  return x;
+}
+inline Pack pow_of(Pack x, double exponent) {
+  for (int lane = 0; lane < pack_size; ++lane) x[lane] = std::pow(x[lane], exponent);
+  return x;
+}
 
 inline double sum_lanes(Pack x) { return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7])); }
 

@@ -67,6 +67,13 @@ struct SecondOrder {
     const V e = exp_of(x.v);
     return chain(x, e, e, e);
   }
+  friend SecondOrder log(const SecondOrder& x) {
+    const V i = 1.0 / x.v;
+    return chain(x, log_of(x.v), i, -i * i);
+  }
+  friend SecondOrder pow(const SecondOrder& x, double c) {
+    return chain(x, pow_of(x.v, c), c * pow_of(x.v, c - 1), c * (c - 1) * pow_of(x.v, c - 2));
+  }
   /// The larger one with its derivatives, by lane where V is a Pack; y where they are equal.
   friend SecondOrder max_of(const SecondOrder& x, const SecondOrder& y) {
     SecondOrder r;

@@ -5,6 +5,9 @@
 #include "energies/terms/term_names.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace shellmatch {
@@ -17,10 +20,32 @@ const BandCode<Dim>* band_code_of(const CompiledTerm<Dim>& term) {
   return std::get_if<BandCode<Dim>>(&term.code);
 }
 
+std::string name_of(const TermInfo& info) {
+  return info.model.empty() ? std::string(info.name) : fmt::format("{} ({})", info.name, info.model);
+}
+
+void check_number(std::string_view name, double value, const OptionInfo& info) {
+  if (!std::isfinite(value) || !in_range(value, info))
+    throw_input_error("energy.{}: {} is out of range; expected a finite number, {}", name, value, range_text(info));
+}
+
+// Of every term, whatever its weight, which may become positive later.
+template <int Dim>
+void check_options(const CompiledTerm<Dim>& term, const Material<double>& material) {
+  for (std::size_t i = 0; i < term.own.size(); ++i) check_number(term.own[i].name, material.own[i], term.own[i].info);
+  if (const double modulus = term.modulus(material); !std::isfinite(modulus))
+    throw_input_error("energy: the stiffness of the term {} is {} with lambda = {} and mu = {}; expected a finite number",
+                      name_of(term.info), modulus, material.lambda, material.mu);
+}
+
 }  // namespace
 
 template <int Dim>
 EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options) : lambda_(options.lambda), mu_(options.mu) {
+  const auto check = [](std::string_view name, const auto& value, const OptionInfo& info) {
+    if constexpr (std::is_same_v<decltype(value), const double&>) check_number(name, value, info);
+  };
+  EnergyOptions::describe(options, check);
   for (std::size_t t = 0; t < term_names().size(); ++t) {
     const std::size_t place = options.terms.chosen(Term{t});
     const CompiledTerm<Dim>& term = all_compiled_terms<Dim>()[place];
@@ -39,6 +64,7 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
       if (const auto* that = band_code_of(other.term); that && that->reads_curvature)
         SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
                          "one term reads roots of shape operators and another the shape operators themselves");
+  check_options(term, {lambda_, mu_, own.data()});
   Entry& entry = entries_.emplace_back(Entry{term, std::move(own), {}});
   entry.material = {lambda_, mu_, entry.own.data()};
   return Term{entries_.size() - 1};

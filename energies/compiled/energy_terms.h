@@ -22,12 +22,15 @@ class EnergyTerms {
     Material<double> material;  ///< refers to `own`
   };
 
+  /// \throws InputError if a number is out of its range, and as add()
   explicit EnergyTerms(const EnergyOptions& options);
   EnergyTerms(const EnergyTerms&) = delete;
   EnergyTerms& operator=(const EnergyTerms&) = delete;
 
   /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in TermValues.
   /// \param own  values of its own options; their defaults where it is empty
+  /// \throws InputError if an option is out of its range, or the term's stiffness (CompiledTerm::modulus) is then no finite
+  ///   number
   /// \pre terms that read curvature all read roots, or all read shape operators
   Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {});
 

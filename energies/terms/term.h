@@ -4,7 +4,7 @@
 /// (docs/adding-an-energy.md). Value, gradient, Newton's model, Ceres' cost functors, checks, reports and options are made
 /// from it.
 ///
-/// A term names its `info`, its `Density` W (energies/densities) and its argument A; the energy is the integral of W(A).
+/// A term names its `info`, its `Density` W (energies/densities/material.h says what that is) and its argument A; the energy is the integral of W(A).
 /// Its base says where it is integrated:
 ///
 ///     BandTerm    weighted with eta_sigma(d1); argument(y, Dphi, x, material), where y is the TargetPoint at phi(x) and x

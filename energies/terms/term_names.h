@@ -57,6 +57,35 @@ static_assert(is_good_list(), "energies/terms/list.h: terms of one name stand to
 
 }  // namespace detail
 
+/// The names of the options of section `energy` that no term has brought (EnergyOptions::describe).
+inline constexpr std::array<std::string_view, 5> general_option_names = {"lambda", "mu", "delta", "boundary", "quadrature_order"};
+
+namespace detail {
+
+/// Does no option of section `energy` have the name of another? Options are factors of terms, choices among models, which
+/// have the term's name, and the terms' own.
+template <class... Term>
+constexpr bool option_names_differ(TermList<Term...>) {
+  constexpr std::size_t n = general_option_names.size() + 2 * all_term_infos.size() + (Term::own.size() + ... + 0);
+  std::array<std::string_view, n> names{};
+  std::size_t size = 0;
+  for (const std::string_view name : general_option_names) names[size++] = name;
+  for (const TermInfo& info : all_term_infos)
+    if (!info.weight.name.empty()) names[size++] = info.weight.name;
+  for (std::size_t t = 0; t < n_all_terms; ++t) names[size++] = all_term_names[t];
+  const auto add = [&](const auto& own) {
+    for (const TermOption& option : own) names[size++] = option.name;
+  };
+  (add(Term::own), ...);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (names[i] == names[j]) return false;
+  return true;
+}
+static_assert(option_names_differ(AllTerms<3>{}), "energies/terms/list.h: two options of section `energy` have one name");
+
+}  // namespace detail
+
 /// The term of this name. \pre there is one; a name that is known at compile time is checked there
 constexpr Term term_named(std::string_view name) {
   for (std::size_t i = 0; i < n_all_terms; ++i)

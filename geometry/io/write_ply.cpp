@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "geometry/io/read_ply_header.h"
 #include "geometry/io/read_text.h"
 #include "geometry/io/write_shape.h"

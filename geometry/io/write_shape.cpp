@@ -1,6 +1,7 @@
 #include "geometry/io/write_shape.h"
 
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "geometry/io/input_file.h"
 #include "geometry/repair/repair_steps.h"
 
@@ -9,10 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <string_view>
 
 namespace shellmatch {
 namespace {
@@ -111,26 +109,6 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape) {
 }
 
 }  // namespace
-
-void replace_file(const std::string& path, std::string_view bytes) {
-  namespace fs = std::filesystem;
-  const std::string part = path + ".part";
-  const auto fail = [&](const std::string& reason) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw_environment_error(
-        "{}: cannot be written ({}); check the folder, its permissions and the free space", path, reason);
-  };
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  if (!stream) fail(std::strerror(errno));
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) fail(errno != 0 ? std::strerror(errno) : "writing failed");
-  std::error_code error;
-  fs::rename(part, path, error);
-  if (error) fail(error.message());
-}
 
 void write_outline_csv(const std::string& path, const OriginalShape<2>& shape) { write_csv(path, shape); }
 void write_points_csv(const std::string& path, const OriginalShape<3>& shape) { write_csv(path, shape); }

@@ -1,13 +1,12 @@
 #pragma once
 /// \file
-/// Writing of shapes. Every file is written under a temporary name (path + ".part") and then renamed, so that
-/// an existing file is always complete. All functions throw EnvironmentError where the file cannot be
-/// written, and remove the temporary file.
+/// Writing of shapes. Every file is written under a temporary name and then renamed (base/replace_file.h), so that an
+/// existing file is always complete. All functions throw EnvironmentError where the file cannot be written, and remove
+/// the temporary file.
 
 #include "geometry/surface/surface.h"
 
 #include <string>
-#include <string_view>
 
 namespace shellmatch {
 
@@ -26,8 +25,5 @@ void write_points_csv(const std::string& path, const OriginalShape<3>& shape);
 /// any; .off; .stl (binary, single precision, polygons triangulated). These formats omit other attributes.
 /// \throws InputError for other extensions, and for STL without faces.
 void write_shape(const std::string& path, const OriginalShape<3>& shape);
-
-/// Writes `bytes` to a temporary file and renames it.
-void replace_file(const std::string& path, std::string_view bytes);
 
 }  // namespace shellmatch

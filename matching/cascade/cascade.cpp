@@ -72,7 +72,7 @@ class Level {
       StopOptions stop = solver.stop;
       if (level < options_.cascade.max_level || s + 1 < steps.size())
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
-      observer.level_started(start);
+      observer.minimisation_started(start);
       std::vector<double> terms;  // values of the terms at the end of the minimisation
       result.last = minimize_with_fallback(
           solver, problem, x, stop,
@@ -92,7 +92,7 @@ class Level {
             start.substep));
         observer.note(result.fallbacks.back());
       }
-      observer.level_finished(start, result.last);
+      observer.minimisation_finished(start, result.last);
       interrupted = result.last.reason == StopReason::interrupted;
       phi = problem.positions(x);
       next = terms.empty() ? s + 1

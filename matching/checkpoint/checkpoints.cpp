@@ -134,11 +134,11 @@ std::string CheckpointFolder::obstacle() const {
 }
 
 template <int Dim>
-std::optional<Checkpoint<Dim>> CheckpointFolder::read() const {
+std::optional<MatchProgress<Dim>> CheckpointFolder::read() const {
   if (!is_ours()) return std::nullopt;
   const fs::path folder = path_;
-  return Checkpoint<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
-                         read_summary(folder / "summary.json")};
+  return MatchProgress<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
+                            read_summary(folder / "summary.json")};
 }
 
 template <int Dim>
@@ -181,7 +181,7 @@ void CheckpointFolder::remove() {
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const Surface<Dim>&,                  \
                                          const Surface<Dim>&);                                           \
-  template std::optional<Checkpoint<Dim>> CheckpointFolder::read<Dim>() const;                                \
+  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>() const;                        \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -1,13 +1,15 @@
 #pragma once
 /// \file
-/// Checkpoints: a run writes every finished level to the folder NAME.unfinished beside its output folder NAME, so that
-/// the same command resumes a run that was stopped or killed.
+/// Checkpoints: at the end of levels (resume.min_seconds) a run writes its state to the folder NAME.unfinished beside its
+/// output folder NAME, in the place of the checkpoint before, so that the same command resumes a run that was stopped or
+/// killed.
 
 #include "geometry/surface/surface.h"
 #include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
 #include "matching/experiment/options.h"
 #include "matching/output/summary.h"
+#include "matching/result/match_result.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,14 +29,6 @@ struct RunIdentity {
 template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
                          const Surface<Dim>& template_shape);
-
-/// A checkpoint as it is read: the map at the end of a level, and history and summary until then.
-template <int Dim>
-struct Checkpoint {
-  Deformation<Dim> deformation;
-  History history;
-  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, whose times are those until then
-};
 
 /// A checkpoint as it is written, by references to the state of the running cascade.
 template <int Dim>
@@ -64,10 +58,10 @@ class CheckpointFolder {
   /// history.csv is damaged"; empty where it can, or where there is no checkpoint. \pre not is_foreign()
   std::string obstacle() const;
 
-  /// The checkpoint, if there is one. \pre obstacle() is empty \throws InputError for intact files with invalid
+  /// What the earlier run had reached, if there is a checkpoint. \pre obstacle() is empty \throws InputError for intact files with invalid
   /// contents
   template <int Dim>
-  std::optional<Checkpoint<Dim>> read() const;
+  std::optional<MatchProgress<Dim>> read() const;
 
   /// Replaces the checkpoint. \param pictures folder of the run's pictures so far
   /// \throws EnvironmentError if it cannot be written; the earlier checkpoint then stays. \pre not is_foreign()
@@ -90,7 +84,7 @@ class CheckpointFolder {
 /// Contents of state.json, the file by which a checkpoint is recognised.
 struct CheckpointManifest {
   int format = 2;  ///< of the manifest; format 1 had other checksums
-  int level = 0;  ///< the last finished level
+  int level = 0;  ///< the finished level that was kept
   std::string program, reference, template_shape;
   struct File {
     std::string name, checksum;

@@ -69,7 +69,7 @@ struct CascadeOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
-    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells, those that meet either shape"});
+    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
     visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
     visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
     visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
@@ -89,8 +89,8 @@ struct ResumeOptions {
   double min_seconds = 10;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("enabled", self.enabled, {.meaning = "keep every finished level in NAME.unfinished beside the output folder NAME, so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
-    visit("min_seconds", self.min_seconds, {.unit = "seconds", .min = 0, .meaning = "a finished level is kept where so much time has passed since the last one that was: short runs leave no trace"});
+    visit("enabled", self.enabled, {.meaning = "keep the last finished level (see min_seconds) in NAME.unfinished beside the output folder NAME, so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+    visit("min_seconds", self.min_seconds, {.unit = "seconds", .min = 0, .meaning = "a finished level is kept, in the place of the one before, where so much time has passed since the run began or the last one that was kept: short runs leave no trace"});
   }
 };
 

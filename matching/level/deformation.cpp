@@ -5,7 +5,7 @@
 namespace shellmatch {
 
 template <int Dim>
-Vec<Dim> Deformation<Dim>::operator()(const Vec<Dim>& x) const {
+Vec<Dim> Deformation<Dim>::apply_in_unit_domain(const Vec<Dim>& x) const {
   const Vec<Dim> inside = x.cwiseMax(0.0).cwiseMin(1.0);
   return evaluate(grid, phi, inside) + (x - inside);
 }

@@ -16,11 +16,12 @@ struct Deformation {
   std::vector<Vec<Dim>> phi;     ///< deformed positions of all nodes, hanging nodes included; unit domain
   Similarity<Dim> placement;
 
-  /// phi at a point x of the unit domain. A point outside it gets the displacement of the nearest point of the domain.
-  Vec<Dim> operator()(const Vec<Dim>& x) const;
+  /// The image of a point, both in the user's coordinates.
+  Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse(apply_in_unit_domain(placement(x))); }
 
-  /// The image of a point in the user's coordinates.
-  Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse((*this)(placement(x))); }
+  /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
+  /// the domain.
+  Vec<Dim> apply_in_unit_domain(const Vec<Dim>& x) const;
 };
 
 }  // namespace shellmatch

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "matching/level/rebuild_grid.h"
+#include "grid/octree/rebuild_grid.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/map_file/vtk_messages.h"
 #include "matching/output/file_checksum.h"

@@ -26,14 +26,18 @@ class Observer {
   virtual ~Observer() = default;
   /// A remark for the user, such as the number of welded vertices.
   virtual void note(const std::string& /*text*/) {}
-  /// The run enters a phase: "reading", "matching", "writing".
-  virtual void phase(const std::string& /*name*/) {}
-  virtual void level_started(const LevelStart& /*start*/) {}
+  /// What the run begins to do, in words for the user: run_matching reports "reading", "matching" and "writing",
+  /// match_shapes "matching" alone, run_gradient_check "reading" and its own. The phases of phase_seconds, by which time is
+  /// measured (matching/progress/phase_clock.h), are finer and not reported.
+  virtual void stage(const std::string& /*name*/) {}
+  /// Called at the beginning of every minimisation, of which a level has up to `start.n_substeps`.
+  virtual void minimisation_started(const LevelStart& /*start*/) {}
   /// Called after every accepted step. Return false to stop the matching; it then ends with the result so far.
   virtual bool iterated(const LevelStart& /*start*/, const IterationRecord& /*record*/) { return true; }
   /// Called when derivatives were checked after an iteration (check_gradient.every), before its iterated().
   virtual void gradient_checked(const LevelStart& /*start*/, const GradientReport& /*report*/) {}
-  virtual void level_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
+  /// Called at the end of every minimisation.
+  virtual void minimisation_finished(const LevelStart& /*start*/, const MinimizerSummary& /*summary*/) {}
 };
 
 }  // namespace shellmatch

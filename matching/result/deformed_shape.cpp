@@ -72,6 +72,13 @@ std::vector<double> vertex_measures(const OriginalShape<Dim>& shape) {
   return sum;
 }
 
+/// Appends an attribute. Those of the same name go: a result that is used as a reference has those of its own matching.
+template <int Dim>
+void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute) {
+  std::erase_if(shape.attributes, [&](const VertexAttribute& a) { return a.name == attribute.name; });
+  shape.attributes.push_back(std::move(attribute));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -80,15 +87,15 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
   OriginalShape<Dim> moved = reference;
   std::vector<double> distance(reference.vertices.size());
   parallel_for(distance.size(), [&](std::size_t i) {
-    const Vec<Dim> y = deformation(deformation.placement(reference.vertices[i]));
+    const Vec<Dim> y = deformation.apply_in_unit_domain(deformation.placement(reference.vertices[i]));
     moved.vertices[i] = deformation.placement.inverse(y);
     distance[i] = std::abs(template_distance(y)) / deformation.placement.scale;
   });
   const std::vector<double> before = vertex_measures(reference), after = vertex_measures(moved);
   std::vector<double> ratio(before.size());
   for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = before[i] > 0 ? after[i] / before[i] : 1.0;
-  moved.attributes.push_back({"distance_to_template", "float", std::move(distance)});
-  moved.attributes.push_back({Dim == 3 ? "area_ratio" : "length_ratio", "float", std::move(ratio)});
+  set_attribute(moved, {"distance_to_template", "float", std::move(distance)});
+  set_attribute(moved, {Dim == 3 ? "area_ratio" : "length_ratio", "float", std::move(ratio)});
   return moved;
 }
 

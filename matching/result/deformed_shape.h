@@ -21,7 +21,7 @@ template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
 /// The reference as it was read, moved by the deformation, with the additional attributes distance_to_template (user's
-/// unit) and area_ratio (length_ratio in the plane).
+/// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names.
 template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance);

@@ -13,9 +13,9 @@ Recorder::Recorder(Observer& next) : next_(next) {
   history.term_names.assign(term_names().begin(), term_names().end());
 }
 
-void Recorder::level_started(const LevelStart& start) {
+void Recorder::minimisation_started(const LevelStart& start) {
   level = start.level;
-  next_.level_started(start);
+  next_.minimisation_started(start);
 }
 
 bool Recorder::iterated(const LevelStart& start, const IterationRecord& record) {

@@ -18,12 +18,12 @@ class Recorder final : public Observer {
   explicit Recorder(Observer& next);
 
   void note(const std::string& text) override { next_.note(text); }
-  void phase(const std::string& name) override { next_.phase(name); }
-  void level_started(const LevelStart& start) override;
+  void stage(const std::string& name) override { next_.stage(name); }
+  void minimisation_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
   void gradient_checked(const LevelStart& start, const GradientReport& report) override;
-  void level_finished(const LevelStart& start, const MinimizerSummary& summary) override {
-    next_.level_finished(start, summary);
+  void minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) override {
+    next_.minimisation_finished(start, summary);
   }
 
   History history;

@@ -1,6 +1,7 @@
 #include "studies/execution/run_study.h"
 
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
 #include "matching/progress/process_info.h"

@@ -29,9 +29,6 @@ class StudyObserver {
   virtual bool stop_requested() { return false; }
 };
 
-/// Prefix of the temporary name under which a file of a study is written.
-inline constexpr std::string_view partial_file_prefix = ".partial-";
-
 /// The output folder of a study. It holds study.yaml and runs/NAME/ with config.yaml, log.txt, output/ and result.json;
 /// collect_study() adds the tables.
 class StudyFolder {

@@ -12,7 +12,4 @@ namespace shellmatch {
 /// \throws EnvironmentError if nothing can be written
 void collect_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder);
 
-/// Writes a file under a temporary name and renames it. \throws EnvironmentError
-void replace_file(const std::string& path, const std::string& contents);
-
 }  // namespace shellmatch

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 namespace shellmatch {
@@ -68,6 +71,11 @@ TEST(SymmetricEigen, NegativeEigenvaluesAreSetToZero) {
       remove_negative_eigenvalues(n, a.data());
       EXPECT_LE((a - positive).norm(), 1e-14 * n * values.norm()) << "n " << n << ", eigenvalues " << values.transpose();
     }
+}
+
+TEST(SymmetricEigen, NothingIsTheLargestEigenvalueOfWhatIsNotFinite) {
+  const std::array<double, 4> matrix{1, 0, 0, std::nan("")};
+  EXPECT_TRUE(std::isnan(largest_eigenvalue(2, matrix.data())));
 }
 
 }  // namespace

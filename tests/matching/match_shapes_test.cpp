@@ -66,7 +66,7 @@ TEST(MatchShapes, GivesWhatARunWrites) {
   for (const Vec<2>& x : {Vec<2>(0.1, 0.2), Vec<2>(-0.4, 0.3), Vec<2>(7, 7)})
     EXPECT_EQ(map.apply(x), result.map.apply(x));
 
-  write_result(result, o, tmp / "written");
+  write_result_folder(result, o, tmp / "written");
   for (const char* file : {"deformed.csv", "deformation.vtu", "config.yaml", "pictures/result.png", "pictures/energy.png"})
     EXPECT_EQ(contents_of(tmp / (std::string("written/") + file)), contents_of(tmp / (std::string("run/") + file))) << file;
 }

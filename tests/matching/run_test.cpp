@@ -4,14 +4,17 @@
 #include "base/error.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/derivative_check/gradient_report.h"
+#include "matching/run_gradient_check.h"
 #include "matching/run_matching.h"
 #include "matching/result/correspondence.h"
 #include "matching/output/summary.h"
+#include "tests/matching/experiment/expect_input_error.h"
 
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -112,6 +115,20 @@ TEST_F(RunTest, IdenticalShapesStayWhereTheyAre) {
 TEST_F(RunTest, DifferentDimensionsAreRefusedAndNothingIsLeft) {
   Observer quiet;
   EXPECT_THROW(run_matching(options("generate:circle", "generate:sphere", 4), folder / "x", {}, quiet), InputError);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(RunTest, OptionsThatAProgramHasSetAreCheckedBeforeAnythingIsRead) {
+  struct Listener final : Observer {
+    void stage(const std::string& name) override { ADD_FAILURE() << name; }
+  } listener;
+  ExperimentOptions no_levels = options("generate:circle", "generate:ellipse/long", 2);
+  expect_input_error([&] { run_matching(no_levels, folder / "x", {}, listener); },
+                     {"cascade.max_level: 2 is below cascade.min_level = 3"});
+  expect_input_error([&] { run_gradient_check(no_levels, {}, listener); }, {"cascade.max_level"});
+  ExperimentOptions no_material = options("generate:circle", "generate:ellipse/long", 4);
+  no_material.energy.mu = std::nan("");
+  expect_input_error([&] { run_matching(no_material, folder / "x", {}, listener); }, {"energy.mu: nan is out of range"});
   EXPECT_TRUE(fs::is_empty(folder));
 }
 

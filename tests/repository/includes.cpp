@@ -55,7 +55,8 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"apps", {"apps", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies"}},
       {"bench", {"bench", "tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
       {"examples", {"examples", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
-      {"tests", {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies", "apps"}}};
+      {"tests",
+       {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies", "apps", "examples"}}};
   return table;
 }
 

@@ -1,52 +1,17 @@
 // The example of docs/adding-a-solver.md: gradient steps of Barzilai and Borwein's length.
+#include "examples/barzilai_borwein.h"
 #include "solvers/metric/metric.h"
-#include "solvers/minimization_run.h"
-#include "solvers/vector_ops.h"
 #include "tests/support/test_problems.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
+#include <vector>
 
 namespace shellmatch {
 namespace {
 
-/// Steps along the gradient of the length s.s / s.y (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988), halved until
-/// the value falls.
-class BarzilaiBorwein final : public Minimizer {
- public:
-  std::string name() const override { return "barzilai_borwein"; }
-
-  MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
-                            const IterationCallback& callback = {}) const override {
-    MinimizationRun run(objective, stop, callback);
-    const std::size_t n = run.size();
-    std::vector<double> g(n), trial(n), trial_g(n), s(n), y(n);
-    if (!run.start(x, g)) return run.summary();  // cannot be evaluated, zero gradient, no unknowns
-
-    double value = run.start_value(), norm_g = run.start_gradient_norm(), length = 0.01 / norm_g;
-    while (!run.over()) {
-      Evaluation at;
-      for (int halvings = 0; halvings < 40 && !run.out_of_time(); ++halvings, length /= 2) {
-        add_scaled(x, -length, g, trial);
-        at = run.evaluate(trial, trial_g);  // not feasible: a fold, or anything not finite
-        if (at.feasible && at.value < value) break;
-      }
-      if (!(at.feasible && at.value < value)) {
-        run.finish(StopReason::no_descent);
-        break;
-      }
-      const PairProducts pair = difference_pair(x, trial, g, trial_g, s, y);
-      std::swap(x, trial);
-      std::swap(g, trial_g);
-      value = at.value;
-      run.accept(at, std::sqrt(pair.s_s));
-      if (pair.s_y > 0) length = pair.s_s / pair.s_y;
-    }
-    return run.summary();
-  }
-};
+using example::BarzilaiBorwein;
 
 TEST(Example, SolvesPublishedProblemsInTheirMetric) {
   const StopOptions stop{.max_iterations = 20000, .relative_decrease = 0, .gradient_norm = 1e-8};

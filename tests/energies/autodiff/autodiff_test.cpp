@@ -37,11 +37,15 @@ struct Everything {
   static constexpr T evaluate(const T* x, const P* p) {
     using autodiff::max_of;
     using std::exp;
+    using std::log;
+    using std::pow;
     using std::sqrt;
     const T shared = x[0] * x[2] + p[0];
-    const T root = sqrt(shared * shared + 2.0);
+    const T square = shared * shared + 2.0;
+    const T root = sqrt(square);
     const T quotient = exp(-x[0]) / root;
-    return max_of(quotient - x[2], shared / 3.0) + (p[0] - p[1]) * quotient / (2.0 - x[0]);
+    return max_of(quotient - x[2], shared / 3.0) + (p[0] - p[1]) * quotient / (2.0 - x[0]) + log(square) * x[2] -
+           pow(square, -0.7) * pow(x[0], 3.0);
   }
 };
 
@@ -53,6 +57,66 @@ TEST(Autodiff, EveryOperation) {
   using Code = autodiff::Compiled<Everything>;
   EXPECT_TRUE(Code::reads_active(0) && Code::reads_active(2));
   EXPECT_FALSE(Code::reads_active(1) || Code::reads_active(3));
+}
+
+// The functions of one variable, each by itself.
+struct Log {
+  static constexpr int n_active = 1, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    using std::log;
+    return log(x[0]);
+  }
+};
+template <int Numerator, int Denominator>
+struct Power {
+  static constexpr int n_active = 1, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    using std::pow;
+    return pow(x[0], Numerator / double(Denominator));
+  }
+};
+
+// One of them twice.
+struct TwoPowers {
+  static constexpr int n_active = 1, n_passive = 0;
+  template <class T, class P>
+  static constexpr T evaluate(const T* x, const P*) {
+    using std::pow;
+    return pow(x[0], 2.0) + pow(x[0], 2.0) * pow(x[0], 3.0);
+  }
+};
+
+// Against ceres::Jet, and the derivative against differences of the standard library's function.
+template <class Functor, class F>
+void check_at(const std::array<double, autodiff::pack_size>& at, const F& f) {
+  std::array<Inputs<Functor>, autodiff::pack_size> points;
+  for (std::size_t lane = 0; lane < at.size(); ++lane) points[lane].active[0] = at[lane];
+  expect_as_jets<Functor>(points);
+  for (const double x : at) {
+    const double h = 1e-5 * std::abs(x), seed = 1;
+    double derivative = 0;
+    const double value = autodiff::Compiled<Functor>::gradient(&x, &x, seed, &derivative);
+    if (!std::isfinite(value)) continue;
+    EXPECT_DOUBLE_EQ(value, f(x));
+    const double expected = x == 0 ? 0 : (f(x + h) - f(x - h)) / (2 * h);
+    EXPECT_NEAR(derivative, expected, 1e-8 * (1 + std::abs(derivative))) << "at " << x;
+  }
+}
+
+TEST(Autodiff, LogarithmAndPowersHaveTheirDerivatives) {
+  const auto power = [](double c) { return [c](double x) { return std::pow(x, c); }; };
+  // Logarithm and root of a negative number are not finite.
+  check_at<Log>({1e-3, 0.5, 1, 2, 30, 1e4, -1, -0.1}, [](double x) { return std::log(x); });
+  check_at<Power<5, 2>>({0, 1e-3, 0.5, 1, 2, 30, -1, -0.1}, power(2.5));
+  check_at<Power<-1, 3>>({1e-3, 0.5, 1, 2, 30, 1e4, -1, -0.1}, power(-1.0 / 3));
+  // Whole exponents are for negative numbers, too, and at 0 the derivative is 0.
+  check_at<Power<3, 1>>({0, 1e-3, 0.5, -0.5, 2, -2, 30, -30}, power(3));
+  check_at<Power<-2, 1>>({1e-3, -1e-3, 0.5, -0.5, 2, -2, 30, -30}, power(-2));
+  EXPECT_EQ(tape_of<Log>.size, 2u);
+  EXPECT_EQ(tape_of<TwoPowers>.size, 5u) << "x, x^2, x^3, their product and the sum";
+  check<TwoPowers>();
 }
 
 // One node as both operands, for every operation of two.

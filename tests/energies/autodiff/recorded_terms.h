@@ -2,22 +2,31 @@
 /// \file
 /// Inputs to the recorded energy terms, generic and degenerate, and the checks on each of them.
 
-#include "energies/terms/list.h"
 #include "energies/terms/term_functors.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
+#include "tests/energies/terms/term_types.h"
 
+#include <algorithm>
 #include <random>
 
 namespace shellmatch::test {
 
+/// The term's own options at one of eight points: their defaults, or others.
+template <class Term>
+std::array<double, Term::own.size()> own_at(int lane) {
+  auto own = other_options<Term>();
+  if (lane % 2)
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] = Term::own[i].value;
+  return own;
+}
+
 /// Eight points each: the first generic, the second without normal, the third without Dphi and root, the fourth
 /// without mismatch, the others generic. The value, and the argument with its derivative.
-template <class Term>
-void check_band_term() {
+template <IsBandTerm Term>
+void check_recorded() {
   using Functor = BandFunctor<Term>;
   using Argument = BandArgument<Term>;
-  constexpr int Dim = Term::dim;
-  static_assert(Term::own.empty(), "the last two passive inputs are lambda and mu");
+  constexpr int Dim = Term::dim, n_own = static_cast<int>(Term::own.size());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -26,7 +35,10 @@ void check_band_term() {
       auto& p = points[lane];
       for (double& x : p.active) x = uniform(random);
       for (double& x : p.passive) x = uniform(random);
-      for (int i = 1; i <= 2; ++i) p.passive[Functor::n_passive - i] = 1.5 + uniform(random);
+      // Last come lambda, mu and the term's own options.
+      for (int i = 1; i <= 2; ++i) p.passive[Functor::n_passive - n_own - i] = 1.5 + uniform(random);
+      const auto own = own_at<Term>(lane);
+      std::copy(own.begin(), own.end(), p.passive.end() - n_own);
       if (lane == 1) std::fill_n(p.active.begin() + 1, Dim, 0.0);
       if (lane == 2) std::fill(p.active.begin() + 1 + Dim, p.active.end(), 0.0);
       if (lane == 3) p.active[0] = p.passive[0];
@@ -41,8 +53,8 @@ void check_band_term() {
 }
 
 /// Generic Dphi, the identity, one that folds and one of rank 0.
-template <class Term>
-void check_volume_term() {
+template <IsCellTerm Term>
+void check_recorded() {
   using Functor = CellFunctor<Term>;
   constexpr int Dim = Term::dim;
   std::mt19937 random(2);
@@ -52,7 +64,9 @@ void check_volume_term() {
     for (int lane = 0; lane < autodiff::pack_size; ++lane) {
       auto& p = points[lane];
       for (int i = 0; i < Dim * Dim; ++i) p.active[i] = (i % (Dim + 1) == 0) + (lane == 1 ? 0.0 : uniform(random));
-      p.passive = {1 + uniform(random), 1 + uniform(random)};
+      for (int i = 0; i < 2; ++i) p.passive[i] = 1 + uniform(random);
+      const auto own = own_at<Term>(lane);
+      std::copy(own.begin(), own.end(), p.passive.begin() + 2);
       if (lane == 2)
         for (int i = 0; i < Dim; ++i) p.active[i] = -p.active[i];
       if (lane == 3) p.active.fill(0);
@@ -63,9 +77,10 @@ void check_volume_term() {
 }
 
 /// Cells near and far from folding, the undeformed one, one that is flat and one that is turned inside out.
-template <int Dim>
-void check_barrier() {
-  using Functor = CornerFunctor<FoldBarrier<Dim>>;
+template <IsCornerTerm Term>
+void check_recorded() {
+  using Functor = CornerFunctor<Term>;
+  constexpr int Dim = Term::dim;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.15, 0.15);
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -74,7 +89,10 @@ void check_barrier() {
       auto& p = points[lane];
       for (int i = 0; i < Functor::n_active; ++i)
         p.active[i] = ((i / Dim) >> (i % Dim) & 1) + (lane == 1 ? 0.0 : uniform(random));
-      p.passive = {1 / 0.8, 1, 1, 0.8};  // scale; lambda, mu and the threshold, which it does not read
+      const auto own = own_at<Term>(lane);
+      p.passive[1] = p.passive[2] = 1;
+      p.passive[0] = Term::scale(1.0, Material<double>{1, 1, own.data()});
+      std::copy(own.begin(), own.end(), p.passive.begin() + 3);
       for (int i = 0; i < Functor::n_active; i += Dim) {
         if (lane == 2) p.active[i] = -p.active[i];
         if (lane == 3) p.active[i] = 0;

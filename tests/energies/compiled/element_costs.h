@@ -2,10 +2,10 @@
 /// \file
 /// The assembly against Ceres' differentiation of the element costs, for every term.
 
-#include "energies/terms/list.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
+#include "tests/energies/terms/term_types.h"
 
 namespace shellmatch::test {
 
@@ -20,10 +20,9 @@ class ElementCosts : public ::testing::Test {
     ProblemOptions o;
     o.energy.lambda = 0.7;
     o.energy.mu = 1.3;
-    o.energy.terms.own("fold_threshold") = 0.9;
+    set_other_options(o.energy.terms);
     if (!Term::info.model.empty()) o.energy.terms.model(term) = Term::info.model;
-    std::array<double, Term::own.size()> own{};
-    for (std::size_t i = 0; i < own.size(); ++i) own[i] = o.energy.terms.own(Term::own[i].name);
+    const auto own = other_options<Term>();
     const Problem<Dim> problem(grid_, exact_fields<Dim>(grid_, reference_), exact_fields<Dim>(grid_, template_), o);
     ElementSum<Dim> sum{problem, phi_};
     sum.template add_term<Term>(own);
@@ -39,16 +38,8 @@ class ElementCosts : public ::testing::Test {
 }  // namespace shellmatch::test
 
 /// The tests of one dimension, in a file of their own to keep compile times short.
-#define SHELLMATCH_ELEMENT_COST_TESTS(Dim)                                                                 \
-  using ElementCosts##Dim##d = ::shellmatch::test::ElementCosts<Dim>;                                      \
-  TEST_F(ElementCosts##Dim##d, Match) { check<Match<Dim>>(); }                                             \
-  TEST_F(ElementCosts##Dim##d, Membrane) { check<Membrane<Dim>>(); }                                       \
-  TEST_F(ElementCosts##Dim##d, Bending) { check<Bending<Dim>>(); }                                         \
-  TEST_F(ElementCosts##Dim##d, MembraneWithoutP2) { check<MembraneWithoutP2<Dim>>(); }                     \
-  TEST_F(ElementCosts##Dim##d, CauchyGreenMembrane) { check<CauchyGreenMembrane<Dim>>(); }                 \
-  TEST_F(ElementCosts##Dim##d, BendingWithoutP2) { check<BendingWithoutP2<Dim>>(); }                       \
-  TEST_F(ElementCosts##Dim##d, QuadraticBending) { check<QuadraticBending<Dim>>(); }                       \
-  TEST_F(ElementCosts##Dim##d, SimplifiedVolume) { check<SimplifiedVolume<Dim>>(); }                       \
-  TEST_F(ElementCosts##Dim##d, FullVolume) { check<FullVolume<Dim>>(); }                                   \
-  TEST_F(ElementCosts##Dim##d, SymmetricDirichletVolume) { check<SymmetricDirichletVolume<Dim>>(); }       \
-  TEST_F(ElementCosts##Dim##d, FoldBarrier) { check<FoldBarrier<Dim>>(); }
+#define SHELLMATCH_ELEMENT_COST_TESTS(Dim)                                                      \
+  template <class Term>                                                                         \
+  struct ElementCosts##Dim##d : ::shellmatch::test::ElementCosts<Dim> {};                       \
+  TYPED_TEST_SUITE(ElementCosts##Dim##d, ::shellmatch::test::TermTypes<Dim>, ::shellmatch::test::TermTestNames); \
+  TYPED_TEST(ElementCosts##Dim##d, SumToTheAssembly) { this->template check<TypeParam>(); }

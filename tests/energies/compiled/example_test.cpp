@@ -1,16 +1,17 @@
 // The examples of docs/autodiff.md and docs/adding-an-energy.md.
 
+#include "examples/normal_alignment.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
 #include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/densities/random_matrices.h"
-#include "tests/energies/terms/normal_alignment.h"
 #include "tests/support/taylor.h"
 
 namespace shellmatch {
 namespace {
 
 using namespace test;
+using example::NormalAlignment;
 
 // docs/autodiff.md: (x y + p)^2 / 2. Active inputs x, y; passive input p.
 struct HalfSquare {

@@ -215,35 +215,27 @@ TEST(PositiveHessian, LargestSecondDerivativeAtRest) {
   EXPECT_NEAR(largest_second_derivative<SquareDensity<4>>(material), 2, 1e-12);
 }
 
-/// W(Q A R) = W(A) for rotations Q and R?
-template <class Density, int Dim>
-bool turns_freely() {
-  std::mt19937 random(Dim);
-  const Material<double> material{0.7, 1.3};
-  for (int trial = 0; trial < 20; ++trial) {
-    const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
-    const Mat<Dim> turned = random_rotation<Dim>(random) * a * random_rotation<Dim>(random);
-    const double expected = Density::value(small(a), material);
-    if (!(std::abs(Density::value(small(turned), material) - expected) <= 1e-11 * (1 + std::abs(expected)))) return false;
+// By their closed forms, along x + 2 y.
+TEST(SecondOrder, LogarithmAndPowersHaveTheirDerivatives) {
+  using Scalar = autodiff::SecondOrder<2, Pack>;
+  const Pack x0{0.1, 0.5, 1, 1.5, 2, 3, 5, 8}, y0 = Pack{} + 0.25;
+  const Scalar u = Scalar::variable(x0, 0) + 2.0 * Scalar::variable(y0, 1);
+  const Scalar logarithm = log(u), power = pow(u, -1.5), cube = pow(-u, 3.0);
+  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
+    const double t = x0[lane] + 0.5;
+    const auto expect = [&](const Scalar& s, double f, double f1, double f2) {
+      const double error = 1e-14 * (std::abs(f) + std::abs(f1) + std::abs(f2));
+      EXPECT_NEAR(s.v[lane], f, error);
+      EXPECT_NEAR(s.g[0][lane], f1, error);
+      EXPECT_NEAR(s.g[1][lane], 2 * f1, 2 * error);
+      EXPECT_NEAR(s.h(0, 0)[lane], f2, error);
+      EXPECT_NEAR(s.h(0, 1)[lane], 2 * f2, 2 * error);
+      EXPECT_NEAR(s.h(1, 1)[lane], 4 * f2, 4 * error);
+    };
+    expect(logarithm, std::log(t), 1 / t, -1 / (t * t));
+    expect(power, std::pow(t, -1.5), -1.5 * std::pow(t, -2.5), 3.75 * std::pow(t, -3.5));
+    expect(cube, -t * t * t, -3 * t * t, -6 * t);
   }
-  return true;
-}
-
-template <int Dim>
-void check_isotropy() {
-  const auto check = []<class Density>() {
-    static_assert(Density::is_isotropic);
-    return turns_freely<Density, Dim>();
-  };
-  EXPECT_TRUE(check.template operator()<ThinShellDensity<Dim>>());
-  EXPECT_TRUE(check.template operator()<SymmetricDirichletDensity<Dim>>());
-  EXPECT_TRUE(check.template operator()<FullVolumeDensity<Dim>>());
-  EXPECT_FALSE((turns_freely<Anisotropic<Dim>, Dim>()));
-}
-
-TEST(PositiveHessian, DensitiesThatSayTheyAreIsotropicAre) {
-  check_isotropy<2>();
-  check_isotropy<3>();
 }
 
 // max_of takes value and both derivatives of the larger one, lane by lane, and of the second where they are equal.

@@ -5,10 +5,10 @@
 
 #include "energies/compiled/compile_term.h"
 #include "energies/hessian/energy_hessian.h"
-#include "energies/terms/list.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/exact_shapes.h"
+#include "tests/energies/terms/term_types.h"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,9 @@ class NewtonJacobian : public ::testing::Test {
   template <class Term>
   void check() {
     const auto problem = problem_with({Term::info});
+    const auto own = other_options<Term>();
     expect_model(problem->energy, only(term_named(Term::info.name)), *problem,
-                 [&](auto phi, auto v) { return ModelByDifferences<Term>(*problem)(phi, v); });
+                 [&](auto phi, auto v) { return ModelByDifferences<Term>(*problem, own)(phi, v); });
   }
   /// Two at a time, the second with twice the weight.
   template <class One, class Two>
@@ -70,6 +71,7 @@ class NewtonJacobian : public ::testing::Test {
     ProblemOptions o;
     o.energy.lambda = 0.7;
     o.energy.mu = 1.3;
+    set_other_options(o.energy.terms);
     o.smooth = true;  // differences ask for fields without kinks
     for (const TermInfo& info : infos)
       if (!info.model.empty()) o.energy.terms.model(term_named(info.name)) = info.model;
@@ -112,13 +114,10 @@ class NewtonJacobian : public ::testing::Test {
 /// The tests of one dimension, in a file of their own to keep compile times short.
 #define SHELLMATCH_NEWTON_JACOBIAN_TESTS(Dim)                                                          \
   using NewtonJacobian##Dim##d = ::shellmatch::test::NewtonJacobian<Dim>;                              \
-  TEST_F(NewtonJacobian##Dim##d, Match) { check<Match<Dim>>(); }                                       \
-  TEST_F(NewtonJacobian##Dim##d, Membrane) { check<Membrane<Dim>>(); }                                 \
-  TEST_F(NewtonJacobian##Dim##d, MembraneWithoutP2) { check<MembraneWithoutP2<Dim>>(); }               \
-  TEST_F(NewtonJacobian##Dim##d, CauchyGreenMembrane) { check<CauchyGreenMembrane<Dim>>(); }           \
-  TEST_F(NewtonJacobian##Dim##d, Bending) { check<Bending<Dim>>(); }                                   \
-  TEST_F(NewtonJacobian##Dim##d, BendingWithoutP2) { check<BendingWithoutP2<Dim>>(); }                 \
-  TEST_F(NewtonJacobian##Dim##d, QuadraticBending) { check<QuadraticBending<Dim>>(); }                 \
+  template <class Term>                                                                                \
+  struct NewtonJacobianOf##Dim##d : NewtonJacobian##Dim##d {};                                         \
+  TYPED_TEST_SUITE(NewtonJacobianOf##Dim##d, ::shellmatch::test::BandTermTypes<Dim>, ::shellmatch::test::TermTestNames); \
+  TYPED_TEST(NewtonJacobianOf##Dim##d, IsThatByDifferences) { this->template check<TypeParam>(); }     \
   TEST_F(NewtonJacobian##Dim##d, SquareOfMembrane) { check_square<Membrane<Dim>>(); }                  \
   TEST_F(NewtonJacobian##Dim##d, SquareOfBending) { check_square<Bending<Dim>>(); }                    \
   /* All tangential, and mixed: then the tangential ones are taken to all variables. */                \

@@ -1,4 +1,4 @@
-// Gradients by the order of the Taylor remainder: every term, every volume density, both boundary conditions, in
+// Gradients by the order of the Taylor remainder: every term and model, both boundary conditions, in
 // the plane and in space, on grids with hanging nodes; and the same check catches wrong gradients.
 
 #include "energies/compiled/element_cost.h"
@@ -7,6 +7,7 @@
 #include "tests/energies/compiled/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
+#include "tests/energies/terms/term_types.h"
 #include "tests/support/taylor.h"
 
 #include <fmt/core.h>
@@ -63,46 +64,24 @@ struct Gradient : ::testing::Test {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
   const ExactShape<Dim> reference = sphere<Dim>(0.28);
 
-  // Calls body(problem, phi, term) for every term, density, model and boundary condition.
+  // Calls body(problem, phi, term) for every term of the list, with other options than the defaults, and every boundary
+  // condition.
   template <class Body>
   void for_each_term(const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
-    for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet}) {
-      for (const std::string_view volume : {"simplified", "full", "symmetric_dirichlet"}) {
-        ProblemOptions o;
-        o.energy.lambda = 0.7;
-        o.energy.terms.model("volume"_term) = volume;
-        o.energy.boundary = boundary;
-        o.energy.terms.own("fold_threshold") = 0.9;
-        for_each_term_of(o, target, amplitude, body);
-      }
-      // The terms to compare with, one of each at a time.
-      for (const auto& [membrane, bending] : {std::pair{"no_p2", "no_p2"}, std::pair{"cauchy_green", "quadratic"}}) {
+    for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet})
+      for (const TermInfo& info : all_term_infos) {
+        SCOPED_TRACE(fmt::format("{} {}, {}", info.name, info.model, enum_name(boundary)));
+        const Term term = term_named(info.name);
         ProblemOptions o;
         o.energy.lambda = 0.7;
         o.energy.boundary = boundary;
-        o.energy.terms.model("membrane"_term) = membrane;
-        o.energy.terms.model("bending"_term) = bending;
-        for_each_term_of(o, target, amplitude, body);
+        set_other_options(o.energy.terms);
+        if (!info.model.empty()) o.energy.terms.model(term) = info.model;
+        const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
+        // Far enough for the barrier to act.
+        const double size = term == "barrier"_term ? 3 * amplitude : amplitude;
+        body(problem, deformed<Dim>(grid, size, 5, boundary == BoundaryCondition::dirichlet), term);
       }
-    }
-  }
-
-  template <class Body>
-  void for_each_term_of(const ProblemOptions& o, const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
-    const bool fixed = o.energy.boundary == BoundaryCondition::dirichlet;
-    const auto model = [&](Term term) { return o.energy.terms.model(term).name(); };
-    const bool compares = model("membrane"_term) != "thin_shell";
-    const Problem<Dim> problem(grid, exact_fields<Dim>(grid, reference), target, o);
-    for (std::size_t t = 0; t < term_names().size(); ++t) {
-      const Term term{t};
-      if (compares && term != "membrane"_term && term != "bending"_term) continue;
-      if (!compares && term != "volume"_term && model("volume"_term) != "simplified") continue;
-      SCOPED_TRACE(fmt::format("{}, {}, volume {}, membrane {}, bending {}", term_names()[t], enum_name(o.energy.boundary),
-                               model("volume"_term), model("membrane"_term), model("bending"_term)));
-      // Far enough for the barrier to act.
-      const double size = term == "barrier"_term ? 3 * amplitude : amplitude;
-      body(problem, deformed<Dim>(grid, size, 5, fixed), term);
-    }
   }
 };
 using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;

@@ -5,10 +5,10 @@
 #include "energies/assembly/element_oracle.h"
 #include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
+#include "examples/normal_alignment.h"
 #include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
-#include "tests/energies/terms/normal_alignment.h"
 #include "tests/support/taylor.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +19,7 @@ namespace shellmatch {
 namespace {
 
 using namespace test;
+using example::NormalAlignment;
 
 template <class T>
 struct TermOfOnesOwn : ::testing::Test {};

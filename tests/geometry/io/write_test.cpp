@@ -1,4 +1,5 @@
 // Writing: what is written reads back the same; what cannot be written leaves nothing.
+#include "base/replace_file.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "tests/geometry/io/files.h"
@@ -45,7 +46,7 @@ TEST(Write, PlyReadsBackToTheBit) {
   const OriginalShape<3> shape = rich_cube();
   write_ply(folder.path("a.ply"), shape);
   expect_same(shape, read_mesh(folder.path("a.ply")).original);
-  EXPECT_FALSE(std::filesystem::exists(folder.path("a.ply.part")));
+  EXPECT_FALSE(std::filesystem::exists(partial_file_name(folder.path("a.ply"))));
   OriginalShape<3> points = shape;
   points.polygons.clear();
   write_ply(folder.path("p.ply"), points);
@@ -115,13 +116,13 @@ TEST(Write, WhatCannotBeWrittenLeavesNothing) {
   EXPECT_THROW(write_ply(folder.path("none/a.ply"), cube()), EnvironmentError);
   std::filesystem::create_directory(folder.path("b.ply"));
   EXPECT_THROW(write_ply(folder.path("b.ply"), cube()), EnvironmentError);
-  EXPECT_FALSE(std::filesystem::exists(folder.path("b.ply.part")));
+  EXPECT_FALSE(std::filesystem::exists(partial_file_name(folder.path("b.ply"))));
   ASSERT_TRUE(std::filesystem::exists("/dev/full"));
   // A full disk: the name beside leads to a device that takes nothing.
-  std::filesystem::create_symlink("/dev/full", folder.path("c.ply.part"));
+  std::filesystem::create_symlink("/dev/full", partial_file_name(folder.path("c.ply")));
   EXPECT_THROW(write_ply(folder.path("c.ply"), cube()), EnvironmentError);
   EXPECT_FALSE(std::filesystem::exists(folder.path("c.ply")));
-  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder.path("c.ply.part"))));
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(partial_file_name(folder.path("c.ply")))));
 }
 
 }  // namespace

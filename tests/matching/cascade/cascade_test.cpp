@@ -19,7 +19,7 @@ namespace {
 
 struct Steps final : Observer {
   std::vector<std::vector<double>> values;  // of every minimisation
-  void level_started(const LevelStart&) override { values.emplace_back(); }
+  void minimisation_started(const LevelStart&) override { values.emplace_back(); }
   bool iterated(const LevelStart&, const IterationRecord& r) override {
     values.back().push_back(r.value);
     return true;
@@ -71,7 +71,7 @@ TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
   o.cascade.nu_substeps = 4;
   o.cascade.negligible_rise = 0.1;
   struct Counter final : Observer {
-    void level_started(const LevelStart& start) override { steps[start.level].push_back(start.substep); }
+    void minimisation_started(const LevelStart& start) override { steps[start.level].push_back(start.substep); }
     std::map<int, std::vector<int>> steps;
   } counter;
   run<2>("circle", "ellipse/long", o, counter);
@@ -130,7 +130,7 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   EXPECT_TRUE(fine.interrupted);
   const Deformation<2> after{fine.grid, fine.phi, {}};
   EXPECT_GT(fine.grid.n_nodes(), reference.grid.n_nodes());
-  for (const auto& x : points) EXPECT_LT((before_map(x) - after(x)).norm(), 1e-14);
+  for (const auto& x : points) EXPECT_LT((before_map.apply_in_unit_domain(x) - after.apply_in_unit_domain(x)).norm(), 1e-14);
 }
 
 TEST(Cascade, SmallerNuGivesSmallerMismatch) {

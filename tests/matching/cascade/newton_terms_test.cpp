@@ -3,6 +3,7 @@
 
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
+#include "examples/normal_alignment.h"
 #include "grid/fields/mass.h"
 #include "matching/cascade/cascade.h"
 #include "matching/level/level_energy.h"
@@ -10,7 +11,6 @@
 #include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_source.h"
 #include "solvers/options.h"
-#include "tests/energies/terms/normal_alignment.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@
 namespace shellmatch {
 namespace {
 
-using test::NormalAlignment;
+using example::NormalAlignment;
 
 template <int Dim>
 SignedDistance<Dim> built_in(const std::string& name) {

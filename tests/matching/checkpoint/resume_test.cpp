@@ -47,10 +47,10 @@ struct Watcher : Observer {
   std::string notes;
   std::vector<int> levels;
   void note(const std::string& text) override { notes += text + "\n"; }
-  void phase(const std::string& name) override {
+  void stage(const std::string& name) override {
     if (name == "writing") action(100);
   }
-  void level_started(const LevelStart& start) override {
+  void minimisation_started(const LevelStart& start) override {
     if (start.level == level) return;
     level = start.level;
     levels.push_back(level);

@@ -1,6 +1,5 @@
 #include "matching/map_file/deformation_file.h"
 #include "base/error.h"
-#include "matching/level/rebuild_grid.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -187,29 +186,6 @@ TEST(DeformationFileTest, AFullDiskIsAnEnvironmentError) {
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(message.find("d.vtu"), std::string::npos) << message;
   EXPECT_THROW(write_deformation(tmp / "no_folder/d.vtu", some_deformation<2>()), EnvironmentError);
-}
-
-TEST(RebuildGridTest, RefusesGapsOverlapsAndLostBalance) {
-  const std::vector<LeafPlace<2>> good{{1, {0, 0}}, {1, {1, 0}}, {1, {0, 1}}, {1, {1, 1}}};
-  EXPECT_TRUE(rebuild_grid<2>(good));
-  auto gap = good;
-  gap.pop_back();
-  EXPECT_FALSE(rebuild_grid<2>(gap));
-  auto twice = good;
-  twice[3] = twice[0];  // fills the volume all the same
-  EXPECT_FALSE(rebuild_grid<2>(twice));
-  auto more = good;
-  more.push_back({2, {0, 0}});
-  EXPECT_FALSE(rebuild_grid<2>(more));
-
-  // A cell of level 3 beside one of level 1.
-  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}},
-                                  {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
-  for (int c = 0; c < 4; ++c) steep.push_back({3, {4 + (c & 1), c >> 1}});
-  EXPECT_FALSE(rebuild_grid<2>(steep));
-
-  // What would need a fine uniform grid costs nothing.
-  EXPECT_FALSE(rebuild_grid<3>({{19, {0, 0, 0}}, {19, {5, 5, 5}}}));
 }
 
 }  // namespace

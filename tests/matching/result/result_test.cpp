@@ -115,6 +115,23 @@ TEST(MatchResult, DistortionOfASimilarityAndOfAStretch) {
   EXPECT_EQ(distortion_of(Vec<3>(-1, 1, 1).asDiagonal()).n_flipped_facets, reference.facets.size());
 }
 
+// The deformed shape of a result may be the reference of another matching.
+TEST(MatchResult, FreshAttributesReplaceThoseOfAnEarlierMatching) {
+  const auto map = linear_map<2>(Mat<2>::Identity(), Vec<2>(0, 0.05));
+  OriginalShape<2> square = uneven_square(map.placement);
+  const Surface<2> far{{{0.1, 0.8}, {0.9, 0.8}, {0.9, 0.9}, {0.1, 0.9}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
+  const SignedDistance<2> distance(far);
+  square.attributes.push_back({"label", "int", std::vector<double>(square.vertices.size(), 7)});
+  const auto once = deformed_original(square, map, distance);
+  const auto twice = deformed_original(once, map, distance);
+  ASSERT_EQ(twice.attributes.size(), 3u);
+  EXPECT_EQ(twice.attributes[0].name, "label");
+  EXPECT_EQ(twice.attributes[1].name, "distance_to_template");
+  EXPECT_EQ(twice.attributes[2].name, "length_ratio");
+  for (std::size_t v = 0; v < square.vertices.size(); ++v)
+    EXPECT_NEAR(twice.attributes[1].values[v], once.attributes[1].values[v] - 0.05 / map.placement.scale, 1e-10);
+}
+
 // Weighted by the reference's lengths the mean is the length after over the length before, however it is cut.
 TEST(MatchResult, MeanDistortionIsTheRatioOfTheWhole) {
   const OriginalShape<2> square = uneven_square({});

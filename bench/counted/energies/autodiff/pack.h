@@ -3,6 +3,8 @@
 /// Stands in the place of the real energies/autodiff/pack.h when bench/count_flops compiles the energies: one
 /// lane whose arithmetic is counted. So the very loops of the program are counted and no copy of them.
 ///
+/// Logarithms and powers count as exponentials, which cost about the same.
+///
 /// Adding to a Pack that was only just made, Pack{} + 1.0 or the first term of a sum, is not counted: it
 /// costs nothing.
 
@@ -57,6 +59,8 @@ class Pack {
 
   friend Pack root_of(const Pack& x);
   friend Pack exp_of(const Pack& x);
+  friend Pack log_of(const Pack& x);
+  friend Pack pow_of(const Pack& x, double exponent);
 
  private:
   explicit Pack(double value) : value_(value), is_new_(false) {}
@@ -84,6 +88,14 @@ inline Pack exp_of(const Pack& x) {
   ++counted.exponentials;
   return Pack(std::exp(x.value_));
 }
+inline Pack log_of(const Pack& x) {
+  ++counted.exponentials;
+  return Pack(std::log(x.value_));
+}
+inline Pack pow_of(const Pack& x, double exponent) {
+  ++counted.exponentials;
+  return Pack(std::pow(x.value_, exponent));
+}
 inline Pack broadcast(const Pack&, double c) { return Pack{} + c; }
 inline double broadcast(double, double c) { return c; }
 inline double max_of(double x, double y) { return x > y ? x : y; }
@@ -92,6 +104,8 @@ inline double where_greater(double x, double y, double d) { return x > y ? d : 0
 inline Pack where_greater(const Pack& x, const Pack& y, const Pack& d) { return x > y ? d : Pack{}; }
 inline double root_of(double x) { return std::sqrt(x); }
 inline double exp_of(double x) { return std::exp(x); }
+inline double log_of(double x) { return std::log(x); }
+inline double pow_of(double x, double exponent) { return std::pow(x, exponent); }
 inline double sum_lanes(const Pack& x) { return x[0]; }
 
 }  // namespace shellmatch::autodiff

@@ -1,4 +1,4 @@
-#include "matching/match_task.h"
+#include "matching/match_placed_shapes.h"
 
 #include "geometry/distance/surface_distance.h"
 #include "matching/progress/process_info.h"
@@ -21,8 +21,8 @@ ShapeSummary shape_summary(const auto& shape) {
 template <int Dim>
 class Matching {
  public:
-  Matching(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock)
-      : task_(std::move(task)),
+  Matching(MatchInputs<Dim> inputs, const ExperimentOptions& options, Recorder& recorder, RunClock& clock)
+      : inputs_(std::move(inputs)),
         options_(options),
         recorder_(recorder),
         clock_(clock),
@@ -32,7 +32,7 @@ class Matching {
   MatchResult<Dim> go() {
     summary_.distance_before = two_sided_distance(reference_.surface, d2_);
     std::optional<FinishedLevel<Dim>> before = resume();
-    recorder_.phase("matching");
+    recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
                                    clock_.phases, std::move(before));
@@ -49,17 +49,17 @@ class Matching {
  private:
   // Restores history, checks, times and levels of an earlier matching, which become part of this one's result.
   std::optional<FinishedLevel<Dim>> resume() {
-    if (!task_.before) return std::nullopt;
-    MatchSummary& s = task_.before->summary;
+    if (!inputs_.before) return std::nullopt;
+    MatchSummary& s = inputs_.before->summary;
     const int level = s.levels.back().level;
-    recorder_.history = std::move(task_.before->history);
+    recorder_.history = std::move(inputs_.before->history);
     recorder_.gradient_checks = s.gradient_checks.value_or(std::vector<GradientCheckSummary>{});
     clock_.add_earlier(s.run);
     summary_.levels = std::move(s.levels);
     summary_.run = std::move(s.run);
     summary_.run.resumed_after = summary_.run.resumed_after.value_or(std::vector<int>{});
     summary_.run.resumed_after->push_back(level);
-    return FinishedLevel<Dim>{level, std::move(task_.before->map)};
+    return FinishedLevel<Dim>{level, std::move(inputs_.before->map)};
   }
 
   void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
@@ -70,8 +70,8 @@ class Matching {
         deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2_);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
-    if (task_.finished)
-      task_.finished({level, state, task_.shapes, task_.placement, deformed, d2_, summary_so_far(), recorder_.history});
+    if (inputs_.finished)
+      inputs_.finished({level, state, inputs_.shapes, inputs_.placement, deformed, d2_, summary_so_far(), recorder_.history});
   }
 
   // The result without summary and history.
@@ -79,12 +79,12 @@ class Matching {
     Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, d2_);
-    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), task_.placement};
+    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.placement};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, d2_);
-    if (!task_.truth.empty()) {
+    if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
-      summary_.correspondence_error_before = correspondence_error(task_.truth, reference_.original.vertices) / diagonal;
-      summary_.correspondence_error = correspondence_error(task_.truth, moved.vertices) / diagonal;
+      summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
+      summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
     }
     std::vector<double> distance = distances_to(deformed.vertices, d2_);
     return {std::move(map),
@@ -103,15 +103,15 @@ class Matching {
     s.dimension = Dim;
     s.reference = shape_summary(reference_);
     s.template_shape = shape_summary(template_);
-    s.placement = {std::string(enum_name(options_.input.placement)), task_.placement.scale,
-                   {task_.placement.offset.begin(), task_.placement.offset.end()}};
+    s.placement = {std::string(enum_name(options_.input.placement)), inputs_.placement.scale,
+                   {inputs_.placement.offset.begin(), inputs_.placement.offset.end()}};
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     clock_.state(s.run);
     return s;
   }
 
-  MatchTask<Dim> task_;
-  const Shape<Dim>&reference_ = task_.shapes.reference, &template_ = task_.shapes.template_shape;
+  MatchInputs<Dim> inputs_;
+  const Shape<Dim>&reference_ = inputs_.shapes.reference, &template_ = inputs_.shapes.template_shape;
   const ExperimentOptions& options_;
   Recorder& recorder_;
   RunClock& clock_;
@@ -122,11 +122,12 @@ class Matching {
 }  // namespace
 
 template <int Dim>
-MatchResult<Dim> run_task(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock) {
-  return Matching<Dim>(std::move(task), options, recorder, clock).go();
+MatchResult<Dim> match_placed_shapes(MatchInputs<Dim> inputs, const ExperimentOptions& options, Recorder& recorder,
+                                     RunClock& clock) {
+  return Matching<Dim>(std::move(inputs), options, recorder, clock).go();
 }
 
-template MatchResult<2> run_task<2>(MatchTask<2>, const ExperimentOptions&, Recorder&, RunClock&);
-template MatchResult<3> run_task<3>(MatchTask<3>, const ExperimentOptions&, Recorder&, RunClock&);
+template MatchResult<2> match_placed_shapes<2>(MatchInputs<2>, const ExperimentOptions&, Recorder&, RunClock&);
+template MatchResult<3> match_placed_shapes<3>(MatchInputs<3>, const ExperimentOptions&, Recorder&, RunClock&);
 
 }  // namespace shellmatch

@@ -1,4 +1,4 @@
-#include "matching/level/rebuild_grid.h"
+#include "grid/octree/rebuild_grid.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// A term that is not in energies/terms/list.h: what a user adds from outside.
+/// A term that is not in the program, and all that is written for it: the example of docs/adding-an-energy.md.
 
 #include "energies/densities/square.h"
 #include "energies/terms/term.h"
 
-namespace shellmatch::test {
+namespace example {
+
+using namespace shellmatch;
 
 /// |Dphi n1 - s n2|^2 vanishes where phi carries the unit normals of the reference to s times those of the template: with
 /// s = 1, as the theory of Kirchhoff and Love supposes of a thin shell.
@@ -14,7 +16,8 @@ struct NormalAlignment : BandTerm<Dim> {
   static constexpr TermInfo info{
       .name = "normal_alignment",
       .meaning = "normals are carried to normals",
-      .weight = {"normal_alignment_weight", 1, {.min = 0, .meaning = "factor on the term; 0 switches it off"}}};
+      .weight = {"normal_alignment_weight", 0, {.min = 0, .meaning = "factor on the alignment of normals; 0 switches it off"}},
+      .scaled = [](double factor, const TermScales& s) { return factor * s.delta; }};
   static constexpr std::array<TermOption, 1> own{
       {{"normal_stretch", 1, {.min = 0, .meaning = "s: length of the carried normals"}}}};
   using Density = SquareDensity<Dim>;
@@ -30,4 +33,4 @@ struct NormalAlignment : BandTerm<Dim> {
   }
 };
 
-}  // namespace shellmatch::test
+}  // namespace example

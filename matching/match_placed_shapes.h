@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A matching with all its inputs: besides the shapes the state of an earlier matching to resume from, and a callback
+/// A matching of shapes that are placed, with all its inputs: besides the shapes the state of an earlier matching to resume from, and a callback
 /// for the end of every level.
 
 #include "geometry/distance/signed_distance.h"
@@ -21,7 +21,7 @@ template <int Dim>
 struct LevelEnd {
   const LevelResult& level;
   const LevelState<Dim>& state;                  ///< grid and phi
-  const ShapePair<Dim>& shapes;                  ///< those of the task
+  const ShapePair<Dim>& shapes;                  ///< those of the inputs
   const Similarity<Dim>& placement;
   const Surface<Dim>& deformed;                  ///< reference's surface moved by phi, unit domain
   const SignedDistance<Dim>& template_distance;  ///< unit domain
@@ -29,8 +29,9 @@ struct LevelEnd {
   const History& history;
 };
 
+/// What a matching starts from.
 template <int Dim>
-struct MatchTask {
+struct MatchInputs {
   ShapePair<Dim> shapes;      ///< surfaces in the unit domain, originals in the user's coordinates
   Similarity<Dim> placement;  ///< similarity that has moved them there
   Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
@@ -38,10 +39,11 @@ struct MatchTask {
   std::function<void(const LevelEnd<Dim>&)> finished;  ///< called at the end of every level; may be empty
 };
 
-/// Runs the task. `recorder` and `clock` belong to the caller, who may read them after an exception and go on
-/// measuring.
+/// Matches shapes that lie in the unit domain. `recorder` and `clock` belong to the caller, who may read them after an
+/// exception and go on measuring.
 /// \throws as match_shapes, and whatever `finished` throws
 template <int Dim>
-MatchResult<Dim> run_task(MatchTask<Dim> task, const ExperimentOptions& options, Recorder& recorder, RunClock& clock);
+MatchResult<Dim> match_placed_shapes(MatchInputs<Dim> inputs, const ExperimentOptions& options, Recorder& recorder,
+                                     RunClock& clock);
 
 }  // namespace shellmatch
