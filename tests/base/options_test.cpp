@@ -1,5 +1,7 @@
 #include "base/options.h"
 
+#include "base/types.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

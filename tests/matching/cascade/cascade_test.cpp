@@ -85,7 +85,7 @@ TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
 
 TEST(Cascade, AnEnergyThatIsNoNumberIsRefusedByItsTerms) {
   for (const auto& [delta, lambda, told] :
-       {std::tuple{1e200, 1.0, "bending (weight inf)"}, std::tuple{1.0, 1e308, "membrane (weight "}}) {
+       {std::tuple{1e200, 1.0, "bending (weight inf)"}, std::tuple{1.0, 8e307, "membrane (weight "}}) {
     ExperimentOptions o = small(4);
     o.cascade.min_level = 4;
     o.energy.delta = delta;

@@ -1,5 +1,7 @@
 #include "studies/report/performance_profile.h"
 
+#include "base/types.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
