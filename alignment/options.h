@@ -17,6 +17,8 @@ struct AlignmentOptions {
   int pairs = 300;
   double cycle_tolerance = 0.03;
   double max_stretch = 3;
+  double identity_preference = 1.1;
+  bool mirror = false;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -50,6 +52,11 @@ struct AlignmentOptions {
     visit("max_stretch", self.max_stretch,
           {.min = 1, .max = 100,
            .meaning = "a pair is kept if the map changes lengths around it by no larger factor"});
+    visit("identity_preference", self.identity_preference,
+          {.min = 1, .max = 100,
+           .meaning = "the map that begins with the surfaces as they lie is chosen unless its score is larger than the "
+                      "best by this factor"});
+    visit("mirror", self.mirror, {.meaning = "also try the mirrored reference"});
   }
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace shellmatch {
 
@@ -43,13 +42,7 @@ Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matche
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
   const auto k = static_cast<int>(c.rows());
   const auto pairs = pairs_of(matches);
-  VertexSet all[2];
-  for (int s = 0; s < 2; ++s) {
-    all[s].functions = pair.functions[s];
-    all[s].vertices.resize(pair.shapes[s]->n_vertices());
-    std::iota(all[s].vertices.begin(), all[s].vertices.end(), 0);
-  }
-  const Embedding embedding = spectral_embedding(pair, all, c, 1.0);
+  const Embedding embedding = dense_embedding(pair, c);
   MapScore score;
   double squares = 0, sum = 0;
   for (const auto& [p, q] : pairs) {

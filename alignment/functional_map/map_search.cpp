@@ -43,24 +43,29 @@ std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<Map
   return kept;
 }
 
+/// Adds rows for the vertices of `set`: `weight` times their rotated smooth coordinates, and a sixth of it times their rotated normals.
+void append_rotated(const SpectralShape& shape, const VertexSet& set, const Mat<3>& rotation, int n_functions,
+                    Features& features) {
+  constexpr double coordinate_weight = 3, normal_weight = 0.5;
+  const Eigen::Index k = features.rows();
+  features.conservativeResize(k + 6, static_cast<Eigen::Index>(set.size()));
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const Index v = set.vertices[i];
+    const Vec<3> x = (shape.functions.row(v).head(n_functions) * shape.coefficients.topRows(n_functions)).transpose();
+    const Vec<3> normal = shape.normals.row(v).transpose();
+    auto column = features.col(static_cast<Eigen::Index>(i));
+    column.segment(k, 3) = (coordinate_weight * rotation * x).cast<float>();
+    column.tail(3) = (normal_weight * rotation * normal).cast<float>();
+  }
+}
+
 /// Matches by the map so far, by rotated smooth coordinates and by rotated normals.
 VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, const Mat<3>& rotation) {
-  Embedding embedding = spectral_embedding(pair, pair.coarse, c, 0);
-  const Eigen::Index k = c.rows();
-  const int smooth = std::min(n_smooth, pair.n_functions);
-  for (int s = 0; s < 2; ++s) {
-    const SpectralShape& shape = *pair.shapes[s];
-    const Mat<3> r = s == 0 ? rotation : Mat<3>(Mat<3>::Identity());
-    embedding.on[s].conservativeResize(k + 6, Eigen::NoChange);
-    for (std::size_t i = 0; i < pair.coarse[s].size(); ++i) {
-      const Index v = pair.coarse[s].vertices[i];
-      const Vec<3> x = (shape.functions.row(v).head(smooth) * shape.coefficients.topRows(smooth)).transpose();
-      const Vec<3> normal = shape.normals.row(v).transpose();
-      auto column = embedding.on[s].col(static_cast<Eigen::Index>(i));
-      column.segment(k, 3) = (3 * r * x).cast<float>();
-      column.tail(3) = (0.5 * r * normal).cast<float>();
-    }
-  }
+  Embedding embedding;
+  if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarse, c, 0);
+  const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
+  for (int s = 0; s < 2; ++s)
+    append_rotated(*pair.shapes[s], pair.coarse[s], rotations[s], std::min(n_smooth, pair.n_functions), embedding.on[s]);
   return match_vertices(pair.coarse, embedding, n_queries);
 }
 
@@ -75,12 +80,21 @@ void sort_by(std::vector<MapCandidate>& candidates, const Key& key) {
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   const std::vector<Eigen::MatrixXd> starts =
       start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
-  std::vector<MapCandidate> candidates(starts.size());
-  parallel_for(starts.size(), [&](std::size_t i) {
-    candidates[i].c = starts[i];
+  std::vector<Mat<3>> rotations = {Mat<3>::Identity()};
+  std::vector<MapCandidate> candidates(rotations.size() + starts.size());
+  candidates[0].is_identity = true;
+  parallel_for(candidates.size(), [&](std::size_t i) {
+    MapCandidate& candidate = candidates[i];
     std::vector<int> steps;
-    for (int k = static_cast<int>(starts[i].rows()); k <= n_merged; ++k) steps.push_back(k);
-    upsample(pair, pair.coarse, n_queries, steps, 0, candidates[i]);
+    int first = n_merged;
+    if (i < rotations.size()) {
+      candidate.matches = match_rotated(pair, candidate.c, rotations[i]);
+    } else {
+      candidate.c = starts[i - rotations.size()];
+      first = static_cast<int>(candidate.c.rows());
+    }
+    for (int k = first; k <= n_merged; ++k) steps.push_back(k);
+    upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
   }, 1);
   candidates = distinct(pair, std::move(candidates), 0.05);
   parallel_for(candidates.size(), [&](std::size_t i) {
@@ -88,7 +102,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     const Mat<3> rotation = proper_rotation(pair, candidate.matches, std::min(n_smooth, pair.n_functions));
     candidate.matches = match_rotated(pair, candidate.c, rotation);
     candidate.c.resize(0, 0);
-    upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, 1.0, candidate);
+    upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
     candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
   }, 1);
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
@@ -98,10 +112,10 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     MapCandidate& candidate = candidates[i];
     std::vector<int> steps;
     for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
-    upsample(pair, pair.dense, pair.dense[0].size() / 1, {n_scored}, 1.0, candidate);
+    upsample(pair, pair.dense, pair.dense[0].size() / 1, {n_scored}, embedded_normal_weight, candidate);
     for (const int k : steps) {
       candidate.c = functional_map(pair, candidate.matches, k);
-      const Embedding e = spectral_embedding(pair, pair.dense, candidate.c, 1.0);
+      const Embedding e = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
       candidate.matches = match_vertices(pair.dense, e, k == pair.n_functions ? 100000 : 1000);
     }
     candidate.score = score_map(pair, candidate.matches, candidate.c);

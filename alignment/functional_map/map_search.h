@@ -13,7 +13,9 @@ struct MapCandidate {
   MapScore coarse_score;  ///< at 40 eigenfunctions
   MapScore score;         ///< at all
 
-  double total() const { return coarse_score.total() + score.total(); }
+  bool is_identity = false;  ///< began with the surfaces as they lie
+
+  double total() const { return 0.5 * (coarse_score.total() + score.total()); }
 };
 
 /// The best distinct maps, ascending by their score.

@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <numeric>
 
 namespace shellmatch {
 
@@ -83,6 +84,16 @@ Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&set
     put_rows(pulled_back, sets[s], normal_weight, s == 0 ? k + 3 : k, features);
   }
   return embedding;
+}
+
+Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c) {
+  VertexSet all[2];
+  for (int s = 0; s < 2; ++s) {
+    all[s].functions = pair.functions[s];
+    all[s].vertices.resize(pair.shapes[s]->n_vertices());
+    std::iota(all[s].vertices.begin(), all[s].vertices.end(), 0);
+  }
+  return spectral_embedding(pair, all, c, embedded_normal_weight);
 }
 
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries) {

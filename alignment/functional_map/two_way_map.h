@@ -32,6 +32,9 @@ struct ShapePairSpectra {
 /// \pre the shapes outlive the result
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2);
 
+/// Weight of the normals in the embeddings of a search, where a function has mean square 1.
+inline constexpr double embedded_normal_weight = 1;
+
 /// Images of vertices of either surface on the other one.
 struct VertexMatches {
   std::vector<Index> from[2];  ///< vertices of surface 1, and of surface 2
@@ -52,6 +55,9 @@ struct Embedding {
 /// CVPR 2020.
 Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&sets)[2], const Eigen::MatrixXd& c,
                              double normal_weight);
+
+/// The embedding of all vertices, in their order, with the weight of normals that the search uses.
+Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c);
 
 /// For the first `n_queries` vertices of each set, the nearest of the other set in the embedding.
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries);

@@ -50,6 +50,15 @@ Index extreme_vertex(const Eigenpairs& pairs) {
 
 }  // namespace
 
+SpectralShape mirrored_shape(SpectralShape shape) {
+  shape.handedness *= -1;
+  for (Vec<3>& x : shape.surface.vertices) x[0] *= -1;
+  for (auto& facet : shape.surface.facets) std::swap(facet[1], facet[2]);
+  shape.coefficients.col(0) *= -1;
+  shape.normals.col(0) *= -1;
+  return shape;
+}
+
 SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& options) {
   SurfaceLaplacian laplacian = surface_laplacian(surface, options.mollification);
   const double area = laplacian.mass.sum();
@@ -67,7 +76,8 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
   return {std::move(surface), std::move(graph), std::move(laplacian.mass), pairs.values, pairs.functions,
-          std::move(coefficients), std::move(normals), std::move(signature), std::move(samples)};
+          std::move(coefficients), std::move(normals), std::move(signature), std::move(samples),
+          centre, std::sqrt(area)};
 }
 
 }  // namespace shellmatch

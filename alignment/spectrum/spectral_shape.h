@@ -21,9 +21,15 @@ struct SpectralShape {
   Rows3 coefficients;          ///< k x 3: functions * coefficients are the smoothed coordinates
   Rows3 normals;               ///< n x 3, of unit length
   Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
-  std::vector<Index> samples;  ///< farthest point samples, `n_targets` of them
+  std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
+  Vec<3> centre;               ///< of the input
+  double root_area;            ///< of the input
+  double handedness = 1;       ///< -1 where it is the mirrored input
 
   std::size_t n_vertices() const { return surface.vertices.size(); }
+  Vec<3> in_input_coordinates(const Vec<3>& x) const {
+    return centre + root_area * Vec<3>(handedness * x[0], x[1], x[2]);
+  }
 };
 
 /// Number of samples in SpectralShape, where there are as many vertices.
@@ -31,6 +37,9 @@ inline constexpr std::size_t n_spectral_samples = 1500;
 
 /// Moves and scales the surface, and computes the rest. \pre connected, every vertex has a facet
 SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& options);
+
+/// The shape mirrored in x, oriented outward again.
+SpectralShape mirrored_shape(SpectralShape shape);
 
 /// Unit normals at the vertices of a surface with these facets and the given coordinates (n x 3): means of the facets'
 /// normals, weighted by area; zero where they cancel.
