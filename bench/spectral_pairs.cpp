@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <limits>
@@ -47,6 +48,8 @@ Arguments parse(const std::vector<std::string>& words) {
       arguments.n_rotations = std::atoi(next().c_str());
     } else if (words[i] == "--threads") {
       set_n_threads(std::atoi(next().c_str()));
+    } else if (words[i] == "--functions") {
+      arguments.options.functions = std::atoi(next().c_str());
     } else if (words[i] == "--mirror") {
       arguments.options.mirror = true;
     } else {
@@ -215,11 +218,12 @@ int main(int argc, char** argv) try {
     return 0;
   }
   const double start = seconds();
+  const std::clock_t cpu_start = std::clock();
   const AutomaticPairs found = find_pairs(reference, template_surface, arguments.options);
-  const double took = seconds() - start;
+  const double took = seconds() - start, cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   const ErrorFigures dense = figures_of(truth.dense_errors(found, found.candidates[0]));
-  fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s\n", dense.mean, dense.beyond,
-             found.candidates[0].score, found.margin, took);
+  fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s, CPU {:.2f} s\n", dense.mean, dense.beyond,
+             found.candidates[0].score, found.margin, took, cpu);
   print(found, truth);
   return 0;
 } catch (const std::exception& error) {

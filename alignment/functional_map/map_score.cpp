@@ -45,11 +45,13 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   const Embedding embedding = dense_embedding(pair, c);
   MapScore score;
   double squares = 0, sum = 0;
+  // Two pairs of normals of this length stand below the functions.
+  constexpr double normal_scale = 0.5 / (embedded_normal_weight * embedded_normal_weight);
   for (const auto& [p, q] : pairs) {
     const auto a = embedding.on[0].col(p), b = embedding.on[1].col(q);
     sum += (a.head(k) - b.head(k)).squaredNorm();
     squares += b.head(k).squaredNorm();
-    score.orientation += (1 - 0.5 * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
+    score.orientation += (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
     const auto u = pair.shapes[0]->signature.row(p), v = pair.shapes[1]->signature.row(q);
     score.signature += ((u - v).cwiseAbs().array() / (u + v).array()).mean();
   }

@@ -33,7 +33,7 @@ struct ShapePairSpectra {
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2);
 
 /// Weight of the normals in the embeddings of a search, where a function has mean square 1.
-inline constexpr double embedded_normal_weight = 1;
+inline constexpr double embedded_normal_weight = 2;
 
 /// Images of vertices of either surface on the other one.
 struct VertexMatches {

@@ -18,11 +18,12 @@ class InverseOperator {
   using Scalar = double;
 
   InverseOperator(const SurfaceLaplacian& laplacian, double shift) : root_(laplacian.mass.cwiseSqrt()) {
+    if (!laplacian.stiffness.coeffs().allFinite() || !root_.allFinite())
+      throw_input_error("the Laplacian of the surface is not finite; are its coordinates?");
     Eigen::SparseMatrix<double> matrix = laplacian.stiffness;
     matrix.diagonal() += shift * laplacian.mass;
     factor_.compute(matrix);
-    if (factor_.info() != Eigen::Success || !root_.allFinite())
-      throw_input_error("the Laplacian of the surface cannot be factorised; are its coordinates finite?");
+    if (factor_.info() != Eigen::Success) throw_input_error("the Laplacian of the surface cannot be factorised");
   }
   Eigen::Index rows() const { return root_.size(); }
   Eigen::Index cols() const { return root_.size(); }
