@@ -1,6 +1,7 @@
 // Automatic pairs of two meshes, and how far they are from a known correspondence.
 //
-//   spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] [--threads N] [--mirror]
+//   spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] [--threads N] [--functions N]
+//                [--mirror]
 //
 // Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other. Printed for every candidate:
 // mean and share beyond 10 of the error, the distance along edges of the template between where a vertex ends and where it
@@ -100,12 +101,14 @@ class TrueCorrespondence {
     unit_ = std::sqrt(area) / 100;
   }
 
-  std::vector<double> dense_errors(const AutomaticPairs& found, const PairCandidate& candidate) {
+  /// \param turn that of the template before `found`
+  std::vector<double> dense_errors(const AutomaticPairs& found, const PairCandidate& candidate,
+                                   const Mat<3>& turn = Mat<3>::Identity()) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < on_reference_.size(); ++i) {
       const Index from = found.reference.nearest[on_reference_[i]];
       if (from == no_index) continue;
-      const Vec<3>& end = found.template_surface.surface.vertices[candidate.map[from]];
+      const Vec<3> end = turn.transpose() * found.template_surface.surface.vertices[candidate.map[from]];
       errors.push_back(error(nearest(end), on_template_[i]));
     }
     return errors;
@@ -198,7 +201,7 @@ void print_rotations(const Surface<3>& reference, const Surface<3>& template_sur
     fmt::print("  turn {}: pose off by {:.1f} degrees from the turn, {:.1f} from turn and pose as it lies; error {:.2f}, "
                "score {:.3f}, margin {:.2f}, {:.1f} s\n",
                k, angle_between(pose.rotation, turn), angle_between(pose.rotation, turn * as_it_lies.rotation),
-               figures_of(truth.dense_errors(found, found.candidates[0])).mean, found.candidates[0].score, found.margin, took);
+               figures_of(truth.dense_errors(found, found.candidates[0], turn)).mean, found.candidates[0].score, found.margin, took);
   }
 }
 
@@ -208,7 +211,7 @@ int main(int argc, char** argv) try {
   const Arguments arguments = parse({argv + 1, argv + argc});
   if (arguments.files.size() != 2) {
     fmt::print(stderr, "usage: spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] "
-                       "[--threads N] [--mirror]\n");
+                       "[--threads N] [--functions N] [--mirror]\n");
     return 2;
   }
   const Surface<3> reference = read_surface(arguments.files[0]), template_surface = read_surface(arguments.files[1]);
