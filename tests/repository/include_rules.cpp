@@ -38,6 +38,7 @@ const std::vector<Adapter>& adapter_table() {
       {"fmt", {"fmt/"}, {"base/error.h", "*/*.cpp", "*/*/*.cpp"}},
       {"Google Benchmark", {"benchmark/"}, {"bench/*.cpp"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {}},
+      {"Spectra", {"Spectra/"}, {"alignment/spectrum/spectra_*.cpp"}},
       {"Eigen", {"Eigen/"}, {"*/*.h", "*/*.cpp", "*/*/*.h", "*/*/*.cpp"}},
       {"the operating system", {"sys/"}, {"*/*.cpp", "*/*/*.cpp"}}};
   return table;

@@ -46,17 +46,18 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
   static const std::map<std::string_view, std::vector<std::string_view>> table = {
       {"base", {"base"}},
       {"geometry", {"geometry", "base"}},
+      {"alignment", {"alignment", "geometry", "base"}},
       {"grid", {"grid", "base"}},
       {"energies", {"energies", "grid", "base"}},
       {"solvers", {"solvers", "base"}},
       {"render", {"render", "geometry", "grid", "base"}},
-      {"matching", {"matching", "base", "geometry", "grid", "energies", "solvers", "render"}},
+      {"matching", {"matching", "base", "geometry", "alignment", "grid", "energies", "solvers", "render"}},
       {"studies", {"studies", "base", "solvers", "render", "matching"}},
-      {"apps", {"apps", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies"}},
-      {"bench", {"bench", "tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
-      {"examples", {"examples", "base", "geometry", "grid", "energies", "solvers", "render", "matching"}},
-      {"tests",
-       {"tests", "base", "geometry", "grid", "energies", "solvers", "render", "matching", "studies", "apps", "examples"}}};
+      {"apps", {"apps", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies"}},
+      {"bench", {"bench", "tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
+      {"examples", {"examples", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
+      {"tests", {"tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "apps",
+        "examples"}}};
   return table;
 }
 

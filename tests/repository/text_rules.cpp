@@ -52,7 +52,7 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
 
 // Is it the path of a file as this repository has them, "grid/octree/octree.h"?
 bool looks_like_file(std::string_view text) {
-  static const std::set<std::string_view> folders = {"base",    "geometry", "grid",  "energies", "solvers",
+  static const std::set<std::string_view> folders = {"base",    "geometry", "alignment", "grid",  "energies", "solvers",
                                                      "render",  "matching", "apps",  "docs",     "cmake",
                                                      "configs", "scripts",  "tests", "bench"};
   const std::size_t dot = text.rfind('.');

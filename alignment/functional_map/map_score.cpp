@@ -1,0 +1,70 @@
+#include "alignment/functional_map/map_score.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+/// Smoothed coordinates of all pairs' points on surface s, as columns.
+Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s, int k) {
+  const SpectralShape& shape = *pair.shapes[s];
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Index v = s == 0 ? pairs[i].first : pairs[i].second;
+    points.col(static_cast<Eigen::Index>(i)) = (shape.functions.row(v).head(k) * shape.coefficients.topRows(k)).transpose();
+  }
+  return points;
+}
+
+Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+  const Mat<3> covariance = to * from.transpose();
+  const Eigen::JacobiSVD<Mat<3>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec<3> signs = Vec<3>::Ones();
+  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
+  const auto pairs = pairs_of(matches);
+  Eigen::Matrix3Xd from = smooth_points(pair, pairs, 0, k), to = smooth_points(pair, pairs, 1, k);
+  from.colwise() -= from.rowwise().mean().eval();
+  to.colwise() -= to.rowwise().mean().eval();
+  return rotation_between(from, to);
+}
+
+MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
+  const auto k = static_cast<int>(c.rows());
+  const auto pairs = pairs_of(matches);
+  const Embedding embedding = dense_embedding(pair, c);
+  MapScore score;
+  double squares = 0, sum = 0;
+  // Two pairs of normals of this length stand below the functions.
+  constexpr double normal_scale = 0.5 / (embedded_normal_weight * embedded_normal_weight);
+  for (const auto& [p, q] : pairs) {
+    const auto a = embedding.on[0].col(p), b = embedding.on[1].col(q);
+    sum += (a.head(k) - b.head(k)).squaredNorm();
+    squares += b.head(k).squaredNorm();
+    score.orientation += (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
+    const auto u = pair.shapes[0]->signature.row(p), v = pair.shapes[1]->signature.row(q);
+    score.signature += ((u - v).cwiseAbs().array() / (u + v).array()).mean();
+  }
+  const auto n = static_cast<double>(pairs.size());
+  score.functions = std::sqrt(sum / squares);
+  score.signature /= n;
+  score.orientation /= n;
+  const int smooth = std::min(k, 24);
+  Eigen::Matrix3Xd from = smooth_points(pair, pairs, 0, smooth), to = smooth_points(pair, pairs, 1, smooth);
+  from.colwise() -= from.rowwise().mean().eval();
+  to.colwise() -= to.rowwise().mean().eval();
+  score.pose = std::sqrt((rotation_between(from, to) * from - to).squaredNorm() / n);
+  return score;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// How plausible a map between two surfaces is, without knowledge of the true one.
+
+#include "alignment/functional_map/two_way_map.h"
+
+namespace shellmatch {
+
+/// Each is 0 for an isometry and its positions.
+struct MapScore {
+  double functions = 0;    ///< root of the mean of |functions_1 C - functions_2|^2 over that of |functions_2|^2
+  double signature = 0;    ///< mean relative difference of the wave kernel signatures
+  double orientation = 0;  ///< mean of (1 - n . n') / 2 over normals and pulled back normals
+  double pose = 0;         ///< root mean square distance after a proper rotation, in roots of the area
+
+  double total() const { return functions + signature + orientation + pose; }
+};
+
+MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c);
+
+/// The rotation R, det R = 1, that minimises the sum of |R x_1 + t - x_2|^2 with the best t over all pairs, for coordinates smoothed
+/// to k eigenfunctions. W. Kabsch, Acta Crystallographica A 32, 1976.
+Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
+
+}  // namespace shellmatch

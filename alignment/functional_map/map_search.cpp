@@ -1,0 +1,127 @@
+#include "alignment/functional_map/map_search.h"
+
+#include "alignment/functional_map/starts.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr std::size_t n_queries = 250;
+constexpr int n_merged = 9;      // functions at which starts are compared
+constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
+constexpr int n_scored = 40;     // functions at which candidates are compared
+
+/// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
+void upsample(const ShapePairSpectra& pair, const VertexSet (&sets)[2], std::size_t queries,
+              const std::vector<int>& steps, double normal_weight, MapCandidate& candidate) {
+  for (const int k : steps) {
+    if (k > candidate.c.rows()) candidate.c = functional_map(pair, candidate.matches, std::min(k, pair.n_functions));
+    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight), queries);
+  }
+}
+
+/// Mean distance on surface 2, in roots of its area, between the images of the same vertices.
+double difference(const ShapePairSpectra& pair, const VertexMatches& a, const VertexMatches& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.to[0].size(); ++i)
+    sum += (pair.shapes[1]->surface.vertices[a.to[0][i]] - pair.shapes[1]->surface.vertices[b.to[0][i]]).norm();
+  return sum / static_cast<double>(std::max<std::size_t>(1, a.to[0].size()));
+}
+
+/// Leaves out candidates that nearly equal an earlier one.
+std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<MapCandidate> candidates, double tolerance) {
+  std::vector<MapCandidate> kept;
+  for (MapCandidate& candidate : candidates)
+    if (std::none_of(kept.begin(), kept.end(), [&](const MapCandidate& other) {
+          return difference(pair, candidate.matches, other.matches) < tolerance;
+        }))
+      kept.push_back(std::move(candidate));
+  return kept;
+}
+
+/// Adds rows for the vertices of `set`: `weight` times their rotated smooth coordinates, and a sixth of it times their rotated normals.
+void append_rotated(const SpectralShape& shape, const VertexSet& set, const Mat<3>& rotation, int n_functions,
+                    Features& features) {
+  constexpr double coordinate_weight = 3, normal_weight = 0.5;
+  const Eigen::Index k = features.rows();
+  features.conservativeResize(k + 6, static_cast<Eigen::Index>(set.size()));
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const Index v = set.vertices[i];
+    const Vec<3> x = (shape.functions.row(v).head(n_functions) * shape.coefficients.topRows(n_functions)).transpose();
+    const Vec<3> normal = shape.normals.row(v).transpose();
+    auto column = features.col(static_cast<Eigen::Index>(i));
+    column.segment(k, 3) = (coordinate_weight * rotation * x).cast<float>();
+    column.tail(3) = (normal_weight * rotation * normal).cast<float>();
+  }
+}
+
+/// Matches by the map so far, by rotated smooth coordinates and by rotated normals.
+VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, const Mat<3>& rotation) {
+  Embedding embedding;
+  if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarse, c, 0);
+  const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
+  for (int s = 0; s < 2; ++s)
+    append_rotated(*pair.shapes[s], pair.coarse[s], rotations[s], std::min(n_smooth, pair.n_functions), embedding.on[s]);
+  return match_vertices(pair.coarse, embedding, n_queries);
+}
+
+template <class Key>
+void sort_by(std::vector<MapCandidate>& candidates, const Key& key) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const MapCandidate& a, const MapCandidate& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
+  const std::vector<Eigen::MatrixXd> starts =
+      start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
+  std::vector<Mat<3>> rotations = {Mat<3>::Identity()};
+  std::vector<MapCandidate> candidates(rotations.size() + starts.size());
+  candidates[0].is_identity = true;
+  parallel_for(candidates.size(), [&](std::size_t i) {
+    MapCandidate& candidate = candidates[i];
+    std::vector<int> steps;
+    int first = n_merged;
+    if (i < rotations.size()) {
+      candidate.matches = match_rotated(pair, candidate.c, rotations[i]);
+    } else {
+      candidate.c = starts[i - rotations.size()];
+      first = static_cast<int>(candidate.c.rows());
+    }
+    for (int k = first; k <= n_merged; ++k) steps.push_back(k);
+    upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
+  }, 1);
+  candidates = distinct(pair, std::move(candidates), 0.05);
+  parallel_for(candidates.size(), [&](std::size_t i) {
+    MapCandidate& candidate = candidates[i];
+    const Mat<3> rotation = proper_rotation(pair, candidate.matches, std::min(n_smooth, pair.n_functions));
+    candidate.matches = match_rotated(pair, candidate.c, rotation);
+    candidate.c.resize(0, 0);
+    upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
+    candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
+  }, 1);
+  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
+  candidates = distinct(pair, std::move(candidates), 0.05);
+  candidates.resize(std::min(candidates.size(), static_cast<std::size_t>(options.refined)));
+  parallel_for(candidates.size(), [&](std::size_t i) {
+    MapCandidate& candidate = candidates[i];
+    std::vector<int> steps;
+    for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
+    upsample(pair, pair.dense, pair.dense[0].size() / 1, {n_scored}, embedded_normal_weight, candidate);
+    for (const int k : steps) {
+      candidate.c = functional_map(pair, candidate.matches, k);
+      const Embedding e = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
+      candidate.matches = match_vertices(pair.dense, e, k == pair.n_functions ? 100000 : 1000);
+    }
+    candidate.score = score_map(pair, candidate.matches, candidate.c);
+  }, 1);
+  sort_by(candidates, [](const MapCandidate& c) { return c.total(); });
+  return candidates;
+}
+
+}  // namespace shellmatch

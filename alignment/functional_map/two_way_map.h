@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// A map between two surfaces in both directions: points that correspond, and the matrix of the functional map.
+///
+/// A functional map C carries the coefficients of a function on surface 2 to those of the same function on surface 1:
+/// functions_1 C a_2 is f_2 read through the map from surface 1 to surface 2. Ovsjanikov, Ben-Chen, Solomon, Butscher
+/// and Guibas, 'Functional maps: a flexible representation of maps between shapes', SIGGRAPH 2012. C is kept orthogonal,
+/// so that its transpose belongs to the map the other way.
+
+#include "alignment/functional_map/nearest_features.h"
+#include "alignment/spectrum/spectral_shape.h"
+
+namespace shellmatch {
+
+/// Some vertices of a surface, which are searched for images or have images themselves.
+struct VertexSet {
+  std::vector<Index> vertices;  ///< m
+  Features functions;           ///< k x m: the eigenfunctions there
+
+  std::size_t size() const { return vertices.size(); }
+};
+
+/// Both surfaces at two resolutions.
+struct ShapePairSpectra {
+  const SpectralShape* shapes[2];
+  Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
+  VertexSet coarse[2];    ///< the samples
+  VertexSet dense[2];     ///< all vertices: the samples, then the others
+  int n_functions;      ///< of both
+};
+
+/// \pre the shapes outlive the result
+ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2);
+
+/// Weight of the normals in the embeddings of a search, where a function has mean square 1.
+inline constexpr double embedded_normal_weight = 2;
+
+/// Images of vertices of either surface on the other one.
+struct VertexMatches {
+  std::vector<Index> from[2];  ///< vertices of surface 1, and of surface 2
+  std::vector<Index> to[2];    ///< their images, vertices of the other surface
+};
+
+/// The orthogonal k x k matrix C that minimises the sum of |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q).
+Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
+
+/// Vectors that nearly agree at corresponding points, a column for each vertex of a set on either surface.
+struct Embedding {
+  Features on[2];
+};
+
+/// The first k eigenfunctions, those of surface 1 through C (k x k), and `normal_weight` times normals: those of either
+/// surface smoothed to k functions, and those of the other surface's smoothed coordinates pulled back to it. The latter
+/// change sign where a map reverses orientation, in any pose. As in Eisenberger, Laehner and Cremers, 'Smooth shells',
+/// CVPR 2020.
+Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&sets)[2], const Eigen::MatrixXd& c,
+                             double normal_weight);
+
+/// The embedding of all vertices, in their order, with the weight of normals that the search uses.
+Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c);
+
+/// For the first `n_queries` vertices of each set, the nearest of the other set in the embedding.
+VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries);
+
+/// For every pair the same vertex pair once, (on surface 1, on surface 2): first those from 1, then those from 2.
+std::vector<std::pair<Index, Index>> pairs_of(const VertexMatches& matches);
+
+}  // namespace shellmatch

@@ -1,0 +1,126 @@
+#include "alignment/pairs/confident_pairs.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+/// Images of all vertices of surface s, in their order.
+std::vector<Index> images(const ShapePairSpectra& pair, const VertexMatches& matches, int s) {
+  std::vector<Index> image(pair.shapes[s]->n_vertices(), no_index);
+  for (std::size_t i = 0; i < matches.from[s].size(); ++i) image[matches.from[s][i]] = matches.to[s][i];
+  return image;
+}
+
+std::vector<std::vector<Index>> facets_around(const Surface<3>& surface) {
+  std::vector<std::vector<Index>> around(surface.vertices.size());
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (const Index v : surface.facets[f]) around[v].push_back(static_cast<Index>(f));
+  return around;
+}
+
+/// Barycentric coordinates of the point of a triangle nearest to x, in a space of any dimension, searched inside and on
+/// the three edges, which include the corners.
+Vec<3> nearest_barycentric(const Eigen::VectorXf& x, const Eigen::VectorXf (&corners)[3]) {
+  const auto distance = [&](const Vec<3>& b) {
+    return (b[0] * corners[0].cast<double>() + b[1] * corners[1].cast<double>() + b[2] * corners[2].cast<double>() -
+            x.cast<double>()).squaredNorm();
+  };
+  Vec<3> best = Vec<3>::Unit(0);
+  double least = distance(best);
+  const auto offer = [&](const Vec<3>& b) {
+    const double d = distance(b);
+    if (d < least) {
+      least = d;
+      best = b;
+    }
+  };
+  for (int k = 0; k < 3; ++k) {
+    const int a = k, b = (k + 1) % 3;
+    const Eigen::VectorXd edge = (corners[b] - corners[a]).cast<double>();
+    const double square = edge.squaredNorm();
+    const double t = square > 0 ? std::clamp(edge.dot((x - corners[a]).cast<double>()) / square, 0.0, 1.0) : 0;
+    offer((1 - t) * Vec<3>::Unit(a) + t * Vec<3>::Unit(b));
+  }
+  Eigen::MatrixXd edges(x.size(), 2);
+  edges.col(0) = (corners[1] - corners[0]).cast<double>();
+  edges.col(1) = (corners[2] - corners[0]).cast<double>();
+  const Mat<2> gram = edges.transpose() * edges;
+  if (gram.determinant() > 1e-12 * gram(0, 0) * gram(1, 1)) {
+    const Vec<2> t = gram.inverse() * (edges.transpose() * (x - corners[0]).cast<double>());
+    if (t.minCoeff() > 0 && t.sum() < 1) offer({1 - t.sum(), t[0], t[1]});
+  }
+  return best;
+}
+
+/// Largest factor, or its inverse, by which the map changes distances from vertex i of `samples` to the samples near it:
+/// the median over them, so that one wrong neighbour does no harm.
+double local_stretch(const ShapePairSpectra& pair, const std::vector<Index>& samples, const std::vector<Vec<3>>& images_2,
+                     std::size_t i) {
+  constexpr std::size_t n_neighbours = 6;
+  const auto& vertices = pair.shapes[0]->surface.vertices;
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t j = 0; j < samples.size(); ++j)
+    if (j != i) near.emplace_back((vertices[samples[j]] - vertices[samples[i]]).norm(), j);
+  const std::size_t n = std::min(n_neighbours, near.size());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
+  std::vector<double> stretches;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double length = (images_2[near[k].second] - images_2[i]).norm();
+    stretches.push_back(std::max(length, 1e-12) / std::max(near[k].first, 1e-12));
+  }
+  if (stretches.empty()) return 1;
+  std::nth_element(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(n / 2), stretches.end());
+  return std::max(stretches[n / 2], 1 / stretches[n / 2]);
+}
+
+}  // namespace
+
+std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& candidate) {
+  return images(pair, candidate.matches, 0);
+}
+
+std::vector<ConfidentPair> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
+                                           const AlignmentOptions& options) {
+  const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
+  const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
+  const std::vector<Index> samples =
+      farthest_point_samples(pair.shapes[0]->graph, pair.shapes[0]->samples[0], static_cast<std::size_t>(options.pairs));
+  const std::vector<std::vector<Index>> around = facets_around(surface_2);
+  const Embedding embedding = dense_embedding(pair, candidate.c);
+  std::vector<Vec<3>> points;
+  for (const Index v : samples) {
+    const Eigen::VectorXf x = embedding.on[0].col(v);
+    double least = std::numeric_limits<double>::infinity();
+    Vec<3> point = surface_2.vertices[there[v]];
+    for (const Index f : around[there[v]]) {
+      const auto& facet = surface_2.facets[f];
+      const Eigen::VectorXf corners[3] = {embedding.on[1].col(facet[0]), embedding.on[1].col(facet[1]),
+                                          embedding.on[1].col(facet[2])};
+      const Vec<3> b = nearest_barycentric(x, corners);
+      const double distance =
+          (static_cast<float>(b[0]) * corners[0] + static_cast<float>(b[1]) * corners[1] +
+           static_cast<float>(b[2]) * corners[2] - x).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      point.setZero();
+      for (int k = 0; k < 3; ++k) point += b[k] * surface_2.vertices[facet[k]];
+    }
+    points.push_back(point);
+  }
+  std::vector<ConfidentPair> pairs;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Index v = samples[i];
+    const double cycle = (surface_1.vertices[back[there[v]]] - surface_1.vertices[v]).norm();
+    if (cycle >= options.cycle_tolerance || local_stretch(pair, samples, points, i) > options.max_stretch) continue;
+    const double share = cycle / options.cycle_tolerance;
+    pairs.push_back({v, {surface_1.vertices[v], points[i], (1 - share * share) * (1 - share * share)}, cycle});
+  }
+  return pairs;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,90 @@
+#include "alignment/pairs/find_pairs.h"
+
+#include "alignment/functional_map/map_search.h"
+#include "alignment/pairs/confident_pairs.h"
+#include "base/parallel.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/facet_point.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace shellmatch {
+
+namespace {
+
+/// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
+std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
+                                         const AlignmentOptions& options, bool is_mirrored) {
+  const ShapePairSpectra pair = make_shape_pair(reference, template_shape);
+  const std::vector<MapCandidate> maps = search_maps(pair, options);
+  std::vector<PairCandidate> candidates(maps.size());
+  parallel_for(maps.size(), [&](std::size_t i) {
+    PairCandidate& candidate = candidates[i];
+    candidate.score = maps[i].total();
+    candidate.coarse_score = maps[i].coarse_score;
+    candidate.score_parts = maps[i].score;
+    candidate.is_identity = maps[i].is_identity;
+    candidate.is_mirrored = is_mirrored;
+    candidate.map = dense_map(pair, maps[i]);
+    for (const ConfidentPair& confident : confident_pairs(pair, maps[i], options)) {
+      PointPair points = confident.points;
+      points.on_reference = reference.in_input_coordinates(points.on_reference);
+      points.on_template = template_shape.in_input_coordinates(points.on_template);
+      candidate.pairs.push_back(points);
+    }
+  }, 1);
+  return candidates;
+}
+
+/// Moves points of the pairs onto the surface that was given, where it was simplified.
+void project(const Surface<3>& input, const PreparedSurface& prepared, Vec<3> PointPair::*side,
+             std::vector<PairCandidate>& candidates) {
+  if (prepared.surface.vertices.size() == input.vertices.size()) return;
+  const FacetTree<3> tree(input);
+  for (PairCandidate& candidate : candidates)
+    parallel_for(candidate.pairs.size(), [&](std::size_t i) {
+      Vec<3>& x = candidate.pairs[i].*side;
+      x = closest_point_on_facet<3>(input, tree.nearest(x), x).point;
+    });
+}
+
+}  // namespace
+
+Index AutomaticPairs::image(Index reference_vertex) const {
+  const Index nearest = reference.nearest[reference_vertex];
+  return nearest == no_index ? no_index : candidates.front().map[nearest];
+}
+
+AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
+                          const AlignmentOptions& options) {
+  AutomaticPairs result;
+  std::optional<SpectralShape> shapes[2];
+  for_both([&](int s) {
+    PreparedSurface& prepared = s == 0 ? result.reference : result.template_surface;
+    prepared = prepare_surface(s == 0 ? reference : template_surface, options);
+    shapes[s] = make_spectral_shape(prepared.surface, options);
+  });
+  result.candidates = candidates_of(*shapes[0], *shapes[1], options, false);
+  if (options.mirror) {
+    const SpectralShape mirrored = mirrored_shape(*shapes[0]);
+    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], options, true)) {
+      // Shapes that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
+      candidate.score *= options.identity_preference;
+      result.candidates.push_back(std::move(candidate));
+    }
+  }
+  const auto key = [&](const PairCandidate& c) { return c.is_identity && !c.is_mirrored ? c.score / options.identity_preference : c.score; };
+  std::stable_sort(result.candidates.begin(), result.candidates.end(),
+                   [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
+  double runner_up = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < result.candidates.size(); ++i) runner_up = std::min(runner_up, result.candidates[i].score);
+  result.margin = runner_up / std::max(result.candidates[0].score, 1e-12);
+  project(reference, result.reference, &PointPair::on_reference, result.candidates);
+  project(template_surface, result.template_surface, &PointPair::on_template, result.candidates);
+  return result;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// Automatic point pairs between two surfaces that are nearly isometric, in any position and pose, without learning.
+
+#include "alignment/functional_map/map_score.h"
+#include "alignment/pairs/point_pair.h"
+#include "alignment/spectrum/prepared_surface.h"
+
+#include <span>
+#include <string>
+
+namespace shellmatch {
+
+/// One of the best distinct maps.
+struct PairCandidate {
+  double score = 0;               ///< MapScore::total(), the mean of both resolutions; 0 is best
+  MapScore coarse_score, score_parts;
+  bool is_identity = false;       ///< began with the surfaces as they lie
+  bool is_mirrored = false;       ///< found for the mirrored reference
+  std::vector<PointPair> pairs;   ///< confident ones
+  std::vector<Index> map;         ///< for each vertex of the prepared reference one of the prepared template
+};
+
+struct AutomaticPairs {
+  PreparedSurface reference, template_surface;
+  std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score
+  double margin = 0;                      ///< score of the best of the others over that of the first; infinite without others
+
+  const std::vector<PointPair>& pairs() const { return candidates.front().pairs; }
+  /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the
+  /// prepared template; no_index on components left out.
+  Index image(Index reference_vertex) const;
+};
+
+/// Pairs of points between a reference and a template. docs/alignment.md describes the steps. The result depends on
+/// neither the number of threads nor the position of the surfaces up to rounding, except that the map which begins with the
+/// surfaces as they lie comes first unless another scores clearly better (options.identity_preference).
+/// \throws InputError for surfaces without area or with coordinates that are not finite
+AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
+                          const AlignmentOptions& options = {});
+
+}  // namespace shellmatch

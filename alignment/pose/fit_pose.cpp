@@ -1,0 +1,121 @@
+#include "alignment/pose/fit_pose.h"
+
+#include "base/error.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace shellmatch {
+
+namespace {
+
+using Pairs = std::span<const PointPair>;
+
+/// Weighted least squares. S. Umeyama, IEEE PAMI 13(4), 1991. Nothing where the points lie on a line.
+std::optional<Pose> least_squares(Pairs pairs, std::span<const double> weights, PoseKind kind, double handedness) {
+  Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    from += weights[i] * pairs[i].on_reference;
+    to += weights[i] * pairs[i].on_template;
+    sum += weights[i];
+  }
+  from /= sum;
+  to /= sum;
+  Mat<3> covariance = Mat<3>::Zero();
+  double spread = 0, spread_to = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Vec<3> a = pairs[i].on_reference - from, b = pairs[i].on_template - to;
+    covariance += weights[i] * b * a.transpose();
+    spread += weights[i] * a.squaredNorm();
+    spread_to += weights[i] * b.squaredNorm();
+  }
+  const Eigen::JacobiSVD<Mat<3>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  // Two independent directions determine a rotation.
+  if (!(svd.singularValues()[1] > 1e-9 * std::sqrt(spread * spread_to))) return std::nullopt;
+  Vec<3> signs = Vec<3>::Ones();
+  if (handedness * (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs[2] = -1;
+  Pose pose;
+  pose.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  pose.scale = kind == PoseKind::rigid ? 1 : svd.singularValues().dot(signs) / spread;
+  if (!(pose.scale > 0)) return std::nullopt;
+  pose.translation = to - pose.scale * (pose.rotation * from);
+  return pose;
+}
+
+/// Median over the pairs, each counted by its weight.
+double median_distance(Pairs pairs, const Pose& pose) {
+  std::vector<std::pair<double, double>> distances;
+  double sum = 0;
+  for (const PointPair& p : pairs) {
+    distances.emplace_back((pose(p.on_reference) - p.on_template).norm(), p.weight);
+    sum += p.weight;
+  }
+  std::sort(distances.begin(), distances.end());
+  double below = 0;
+  for (const auto& [distance, weight] : distances)
+    if ((below += weight) >= sum / 2) return distance;
+  return distances.back().first;
+}
+
+/// Reweighted least squares, begun at `pose`.
+Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
+  std::vector<double> weights(pairs.size());
+  for (int sweep = 0; sweep < 20; ++sweep) {
+    // 1.48 times the median estimates the standard deviation, and 4.685 of these is Tukey's usual limit.
+    const double limit = std::max(4.685 * 1.4826 * median_distance(pairs, pose), 1e-12 * pose.translation.norm() + 1e-300);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const double share = (pose(pairs[i].on_reference) - pairs[i].on_template).norm() / limit;
+      weights[i] = share < 1 ? pairs[i].weight * std::pow(1 - share * share, 2) : 0;
+    }
+    const std::optional<Pose> next = least_squares(pairs, weights, kind, handedness);
+    if (!next) break;
+    pose = *next;
+  }
+  pose.residual = median_distance(pairs, pose);
+  return pose;
+}
+
+std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
+  constexpr int n_trials = 300;
+  std::vector<double> weights;
+  for (const PointPair& p : pairs) weights.push_back(p.weight);
+  std::optional<Pose> best = least_squares(pairs, weights, kind, handedness);
+  if (!best) return best;
+  best->residual = median_distance(pairs, *best);
+  std::mt19937 random(1);
+  for (int trial = 0; trial < n_trials; ++trial) {
+    // The generator's numbers are the same everywhere, while the library's distributions are not.
+    std::array<PointPair, 3> triple;
+    for (PointPair& p : triple) p = pairs[random() % pairs.size()];
+    std::optional<Pose> pose = least_squares(triple, std::array{1.0, 1.0, 1.0}, kind, handedness);
+    if (!pose) continue;
+    pose->residual = median_distance(pairs, *pose);
+    if (pose->residual < best->residual) best = pose;
+  }
+  return improved(pairs, *best, kind, handedness);
+}
+
+}  // namespace
+
+bool Pose::is_mirrored() const { return rotation.determinant() < 0; }
+
+Pose fit_pose(Pairs pairs, PoseKind kind, bool allow_mirror) {
+  if (pairs.size() < 3) throw_input_error("a pose needs at least three pairs of points; there are {}", pairs.size());
+  std::optional<Pose> pose = best_pose(pairs, kind, 1);
+  if (allow_mirror)
+    if (const std::optional<Pose> mirrored = best_pose(pairs, kind, -1);
+        mirrored && (!pose || mirrored->residual < 2.0 / 3 * pose->residual))
+      pose = mirrored;
+  if (!pose) throw_input_error("a pose needs pairs of points that do not lie on one line");
+  return *pose;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,90 @@
+#include "alignment/spectrum/edge_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace shellmatch {
+
+EdgeGraph::EdgeGraph(const Surface<3>& surface) : begin_(surface.vertices.size() + 1, 0) {
+  std::vector<std::pair<Index, Index>> pairs;
+  pairs.reserve(6 * surface.facets.size());
+  for (const auto& facet : surface.facets)
+    for (int k = 0; k < 3; ++k) {
+      pairs.emplace_back(facet[k], facet[(k + 1) % 3]);
+      pairs.emplace_back(facet[(k + 1) % 3], facet[k]);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  edges_.reserve(pairs.size());
+  for (const auto& [from, to] : pairs) {
+    ++begin_[from + 1];
+    edges_.push_back({to, (surface.vertices[from] - surface.vertices[to]).norm()});
+  }
+  for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+}
+
+double EdgeGraph::mean_edge_length() const {
+  double sum = 0;
+  for (const Edge& edge : edges_) sum += edge.length;
+  return edges_.empty() ? 0 : sum / static_cast<double>(edges_.size());
+}
+
+void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) const {
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  distances[source] = 0;
+  open.emplace(0, source);
+  while (!open.empty()) {
+    const auto [distance, v] = open.top();
+    open.pop();
+    if (distance > distances[v]) continue;
+    for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e) {
+      const double next = distance + edges_[e].length;
+      if (next >= distances[edges_[e].to]) continue;
+      distances[edges_[e].to] = next;
+      open.emplace(next, edges_[e].to);
+    }
+  }
+}
+
+std::vector<double> EdgeGraph::distances_from(Index source) const {
+  std::vector<double> distances(n_vertices(), std::numeric_limits<double>::infinity());
+  lower_distances(source, distances);
+  return distances;
+}
+
+std::vector<Index> EdgeGraph::components() const {
+  std::vector<Index> component(n_vertices(), no_index);
+  std::vector<Index> open;
+  Index n = 0;
+  for (std::size_t first = 0; first < component.size(); ++first) {
+    if (component[first] != no_index) continue;
+    component[first] = n;
+    open.push_back(static_cast<Index>(first));
+    while (!open.empty()) {
+      const Index v = open.back();
+      open.pop_back();
+      for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e)
+        if (component[edges_[e].to] == no_index) {
+          component[edges_[e].to] = n;
+          open.push_back(edges_[e].to);
+        }
+    }
+    ++n;
+  }
+  return component;
+}
+
+std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n) {
+  std::vector<Index> samples;
+  std::vector<double> distances(graph.n_vertices(), std::numeric_limits<double>::infinity());
+  for (Index next = first; samples.size() < std::min(n, graph.n_vertices());) {
+    samples.push_back(next);
+    graph.lower_distances(next, distances);
+    next = static_cast<Index>(std::max_element(distances.begin(), distances.end()) - distances.begin());
+  }
+  return samples;
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Distances along the edges of a surface, and well spread samples of its vertices.
+
+#include "geometry/surface/surface.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+/// The vertices and edges of a surface with their lengths.
+class EdgeGraph {
+ public:
+  explicit EdgeGraph(const Surface<3>& surface);
+
+  std::size_t n_vertices() const { return begin_.size() - 1; }
+  double mean_edge_length() const;
+
+  /// Length of the shortest path along edges from `source` to every vertex; infinite where there is none. Paths along
+  /// edges are some per cent longer than those across facets.
+  std::vector<double> distances_from(Index source) const;
+  /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are shorter.
+  void lower_distances(Index source, std::vector<double>& distances) const;
+
+  /// The connected component of every vertex, numbered in the order of their first vertices.
+  std::vector<Index> components() const;
+
+ private:
+  struct Edge {
+    Index to;
+    double length;
+  };
+  std::vector<std::size_t> begin_;  ///< of each vertex' edges
+  std::vector<Edge> edges_;
+};
+
+/// `n` vertices, or all if there are fewer, each the farthest from those before it: the first m of them are such
+/// samples for every m.
+std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n);
+
+}  // namespace shellmatch

@@ -1,0 +1,119 @@
+#include "alignment/spectrum/prepared_surface.h"
+
+#include "alignment/spectrum/edge_graph.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/repair/simplify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace shellmatch {
+
+namespace {
+
+/// A vertex' component, or no_index where it has no facet.
+struct Components {
+  std::vector<Index> of_vertex;
+  std::vector<double> areas;
+};
+
+Components components_of(const Surface<3>& surface) {
+  Components components{EdgeGraph(surface).components(), {}};
+  std::vector<bool> has_facet(surface.vertices.size(), false);
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    const auto c = static_cast<std::size_t>(components.of_vertex[surface.facets[f][0]]);
+    if (components.areas.size() <= c) components.areas.resize(c + 1, 0);
+    components.areas[c] += facet_measure(surface, static_cast<Index>(f));
+    for (const Index v : surface.facets[f]) has_facet[v] = true;
+  }
+  for (std::size_t v = 0; v < has_facet.size(); ++v)
+    if (!has_facet[v]) components.of_vertex[v] = no_index;
+  return components;
+}
+
+Index largest_component(const Components& components) {
+  return static_cast<Index>(std::max_element(components.areas.begin(), components.areas.end()) - components.areas.begin());
+}
+
+Surface<3> component_of(const Surface<3>& surface, const Components& components, Index wanted) {
+  Surface<3> part;
+  std::vector<Index> number(surface.vertices.size(), no_index);
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (components.of_vertex[v] == wanted) {
+      number[v] = static_cast<Index>(part.vertices.size());
+      part.vertices.push_back(surface.vertices[v]);
+    }
+  for (const auto& [a, b, c] : surface.facets)
+    if (components.of_vertex[a] == wanted) part.facets.push_back({number[a], number[b], number[c]});
+  return part;
+}
+
+/// Every facet as four, whose new corners are the middles of its edges.
+Surface<3> subdivided(const Surface<3>& surface) {
+  Surface<3> fine{surface.vertices, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [at, is_new] = middles.emplace(std::minmax(a, b), static_cast<Index>(fine.vertices.size()));
+    if (is_new) fine.vertices.push_back(0.5 * (surface.vertices[a] + surface.vertices[b]));
+    return at->second;
+  };
+  for (const auto& [a, b, c] : surface.facets) {
+    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const std::array<Index, 3>& facet : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+      fine.facets.push_back(facet);
+  }
+  return fine;
+}
+
+/// For each vertex of a component the nearest corner of the nearest facet.
+std::vector<Index> nearest_vertices(const Surface<3>& input, const Components& components, Index wanted,
+                                    const Surface<3>& surface) {
+  const FacetTree<3> tree(surface);
+  std::vector<Index> nearest(input.vertices.size(), no_index);
+  parallel_for(nearest.size(), [&](std::size_t v) {
+    if (components.of_vertex[v] != wanted) return;
+    const Vec<3>& x = input.vertices[v];
+    const auto& corners = surface.facets[tree.nearest(x)];
+    nearest[v] = *std::min_element(corners.begin(), corners.end(), [&](Index a, Index b) {
+      return (surface.vertices[a] - x).squaredNorm() < (surface.vertices[b] - x).squaredNorm();
+    });
+  });
+  return nearest;
+}
+
+}  // namespace
+
+PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options) {
+  const Components components = components_of(input);
+  const double area = std::accumulate(components.areas.begin(), components.areas.end(), 0.0);
+  if (!(area > 0)) throw_input_error("a surface without area has no correspondence; give it facets");
+  const Index wanted = largest_component(components);
+  PreparedSurface prepared{component_of(input, components, wanted), {}, {}};
+  const auto n_parts = std::count_if(components.areas.begin(), components.areas.end(), [](double a) { return a > 0; });
+  if (n_parts > 1)
+    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts,
+                                         100 * components.areas[wanted] / area));
+  const std::size_t n = prepared.surface.vertices.size();
+  const auto most = static_cast<std::size_t>(options.max_vertices);
+  // A surface that is a little larger is not worth the change of its vertices.
+  if (n > most + most / 20) {
+    const Surface<3> coarse = simplified(prepared.surface, most);
+    // Where facets were dropped the rest may fall apart.
+    const Components parts = components_of(coarse);
+    prepared.surface = component_of(coarse, parts, largest_component(parts));
+  }
+  while (prepared.surface.vertices.size() < n_least_vertices) prepared.surface = subdivided(prepared.surface);
+  if (prepared.surface.vertices.size() != n)
+    prepared.notes.push_back(
+        fmt::format("{} vertices {} {}", n, prepared.surface.vertices.size() < n ? "simplified to" : "divided into",
+                    prepared.surface.vertices.size()));
+  prepared.nearest = nearest_vertices(input, components, wanted, prepared.surface);
+  return prepared;
+}
+
+}  // namespace shellmatch

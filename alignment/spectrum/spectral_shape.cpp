@@ -1,0 +1,83 @@
+#include "alignment/spectrum/spectral_shape.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+Rows3 vertex_normals(const std::vector<std::array<Index, 3>>& facets, const Rows3& coordinates) {
+  Rows3 normals = Rows3::Zero(coordinates.rows(), 3);
+  for (const auto& [a, b, c] : facets) {
+    const Vec<3> origin = coordinates.row(a);
+    const Vec<3> u = coordinates.row(b).transpose() - origin, v = coordinates.row(c).transpose() - origin;
+    const Vec<3> normal = u.cross(v);
+    for (const Index corner : {a, b, c}) normals.row(corner) += normal;
+  }
+  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+    const double length = normals.row(i).norm();
+    if (length > 0) normals.row(i) /= length;
+  }
+  return normals;
+}
+
+Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies) {
+  // The constant function says nothing of a place, so that energies begin at the second eigenvalue.
+  const Eigen::Index k = pairs.values.size() - 1;
+  const Eigen::ArrayXd logs = pairs.values.tail(k).array().max(1e-12).log();
+  const Eigen::MatrixXd squares = pairs.functions.rightCols(k).cwiseAbs2();
+  const double low = logs[0], high = logs[k - 1];
+  const double width = 7 * std::max(high - low, 1e-12) / n_energies;
+  Eigen::MatrixXd signature(squares.rows(), n_energies);
+  for (int e = 0; e < n_energies; ++e) {
+    const double energy = low + (high - low) * e / std::max(1, n_energies - 1);
+    const Eigen::VectorXd weights = (-(logs - energy).square() / (2 * width * width)).exp();
+    signature.col(e) = squares * weights;
+    signature.col(e) *= mass.sum() / mass.dot(signature.col(e));
+  }
+  return signature;
+}
+
+namespace {
+
+/// A vertex that depends on the shape alone, not on the order of its vertices or its position.
+Index extreme_vertex(const Eigenpairs& pairs) {
+  Eigen::Index at = 0;
+  pairs.functions.col(1).cwiseAbs().maxCoeff(&at);
+  return static_cast<Index>(at);
+}
+
+}  // namespace
+
+SpectralShape mirrored_shape(SpectralShape shape) {
+  shape.handedness *= -1;
+  for (Vec<3>& x : shape.surface.vertices) x[0] *= -1;
+  for (auto& facet : shape.surface.facets) std::swap(facet[1], facet[2]);
+  shape.coefficients.col(0) *= -1;
+  shape.normals.col(0) *= -1;
+  return shape;
+}
+
+SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& options) {
+  SurfaceLaplacian laplacian = surface_laplacian(surface, options.mollification);
+  const double area = laplacian.mass.sum();
+  Vec<3> centre = Vec<3>::Zero();
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) centre += laplacian.mass[v] / area * surface.vertices[v];
+  for (Vec<3>& x : surface.vertices) x = (x - centre) / std::sqrt(area);
+  laplacian.mass /= area;
+  const auto n = static_cast<int>(surface.vertices.size());
+  const Eigenpairs pairs = least_eigenpairs(laplacian, std::min(options.functions, (n - 1) / 2));
+  Rows3 coordinates(n, 3);
+  for (int v = 0; v < n; ++v) coordinates.row(v) = surface.vertices[v];
+  EdgeGraph graph(surface);
+  std::vector<Index> samples = farthest_point_samples(graph, extreme_vertex(pairs), n_spectral_samples);
+  Rows3 coefficients = pairs.functions.transpose() * laplacian.mass.asDiagonal() * coordinates;
+  Rows3 normals = vertex_normals(surface.facets, coordinates);
+  Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
+  return {std::move(surface), std::move(graph), std::move(laplacian.mass), pairs.values, pairs.functions,
+          std::move(coefficients), std::move(normals), std::move(signature), std::move(samples),
+          centre, std::sqrt(area)};
+}
+
+}  // namespace shellmatch

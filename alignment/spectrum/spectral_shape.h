@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// A surface with what spectral matching needs of it.
+
+#include "alignment/options.h"
+#include "alignment/spectrum/edge_graph.h"
+#include "alignment/spectrum/eigenpairs.h"
+
+namespace shellmatch {
+
+/// Points or normals, one in each row.
+using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// A connected surface of area 1 with its centre of mass in the origin. n vertices, k eigenpairs.
+struct SpectralShape {
+  Surface<3> surface;
+  EdgeGraph graph;
+  Eigen::VectorXd mass;        ///< n
+  Eigen::VectorXd values;      ///< k eigenvalues
+  Eigen::MatrixXd functions;   ///< n x k
+  Rows3 coefficients;          ///< k x 3: functions * coefficients are the smoothed coordinates
+  Rows3 normals;               ///< n x 3, of unit length
+  Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
+  std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
+  Vec<3> centre;               ///< of the input
+  double root_area;            ///< of the input
+  double handedness = 1;       ///< -1 where it is the mirrored input
+
+  std::size_t n_vertices() const { return surface.vertices.size(); }
+  Vec<3> in_input_coordinates(const Vec<3>& x) const {
+    return centre + root_area * Vec<3>(handedness * x[0], x[1], x[2]);
+  }
+};
+
+/// Number of samples in SpectralShape, where there are as many vertices.
+inline constexpr std::size_t n_spectral_samples = 1500;
+
+/// Moves and scales the surface, and computes the rest. \pre connected, every vertex has a facet
+SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& options);
+
+/// The shape mirrored in x, oriented outward again.
+SpectralShape mirrored_shape(SpectralShape shape);
+
+/// Unit normals at the vertices of a surface with these facets and the given coordinates (n x 3): means of the facets'
+/// normals, weighted by area; zero where they cancel.
+Rows3 vertex_normals(const std::vector<std::array<Index, 3>>& facets, const Rows3& coordinates);
+
+/// The wave kernel signature at every vertex (n x m), a descriptor that does not depend on the pose: Aubry, Schlickewei
+/// and Cremers, 'The wave kernel signature', ICCV workshops 2011. Each column is scaled to mean 1 over the surface.
+Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies);
+
+}  // namespace shellmatch

@@ -1,0 +1,178 @@
+// Pairs between a shape and its turned, renumbered, mirrored, bent and damaged selves.
+#include "alignment/pairs/find_pairs.h"
+#include "alignment/pose/fit_pose.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/distance/signed_distance.h"
+#include "tests/geometry/generate/generated_surface.h"
+#include "tests/geometry/surface/test_surfaces.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace shellmatch {
+namespace {
+
+/// Enough for shapes without trouble, in a third of the time.
+AlignmentOptions quick() {
+  AlignmentOptions options;
+  options.start_functions = 4;
+  options.functions = 60;
+  options.refined = 2;
+  return options;
+}
+
+const Surface<3>& hand() {
+  static const Surface<3> surface = generated_surface("hand", "", 0.02);
+  return surface;
+}
+
+Mat<3> turn() { return Eigen::AngleAxisd(2.5, Vec<3>(1, -2, 0.5).normalized()).toRotationMatrix(); }
+
+Surface<3> turned(const Surface<3>& surface) {
+  return test::mapped<3>(surface, [](const Vec<3>& x) { return Vec<3>(30 * turn() * x + Vec<3>(5, 6, 7)); });
+}
+
+/// The surface with vertex v as number[v], facets in another order.
+Surface<3> renumbered(const Surface<3>& surface, const std::vector<Index>& number) {
+  Surface<3> result = surface;
+  for (std::size_t v = 0; v < number.size(); ++v) result.vertices[number[v]] = surface.vertices[v];
+  for (auto& facet : result.facets)
+    for (Index& v : facet) v = number[v];
+  std::reverse(result.facets.begin(), result.facets.end());
+  return result;
+}
+
+std::vector<Index> shuffled(std::size_t n) {
+  std::vector<Index> number(n);
+  std::iota(number.begin(), number.end(), 0);
+  std::mt19937 random(3);
+  for (std::size_t i = n; i > 1; --i) std::swap(number[i - 1], number[random() % i]);
+  return number;
+}
+
+/// Share of the vertices whose image is farther from where it belongs than `tolerance` roots of the area.
+double share_beyond(double tolerance, const AutomaticPairs& found, const std::vector<Vec<3>>& belongs) {
+  const Surface<3>& surface = found.template_surface.surface;
+  double area = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
+  double n = 0, wrong = 0;
+  for (std::size_t v = 0; v < belongs.size(); ++v) {
+    const Index image = found.image(static_cast<Index>(v));
+    if (image == no_index) continue;
+    ++n;
+    wrong += (surface.vertices[image] - belongs[v]).norm() > tolerance * std::sqrt(area);
+  }
+  return wrong / n;
+}
+
+TEST(FindPairs, ATurnedAndRenumberedShapeIsFoundVertexByVertex) {
+  const std::vector<Index> number = shuffled(hand().vertices.size());
+  const Surface<3> other = renumbered(turned(hand()), number);
+  const AutomaticPairs found = find_pairs(hand(), other, quick());
+  std::size_t n_wrong = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) n_wrong += found.image(static_cast<Index>(v)) != number[v];
+  EXPECT_EQ(n_wrong, 0u);
+  EXPECT_LT(found.candidates[0].score, 1e-3);
+  EXPECT_GT(found.margin, 10);
+  EXPECT_GE(found.pairs().size(), 290u);
+  for (const PointPair& p : found.pairs()) EXPECT_LT((30 * turn() * p.on_reference + Vec<3>(5, 6, 7) - p.on_template).norm(), 1e-3 * 30);
+  const Pose pose = fit_pose(found.pairs(), PoseKind::similarity);
+  EXPECT_LT((pose.rotation - turn()).norm(), 1e-5);
+  EXPECT_NEAR(pose.scale, 30, 1e-4);
+}
+
+TEST(FindPairs, TheNumberOfThreadsDoesNotMatter) {
+  const Surface<3> bent = generated_surface("hand", "bent", 0.024);
+  const auto run = [&](int threads) {
+    set_n_threads(threads);
+    AutomaticPairs found = find_pairs(hand(), bent, quick());
+    set_n_threads(0);
+    return found;
+  };
+  const AutomaticPairs a = run(1), b = run(4);
+  ASSERT_EQ(a.candidates.size(), b.candidates.size());
+  EXPECT_EQ(a.margin, b.margin);
+  for (std::size_t i = 0; i < a.candidates.size(); ++i) {
+    EXPECT_EQ(a.candidates[i].score, b.candidates[i].score);
+    EXPECT_EQ(a.candidates[i].map, b.candidates[i].map);
+    ASSERT_EQ(a.candidates[i].pairs.size(), b.candidates[i].pairs.size());
+    for (std::size_t k = 0; k < a.candidates[i].pairs.size(); ++k) {
+      EXPECT_EQ(a.candidates[i].pairs[k].on_reference, b.candidates[i].pairs[k].on_reference);
+      EXPECT_EQ(a.candidates[i].pairs[k].on_template, b.candidates[i].pairs[k].on_template);
+      EXPECT_EQ(a.candidates[i].pairs[k].weight, b.candidates[i].pairs[k].weight);
+    }
+  }
+}
+
+TEST(FindPairs, AMirroredShapeIsFoundWhereMirrorsAreAllowed) {
+  const Surface<3> mirrored = test::reversed<3>(
+      test::mapped<3>(turned(hand()), [](const Vec<3>& x) { return Vec<3>(x[0], x[1], -x[2]); }));
+  AlignmentOptions options = quick();
+  options.mirror = true;
+  const AutomaticPairs found = find_pairs(hand(), mirrored, options);
+  EXPECT_TRUE(found.candidates[0].is_mirrored);
+  EXPECT_LT(share_beyond(0.01, found, mirrored.vertices), 0.01);
+  EXPECT_TRUE(fit_pose(found.pairs(), PoseKind::similarity, true).is_mirrored());
+  EXPECT_FALSE(find_pairs(hand(), turned(hand()), options).candidates[0].is_mirrored);
+}
+
+TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {
+  // A box has four proper rotations onto itself, and all are isometries.
+  const Surface<3> box = test::box({0, 0, 0}, {1, 1.5, 2.2});
+  const AutomaticPairs found = find_pairs(box, box, quick());
+  EXPECT_TRUE(found.candidates[0].is_identity);
+  EXPECT_LT(share_beyond(0.01, found, box.vertices), 0.01);
+}
+
+TEST(FindPairs, LargeSurfacesWithSeveralPartsAndHolesAreMatched) {
+  Surface<3> fine = generated_surface("hand", "", 0.01);
+  AlignmentOptions options = quick();
+  options.max_vertices = 2500;
+  ASSERT_GT(fine.vertices.size(), 4000u);
+  Surface<3> other = turned(fine);
+  const std::size_t n = fine.vertices.size();
+  fine.facets.erase(fine.facets.begin() + 100, fine.facets.begin() + 104);
+  const Surface<3> ball = test::mapped<3>(test::unit_sphere(2), [](const Vec<3>& x) { return Vec<3>(0.02 * x); });
+  const AutomaticPairs found = find_pairs(test::joined(fine, ball), other, options);
+  EXPECT_EQ(found.image(static_cast<Index>(n)), no_index);
+  EXPECT_LT(share_beyond(0.06, found, other.vertices), 0.02);
+  // The points lie on the surfaces that were given, not on the simplified ones.
+  const SignedDistance<3> to_reference(fine), to_template(other);
+  for (const PointPair& p : found.pairs()) {
+    EXPECT_LT(std::abs(to_reference(p.on_reference)), 1e-9);
+    EXPECT_LT(std::abs(to_template(p.on_template)), 1e-7);
+  }
+  EXPECT_LT((fit_pose(found.pairs(), PoseKind::similarity).rotation - turn()).norm(), 0.02);
+}
+
+TEST(FindPairs, ABentHandIsFoundInAnyPosition) {
+  const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.018));
+  const Surface<3> reference = as_surface(pair.reference), other = turned(as_surface(pair.template_shape));
+  const AutomaticPairs found = find_pairs(reference, other);
+  double area = 0, wrong = 0;
+  for (std::size_t f = 0; f < other.facets.size(); ++f) area += facet_measure(other, static_cast<Index>(f));
+  for (const auto& known : pair.truth) {
+    const Vec<3> belongs = 30 * turn() * known.position + Vec<3>(5, 6, 7);
+    wrong += (other.vertices[found.image(known.vertex)] - belongs).norm() > 0.1 * std::sqrt(area);
+  }
+  EXPECT_GT(pair.truth.size(), 500u);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_FALSE(found.candidates[0].is_identity);
+  EXPECT_GE(found.margin, 1.1);
+}
+
+TEST(FindPairs, SurfacesThatCannotBeMatchedAreRefused) {
+  EXPECT_THROW(find_pairs({}, hand(), quick()), InputError);
+  Surface<3> broken = hand();
+  broken.vertices[3][0] = std::nan("");
+  EXPECT_THROW(find_pairs(broken, hand(), quick()), InputError);
+}
+
+}  // namespace
+}  // namespace shellmatch

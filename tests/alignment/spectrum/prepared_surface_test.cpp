@@ -1,0 +1,88 @@
+// Surfaces of any size and number of parts become one connected surface of fitting size.
+#include "alignment/spectrum/prepared_surface.h"
+#include "base/error.h"
+#include "tests/geometry/surface/test_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace shellmatch {
+namespace {
+
+double area(const Surface<3>& surface) {
+  double sum = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) sum += facet_measure(surface, static_cast<Index>(f));
+  return sum;
+}
+
+/// Number of edges that have not exactly two facets.
+std::size_t n_open_edges(const Surface<3>& surface) {
+  std::map<std::pair<Index, Index>, int> facets;
+  for (const auto& facet : surface.facets)
+    for (int k = 0; k < 3; ++k) {
+      const Index a = facet[k], b = facet[(k + 1) % 3];
+      ++facets[{std::min(a, b), std::max(a, b)}];
+    }
+  return static_cast<std::size_t>(std::count_if(facets.begin(), facets.end(), [](const auto& e) { return e.second != 2; }));
+}
+
+TEST(PreparedSurface, AFittingSurfaceStaysAsItIs) {
+  const Surface<3> sphere = test::unit_sphere(4);
+  const PreparedSurface prepared = prepare_surface(sphere, {});
+  EXPECT_EQ(prepared.surface.vertices, sphere.vertices);
+  EXPECT_EQ(prepared.surface.facets, sphere.facets);
+  EXPECT_TRUE(prepared.notes.empty());
+  for (std::size_t v = 0; v < sphere.vertices.size(); ++v) EXPECT_EQ(prepared.nearest[v], static_cast<Index>(v));
+}
+
+TEST(PreparedSurface, ALargeSurfaceIsSimplifiedAndStaysClosed) {
+  const Surface<3> torus = test::torus(2, 0.7, 120, 60);
+  AlignmentOptions options;
+  options.max_vertices = 1500;
+  const PreparedSurface prepared = prepare_surface(torus, options);
+  const auto n_vertices = static_cast<double>(prepared.surface.vertices.size());
+  EXPECT_NEAR(n_vertices, 1500, 15);
+  EXPECT_EQ(n_open_edges(prepared.surface), 0u);
+  EXPECT_EQ(prepared.surface.facets.size(), 2 * prepared.surface.vertices.size());  // genus 1, as before
+  EXPECT_NEAR(area(prepared.surface), area(torus), 0.02 * area(torus));
+  EXPECT_EQ(prepared.notes.size(), 1u);
+  // The mean area of a facet gives the length of its edges.
+  const double edge = std::sqrt(area(torus) / static_cast<double>(prepared.surface.facets.size()) * 4 / std::sqrt(3));
+  for (std::size_t v = 0; v < torus.vertices.size(); ++v)
+    EXPECT_LT((prepared.surface.vertices[prepared.nearest[v]] - torus.vertices[v]).norm(), 1.5 * edge);
+}
+
+TEST(PreparedSurface, ACoarseSurfaceIsDividedWithoutMoving) {
+  const Surface<3> box = test::box({0, 0, 0}, {1, 2, 3});
+  const PreparedSurface prepared = prepare_surface(box, {});
+  EXPECT_GE(prepared.surface.vertices.size(), n_least_vertices);
+  EXPECT_EQ(n_open_edges(prepared.surface), 0u);
+  EXPECT_NEAR(area(prepared.surface), 22, 1e-12);
+  EXPECT_NEAR(enclosed_measure(prepared.surface), 6, 1e-12);
+  for (std::size_t v = 0; v < box.vertices.size(); ++v)
+    EXPECT_EQ(prepared.surface.vertices[prepared.nearest[v]], box.vertices[v]);
+}
+
+TEST(PreparedSurface, TheLargestComponentIsTakenAndVerticesWithoutFacetAreLeftOut) {
+  const Surface<3> small = test::unit_sphere(4);
+  const Surface<3> large = test::mapped<3>(test::unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(2 * x + Vec<3>(9, 0, 0)); });
+  Surface<3> both = test::joined(small, large);
+  both.vertices.push_back({5, 5, 5});
+  const PreparedSurface prepared = prepare_surface(both, {});
+  EXPECT_EQ(prepared.surface.vertices, large.vertices);
+  ASSERT_EQ(prepared.notes.size(), 1u);
+  EXPECT_EQ(prepared.notes[0], "only the largest of 2 components is matched, 80 % of the area");
+  const auto n = small.vertices.size();
+  EXPECT_EQ(prepared.nearest[0], no_index);
+  EXPECT_EQ(prepared.nearest[n + 3], 3);
+  EXPECT_EQ(prepared.nearest.back(), no_index);
+}
+
+TEST(PreparedSurface, ASurfaceWithoutAreaIsRefused) {
+  EXPECT_THROW(prepare_surface({}, {}), InputError);
+  EXPECT_THROW(prepare_surface({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace shellmatch
