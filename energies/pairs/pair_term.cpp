@@ -8,7 +8,8 @@
 namespace shellmatch {
 
 template <int Dim>
-PairTerm<Dim>::PairTerm(const Octree<Dim>& grid, const PointPairs<Dim>& pairs) : loss_(pairs.loss), scale_(pairs.scale) {
+PairTerm<Dim>::PairTerm(const Octree<Dim>& grid, const PointPairs<Dim>& pairs)
+    : loss_(pairs.loss), scale_(pairs.scale), tolerance_(pairs.tolerance) {
   SHELLMATCH_CHECK(scale_ > 0, "the scale of a robust loss is positive");
   const auto leaves = grid.leaves();
   pairs_.reserve(pairs.pairs.size());

@@ -41,14 +41,15 @@ class PairTerm {
   double add(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
              double weight, double* gradients) const;
 
-  /// Calls body(pair, k) for the pairs of these elements: 2 weight rho' B^T B = k is the block of Gauss and Newton's
-  /// model by phi(p).
+  /// Calls body(pair, k) for the pairs of these elements beyond the tolerance: 2 weight rho' B^T B = k is the block of
+  /// Gauss and Newton's model by phi(p).
   template <class Body>
   void for_each_model(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements,
                       std::span<const Vec<Dim>> phi, double weight, Body&& body) const {
     for (const LocatedPair<Dim>& pair : pairs_of(begin, end)) {
       const bool in_plane = !pair.normal.isZero(0);
       const Vec<Dim> r = residual(pair, elements[pair.element], phi);
+      if (tolerance_ > 0 && r.isZero(0)) continue;
       const double factor = 2 * weight * pair.weight * robust_weight(loss_, scale_, r.squaredNorm());
       const Mat<Dim> b = in_plane ? Mat<Dim>(pair.normal * pair.normal.transpose()) : Mat<Dim>::Identity();
       body(pair, Mat<Dim>(factor * b));
@@ -72,22 +73,31 @@ class PairTerm {
         along += pair.normal[k] * gap[k];
       }
       if (!pair.normal.isZero(0)) square = along * along;
+      if (tolerance_ > 0) {
+        using std::sqrt;
+        if (!(square > tolerance_ * tolerance_)) continue;
+        const T beyond = sqrt(square) - tolerance_;
+        square = beyond * beyond;
+      }
       sum += weight * pair.weight * robust_loss(loss_, scale_, square);
     }
     return sum;
   }
 
  private:
-  // B^T B (phi(p) - y), of the length of B (phi(p) - y).
-  static Vec<Dim> residual(const LocatedPair<Dim>& pair, const Element<Dim>& element, std::span<const Vec<Dim>> phi) {
+  // B^T B (phi(p) - y), shortened by the tolerance.
+  Vec<Dim> residual(const LocatedPair<Dim>& pair, const Element<Dim>& element, std::span<const Vec<Dim>> phi) const {
     Vec<Dim> r = -pair.y;
     for (int c = 0; c < n_corners<Dim>; ++c) r += pair.n[c] * phi[element.nodes[c]];
-    return pair.normal.isZero(0) ? r : Vec<Dim>(pair.normal.dot(r) * pair.normal);
+    if (!pair.normal.isZero(0)) r = Vec<Dim>(pair.normal.dot(r) * pair.normal);
+    if (tolerance_ == 0) return r;
+    const double length = r.norm();
+    return length > tolerance_ ? Vec<Dim>((1 - tolerance_ / length) * r) : Vec<Dim>(Vec<Dim>::Zero());
   }
 
   std::vector<LocatedPair<Dim>> pairs_;  ///< ascending by element
   RobustLoss loss_ = RobustLoss::trivial;
-  double scale_ = 1;
+  double scale_ = 1, tolerance_ = 0;
 };
 
 extern template class PairTerm<2>;

@@ -18,12 +18,13 @@ struct PointPair {
   Vec<Dim> normal = Vec<Dim>::Zero();   ///< of length 1; 0: all directions count
 };
 
-/// The energy sum of weight * rho(|B (phi(p) - y)|^2) with B = normal^T where there is one, else I.
+/// The energy sum of weight * rho(max(0, |B (phi(p) - y)| - tolerance)^2) with B = normal^T where there is one, else I.
 template <int Dim>
 struct PointPairs {
   std::vector<PointPair<Dim>> pairs;
   RobustLoss loss = RobustLoss::trivial;
-  double scale = 1;  ///< of the loss, sides of the domain; > 0
+  double scale = 1;      ///< of the loss, sides of the domain; > 0
+  double tolerance = 0;  ///< distances up to it cost nothing; sides of the domain, >= 0
 };
 
 /// Pairs that make one term of the energy of a cascade, kept from its first level to its last.

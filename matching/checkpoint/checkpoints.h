@@ -7,6 +7,7 @@
 #include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
 #include "matching/experiment/options.h"
+#include "matching/pairs/landmarks.h"
 #include "matching/output/summary.h"
 
 #include <cstdint>
@@ -21,12 +22,13 @@ struct RunIdentity {
   ExperimentOptions options;
   /// Checksums of both surfaces in the unit domain: contents are compared, not file names.
   std::string reference, template_shape;
+  std::string landmarks;  ///< checksum of what the landmarks say; empty without any
   std::string program;  ///< version, compiler and checksum of the executable: builds may differ in rounding
 };
 
 template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
-                         const Surface<Dim>& template_shape);
+                         const Surface<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks);
 
 /// A checkpoint as it is read: the map at the end of a level, and history and summary until then.
 template <int Dim>
@@ -92,6 +94,7 @@ struct CheckpointManifest {
   int format = 2;  ///< of the manifest; format 1 had other checksums
   int level = 0;  ///< the last finished level
   std::string program, reference, template_shape;
+  std::optional<std::string> landmarks;
   struct File {
     std::string name, checksum;
   };

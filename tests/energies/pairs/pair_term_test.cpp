@@ -24,9 +24,9 @@ using namespace test;
 
 /// Random pairs all over the domain, every other one with a normal: on corners, faces and the boundary too.
 template <int Dim>
-PointPairs<Dim> random_pairs(RobustLoss loss, std::size_t n) {
+PointPairs<Dim> random_pairs(RobustLoss loss, std::size_t n, double tolerance) {
   std::mt19937 random(11);
-  PointPairs<Dim> all{.pairs = {}, .loss = loss, .scale = 0.05};
+  PointPairs<Dim> all{.pairs = {}, .loss = loss, .scale = 0.05, .tolerance = tolerance};
   for (std::size_t i = 0; i < n; ++i) {
     PointPair<Dim> pair{random_point<Dim>(random, 0, 1), Vec<Dim>::Zero()};
     if (i % 7 == 0) pair.p = (pair.p * 8).array().round().matrix() / 8;
@@ -50,11 +50,12 @@ struct WithPairs {
   TermValues weights;  ///< of the pairs alone
   std::vector<Vec<Dim>> phi;
 
-  explicit WithPairs(RobustLoss loss, BoundaryCondition boundary = BoundaryCondition::neumann, std::size_t n = 300)
+  explicit WithPairs(RobustLoss loss, BoundaryCondition boundary = BoundaryCondition::neumann, std::size_t n = 300,
+                     double tolerance = 0)
       : grid(hanging_grid<Dim>(0.28)),
         fields(exact_fields<Dim>(grid, sphere<Dim>(0.28))),
         problem(grid, fields, fields, {.energy = with(boundary)}),
-        pairs(random_pairs<Dim>(loss, n)),
+        pairs(random_pairs<Dim>(loss, n, tolerance)),
         term(problem.energy.add_pairs("pairs", PairTerm<Dim>(grid, pairs))),
         weights(problem.energy.n_terms()),
         phi(deformed<Dim>(grid, 0.03, 5, boundary == BoundaryCondition::dirichlet)) {
@@ -179,6 +180,41 @@ TYPED_TEST(Pairs, ModelIsThatOfGaussAndNewton) {
       const double exact = a.value(a.moved(v, 1)) - 2 * a.value(a.phi) + a.value(a.moved(v, -1));
       EXPECT_NEAR(model, exact, 1e-5 * exact);
     }
+  }
+}
+
+// Distances up to the tolerance cost nothing; beyond it the rest counts. Single pairs, so that none is at its kink.
+TYPED_TEST(Pairs, WithinTheToleranceTheyRest) {
+  constexpr int Dim = TypeParam::value;
+  const WithPairs<Dim> far(RobustLoss::trivial, BoundaryCondition::neumann, 1, 0.001);
+  const WithPairs<Dim> near(RobustLoss::trivial, BoundaryCondition::neumann, 1, 0.5);
+  for (const auto* a : {&far, &near}) {
+    const auto& pair = a->pairs.pairs[0];
+    const double gap = std::abs(pair.normal.dot(evaluate(a->grid, a->phi, pair.p) - pair.y));
+    const double beyond = std::max(0.0, gap - a->pairs.tolerance);
+    ASSERT_EQ(beyond > 0, a == &far);
+    EXPECT_NEAR(a->value(a->phi), 3 * pair.weight * beyond * beyond, 1e-14);
+    const auto v = a->direction(), g = a->problem.gradient(a->phi, a->weights);
+    const double slope = std::inner_product(g.begin(), g.end(), v.begin(), 0.0);
+    EnergyHessian<Dim> hessian(a->problem.energy, a->problem.unknowns);
+    hessian.assemble(a->phi, a->weights);
+    std::vector<double> hv(v.size());
+    hessian.apply(v, hv);
+    const double model = std::inner_product(v.begin(), v.end(), hv.begin(), 0.0);
+    const ElementOracle<Dim> oracle(a->problem.energy, a->problem.unknowns);
+    double by_functor = 0;
+    for (std::size_t e = 0; e < a->problem.unknowns.elements().size(); ++e)
+      by_functor += oracle.value(a->weights, e, oracle.dofs_of(e, a->phi));
+    EXPECT_NEAR(by_functor, a->value(a->phi), 1e-14);
+    if (a == &near) {
+      EXPECT_EQ(slope, 0);
+      EXPECT_EQ(model, 0);
+      continue;
+    }
+    const auto line = [&](double t) { return a->value(a->moved(v, t)); };
+    EXPECT_TRUE(has_derivative(line, slope));
+    const double t = 1e-3, exact = (line(t) - 2 * line(0) + line(-t)) / (t * t);
+    EXPECT_NEAR(model, exact, 1e-4 * exact);
   }
 }
 
