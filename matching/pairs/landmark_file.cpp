@@ -71,6 +71,7 @@ class Row {
     return x;
   }
   const LineReader& reader() const { return reader_; }
+  std::string place() const { return fmt::format("{}, line {}", reader_.path(), reader_.number()); }
 
  private:
   const LineReader& reader_;
@@ -157,21 +158,27 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
                       if (has_deviations) landmark.weight = row.positive("sd");
                       if (row.find("weight")) landmark.weight = row.positive("weight");
                       line_of[name] = row.reader().number();
+                      landmark.reference_origin = landmark.template_origin = row.place();
                       landmarks.push_back(std::move(landmark));
                     });
   if (!one_file) {
-    std::map<std::string, Vec<Dim>> there;
+    struct Found {
+      Vec<Dim> point;
+      std::string place;
+    };
+    std::map<std::string, Found> there;
     for_each_row<Dim>(options.template_file, {""}, true, [&](const Row& row, const std::string& name) {
       if (!line_of.contains(name)) row.reader().fail("the name '{}' is unknown to {}", name, options.file);
       if (row.find("sd") || row.find("weight")) row.reader().fail("weights stand in {}", options.file);
-      there[name] = row.point<Dim>("", template_shape);
+      there[name] = {row.point<Dim>("", template_shape), row.place()};
     });
     for (auto& landmark : landmarks) {
       const auto at = there.find(landmark.name);
       if (at == there.end())
         throw_input_error("{}, line {}: the name '{}' is unknown to {}", options.file, line_of[landmark.name], landmark.name,
                           options.template_file);
-      landmark.on_template = at->second;
+      landmark.on_template = at->second.point;
+      landmark.template_origin = at->second.place;
     }
   }
   if (has_deviations) weigh_by_deviations(landmarks);

@@ -8,20 +8,29 @@ namespace shellmatch {
 
 namespace {
 
-/// The point in the unit domain.
+/// One of the two shapes.
 template <int Dim>
-Vec<Dim> placed(const Landmark<Dim>& landmark, const Vec<Dim>& x, const char* shape_name, const Similarity<Dim>& placement,
-                const SignedDistance<Dim>& shape, double diagonal, double max_distance) {
-  if (!x.allFinite()) throw_input_error("landmark '{}': its point of the {} is not finite", landmark.name, shape_name);
+struct Side {
+  const char* name;
+  const SignedDistance<Dim>& shape;
+  double diagonal;  ///< of the template
+};
+
+/// The point in the unit domain. \param origin where it was read
+template <int Dim>
+Vec<Dim> placed(const Landmark<Dim>& landmark, const Vec<Dim>& x, const std::string& origin, const Side<Dim>& side,
+                const Similarity<Dim>& placement, double max_distance) {
+  const std::string what = fmt::format("{}{}landmark '{}': its point of the {}", origin, origin.empty() ? "" : ": ",
+                                       landmark.name, side.name);
+  if (!x.allFinite()) throw_input_error("{} is not finite", what);
   const Vec<Dim> y = placement(x);
   if ((y.array() < 0).any() || (y.array() > 1).any())
-    throw_input_error("landmark '{}': its point of the {} lies outside of the domain; are its units and its frame those of the {}?",
-                      landmark.name, shape_name, shape_name);
-  const double distance = std::abs(shape(y)) / diagonal;
+    throw_input_error("{} lies outside of the domain; are its units and its frame those of the {}?", what, side.name);
+  const double distance = std::abs(side.shape(y)) / side.diagonal;
   if (distance > max_distance)
-    throw_input_error("landmark '{}': its point of the {} lies {:.3g} diagonals from that shape; at most {:.3g} are allowed "
-                      "(landmarks.max_distance); are its units and its frame those of the shape?",
-                      landmark.name, shape_name, distance, max_distance);
+    throw_input_error("{} lies {:.3g} diagonals from that shape; at most {:.3g} are allowed (landmarks.max_distance); are its "
+                      "units and its frame those of the {}?",
+                      what, distance, max_distance, side.name);
   return y;
 }
 
@@ -44,8 +53,10 @@ PairSet<Dim> landmark_pairs(const std::vector<Landmark<Dim>>& landmarks, const L
     if (!(landmark.weight > 0 && std::isfinite(landmark.weight)))
       throw_input_error("landmark '{}': its weight {} is no positive number", landmark.name, landmark.weight);
     PointPair<Dim> pair;
-    pair.p = placed(landmark, landmark.on_reference, "reference", placement, reference, diagonal, options.max_distance);
-    pair.y = placed(landmark, landmark.on_template, "template", placement, template_shape, diagonal, options.max_distance);
+    pair.p = placed(landmark, landmark.on_reference, landmark.reference_origin, {"reference", reference, diagonal}, placement,
+                    options.max_distance);
+    pair.y = placed(landmark, landmark.on_template, landmark.template_origin, {"template", template_shape, diagonal}, placement,
+                    options.max_distance);
     pair.weight = landmark.weight * area / static_cast<double>(landmarks.size());
     set.pairs.pairs.push_back(pair);
   }

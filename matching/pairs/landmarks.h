@@ -18,6 +18,8 @@ struct Landmark {
   std::string name;
   Vec<Dim> on_reference, on_template;
   double weight = 1;  ///< relative to that of other landmarks; > 0
+  /// Where the points were read, "points.csv, line 3", for messages; may be empty.
+  std::string reference_origin = {}, template_origin = {};
 };
 
 /// The landmarks as the term `landmarks` of a cascade: N landmarks of weight 1 have area(M1) / N each.

@@ -63,6 +63,8 @@ TEST_F(LandmarkFile, TwoFilesBelongTogetherByName) {
   EXPECT_EQ(marks[0].name, "a");
   EXPECT_EQ(marks[0].on_template, others[0]);
   EXPECT_EQ(marks[1].on_template, others[1]);
+  EXPECT_EQ(marks[1].reference_origin, (folder / "a.csv") + ", line 3");
+  EXPECT_EQ(marks[1].template_origin, (folder / "b.csv") + ", line 2");
 }
 
 TEST_F(LandmarkFile, StandardDeviationsWeighByTheirInverseSquares) {

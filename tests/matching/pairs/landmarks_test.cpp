@@ -135,6 +135,8 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
   EXPECT_NE(refused({0, 0}, false).find("its point of the reference lies"), std::string::npos);
   EXPECT_NE(refused({0, 0}, false).find("landmarks.max_distance"), std::string::npos);
   EXPECT_EQ(refused(limb_point(0.1, from), false), "");
+  marks[2].template_origin = "points.csv, line 4";
+  EXPECT_EQ(refused({50, 0}, true).find("points.csv, line 4: landmark 'at 2'"), 0u);
 }
 
 TEST(Landmarks, CheckGradientExaminesThem) {
