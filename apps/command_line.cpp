@@ -42,6 +42,11 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
   command.add_option("--placement", settings.placement,
                      "fit moves both shapes into the unit domain together, as-is leaves them where they are")
       ->type_name("fit|as-is");
+  command.add_option("--landmarks", settings.landmarks, "CSV file of points that correspond (docs/landmarks.md)")
+      ->type_name("FILE");
+  command.add_option("--template-landmarks", settings.template_landmarks,
+                     "CSV file of the template's points, where --landmarks has those of the reference alone")
+      ->type_name("FILE");
   command.add_option("--profile", settings.profile,
                      "default is the best we know, paper keeps the paper's discrete choices to the letter")
       ->type_name("default|paper");

@@ -18,6 +18,7 @@ enum class Verbosity { quiet, normal, verbose };
 struct RunSettings {
   std::string output;                ///< output folder
   std::string levels, placement, profile, threads;
+  std::string landmarks, template_landmarks;  ///< files
   std::vector<std::string> assignments;  ///< values of --set, in their order
   Verbosity verbosity = Verbosity::normal;
   bool force = false, restart = false;

@@ -19,6 +19,8 @@ std::vector<Override> overrides_of(const RunSettings& settings) {
     overrides.push_back({"cascade.min_level", settings.levels.substr(0, colon), origin});
     overrides.push_back({"cascade.max_level", settings.levels.substr(colon + 1), origin});
   }
+  add("landmarks.file", settings.landmarks, "--landmarks");
+  add("landmarks.template_file", settings.template_landmarks, "--template-landmarks");
   add("input.placement", settings.placement, "--placement");
   add("threads", settings.threads, "--threads");
   for (const std::string& assignment : settings.assignments) overrides.push_back(parse_override(assignment));

@@ -31,11 +31,16 @@ class Matching {
 
   MatchResult<Dim> go() {
     summary_.distance_before = two_sided_distance(reference_.surface, d2_);
+    std::vector<PairSet<Dim>> pairs = inputs_.pairs;
+    if (!inputs_.landmarks.empty())
+      pairs.insert(pairs.begin(), landmark_pairs(inputs_.landmarks, options_.landmarks, inputs_.placement, d1_, d2_));
+    for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
+    if (options_.coverage.levels > 0) recorder_.history.term_names.emplace_back("coverage");
     std::optional<FinishedLevel<Dim>> before = resume();
     recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
-                                   clock_.phases, std::move(before));
+                                   clock_.phases, std::move(before), pairs);
     summary_.interrupted = result.interrupted;
     PhaseClock phase(clock_.phases);
     phase.start("output");

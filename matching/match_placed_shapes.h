@@ -7,12 +7,14 @@
 #include "matching/cascade/cascade.h"
 #include "matching/result/correspondence.h"
 #include "matching/experiment/shape_pair.h"
+#include "matching/pairs/landmarks.h"
 #include "matching/result/match_result.h"
 #include "matching/result/recorder.h"
 #include "matching/result/run_clock.h"
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace shellmatch {
 
@@ -35,6 +37,8 @@ struct MatchInputs {
   ShapePair<Dim> shapes;      ///< surfaces in the unit domain, originals in the user's coordinates
   Similarity<Dim> placement;  ///< similarity that has moved them there
   Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
+  std::vector<Landmark<Dim>> landmarks;  ///< in the user's coordinates; may be empty
+  std::vector<PairSet<Dim>> pairs;       ///< further terms of point pairs, in the unit domain
   std::optional<MatchProgress<Dim>> before;            ///< resume after its last level
   std::function<void(const LevelEnd<Dim>&)> finished;  ///< called at the end of every level; may be empty
 };

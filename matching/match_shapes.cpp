@@ -11,20 +11,24 @@ namespace shellmatch {
 
 template <int Dim>
 MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
-                              const ExperimentOptions& options, Observer& observer) {
+                              const ExperimentOptions& options, Observer& observer,
+                              const std::vector<Landmark<Dim>>& landmarks) {
   check_experiment(options);
   set_n_threads(options.threads);
   RunClock clock;
   Recorder recorder(observer);
   MatchInputs<Dim> inputs;
   inputs.shapes = {reference, template_shape};
+  inputs.landmarks = landmarks;
   inputs.placement = inputs.shapes.place(options);
   check_size<Dim>(refined_measures(inputs.shapes.reference.surface, inputs.shapes.template_shape.surface, options),
                   options.cascade.min_level, options.cascade.max_level, "");
   return match_placed_shapes(std::move(inputs), options, recorder, clock);
 }
 
-template MatchResult<2> match_shapes<2>(const Shape<2>&, const Shape<2>&, const ExperimentOptions&, Observer&);
-template MatchResult<3> match_shapes<3>(const Shape<3>&, const Shape<3>&, const ExperimentOptions&, Observer&);
+template MatchResult<2> match_shapes<2>(const Shape<2>&, const Shape<2>&, const ExperimentOptions&, Observer&,
+                                         const std::vector<Landmark<2>>&);
+template MatchResult<3> match_shapes<3>(const Shape<3>&, const Shape<3>&, const ExperimentOptions&, Observer&,
+                                         const std::vector<Landmark<3>>&);
 
 }  // namespace shellmatch

@@ -4,8 +4,11 @@
 
 #include "geometry/surface/surface.h"
 #include "matching/experiment/options.h"
+#include "matching/pairs/landmarks.h"
 #include "matching/progress/observer.h"
 #include "matching/result/match_result.h"
+
+#include <vector>
 
 namespace shellmatch {
 
@@ -13,12 +16,14 @@ namespace shellmatch {
 /// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
 /// polygons, `open_shape` (matching/experiment/shape_source.h) from a file.
 /// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement and margin
-///   are used; `pictures` and `resume` are ignored. `threads` is set for the whole process.
+///   are used; of `landmarks` all but the files; `pictures` and `resume` are ignored. `threads` is set for the whole process.
 /// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing
-/// \throws InputError for contradictory options or shapes that cannot be placed, EnvironmentError if the machine has
+/// \param landmarks points that correspond, in the coordinates of the shapes
+/// \throws InputError for contradictory options, shapes that cannot be placed or landmarks far from them, EnvironmentError if the machine has
 /// too little memory, and whatever the observer throws
 template <int Dim>
 MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
-                              const ExperimentOptions& options, Observer& observer);
+                              const ExperimentOptions& options, Observer& observer,
+                              const std::vector<Landmark<Dim>>& landmarks = {});
 
 }  // namespace shellmatch

@@ -7,6 +7,8 @@
 #include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 #include "matching/experiment/yaml_options.h"
+#include "matching/pairs/coverage.h"
+#include "matching/pairs/landmark_file.h"
 
 #include <algorithm>
 
@@ -57,10 +59,18 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
     fields.refine(grid);
     fields.compute_distances(grid);
   }
-  LevelEnergy<Dim> level(grid, fields.geometry(grid), options);
+  std::vector<PairSet<Dim>> pairs;
+  const auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
+                                             shapes.template_shape.original.vertices);
+  if (!landmarks.empty()) pairs.push_back(landmark_pairs(landmarks, options.landmarks, placement, d1, d2));
+  LevelEnergy<Dim> level(grid, fields.geometry(grid), options, pairs);
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
-  const TermValues weights = term_weights(options.energy, step.nu, step.volume_weight);
+  if (level.coverage && level.covers(options)) {
+    const Coverage<Dim> coverage(shapes.reference.surface, shapes.template_shape.surface, options.coverage);
+    level.energy.replace_pairs(*level.coverage, PairTerm<Dim>(grid, coverage.pairs(grid, phi)));
+  }
+  const TermValues weights = level.weights(options, step.nu, step.volume_weight);
   GradientReport report = check_gradient<Dim>(level, CheckedEnergy<Dim>(level), phi, weights, request.settings,
                                               [&](const std::string& term) { observer.stage(fmt::format("checking {}", term)); });
   report.state = request.state.text();

@@ -9,6 +9,7 @@
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/match_placed_shapes.h"
+#include "matching/pairs/landmark_file.h"
 #include "matching/pictures/level_picture.h"
 #include "matching/write_result.h"
 #include "matching/output/summary.h"
@@ -48,8 +49,9 @@ class Run {
     inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
+    inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, reference.original.vertices, template_shape.original.vertices);
     if (options_.resume.enabled) {
-      checkpoints_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface));
+      checkpoints_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface, inputs_.landmarks));
       if (checkpoints_->is_foreign()) {
         recorder_.note(fmt::format("{}: no run has written this, and it is left alone: levels are not kept for the case "
                                    "that this run is stopped", checkpoints_->path()));

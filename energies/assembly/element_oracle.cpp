@@ -33,6 +33,9 @@ double ElementOracle<Dim>::value(const TermValues& weights, std::size_t e, const
   for (std::size_t t = 0; t < energy_->terms().size(); ++t)
     if (const auto& [term, own, material] = energy_->terms()[t]; weights[t] > 0)
       sum += term.element_value(fields, dofs.data(), weights[t], material);
+  for_each_pair_term(weights, [&](const PairTerm<Dim>& pairs, double weight) {
+    sum += pairs.element_value(e, dofs.data(), weight);
+  });
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -46,6 +49,9 @@ double ElementOracle<Dim>::gradient(const TermValues& weights, std::size_t e, co
   for (std::size_t t = 0; t < energy_->terms().size(); ++t)
     if (const auto& [term, own, material] = energy_->terms()[t]; weights[t] > 0)
       sum += term.element_derivative(fields, jets.data(), weights[t], material);
+  for_each_pair_term(weights, [&](const PairTerm<Dim>& pairs, double weight) {
+    sum += pairs.element_value(e, jets.data(), weight);
+  });
   for (int i = 0; i < n_dofs; ++i) gradient[i] = sum.v[i];
   return std::isfinite(sum.a) ? sum.a : std::numeric_limits<double>::quiet_NaN();
 }
@@ -87,6 +93,9 @@ double ElementOracle<Dim>::natural_size(const TermValues& weights, std::size_t e
     const double stress = weights[t] * term.modulus(material) * (band ? in_band : volume);
     size += band && !band->reads_dphi ? stress : stress / side;
   }
+  for_each_pair_term(weights, [&](const PairTerm<Dim>& pairs, double weight) {
+    for (const LocatedPair<Dim>& pair : pairs.pairs_of(e, e + 1)) size += 2 * weight * pair.weight;
+  });
   return size;
 }
 

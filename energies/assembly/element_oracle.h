@@ -39,6 +39,13 @@ class ElementOracle {
 
  private:
   ElementFields<Dim>& fields_of(std::size_t e) const;
+  // Calls body(pairs, weight) for the terms of pairs with a positive weight.
+  template <class Body>
+  void for_each_pair_term(const TermValues& weights, Body&& body) const {
+    const auto terms = energy_->pair_terms();
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      if (const double weight = weights[energy_->terms().size() + t]; weight > 0) body(terms[t].pairs, weight);
+  }
 
   const MatchingEnergy<Dim>* energy_;
   std::span<const Element<Dim>> elements_;

@@ -63,6 +63,41 @@ void MatchingEnergy<Dim>::add_terms(const Chunk& cells, std::span<const Vec<Dim>
                                     double* values, double* gradients, BandSums* band_sums) const {
   const bool is_possible = set_cell_terms<WithGradient>(cells, phi, weights, values, gradients);
   if (is_possible || band_sums) add_band_terms<WithGradient>(cells, phi, weights, values, gradients, band_sums);
+  if (is_possible) add_pair_terms(cells, phi, weights, values, gradients);
+}
+
+template <int Dim>
+void MatchingEnergy<Dim>::add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                         double* values, double* gradients) const {
+  for (std::size_t t = 0; t < pair_terms_.size(); ++t)
+    if (const std::size_t place = terms_->size() + t; weights[place] > 0)
+      values[place] += pair_terms_[t].pairs.add(cells.begin, cells.end, elements_, phi, weights[place], gradients);
+}
+
+template <int Dim>
+Term MatchingEnergy<Dim>::add_pairs(std::string name, PairTerm<Dim> pairs) {
+  SHELLMATCH_CHECK(cell_blocks_.has_value(), "a part of the energy has no pairs");
+  pair_terms_.push_back({std::move(name), std::move(pairs)});
+  return Term{n_terms() - 1};
+}
+
+template <int Dim>
+void MatchingEnergy<Dim>::replace_pairs(Term term, PairTerm<Dim> pairs) {
+  pair_terms_.at(static_cast<std::size_t>(term) - terms_->size()).pairs = std::move(pairs);
+}
+
+template <int Dim>
+void MatchingEnergy<Dim>::set_pair_values(std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                          TermValues& values) const {
+  for (std::size_t t = 0; t < pair_terms_.size(); ++t) values[terms_->size() + t] = 0;
+  add_pair_terms({0, elements_.size(), 0}, phi, weights, &values[0], nullptr);
+}
+
+template <int Dim>
+std::vector<std::string> MatchingEnergy<Dim>::term_names() const {
+  std::vector<std::string> names = terms_->names();
+  for (const NamedPairTerm<Dim>& term : pair_terms_) names.push_back(term.name);
+  return names;
 }
 
 template <int Dim>
@@ -75,9 +110,9 @@ bool MatchingEnergy<Dim>::evaluate(std::span<const Vec<Dim>> phi, const TermValu
       if (!phi[i].allFinite()) possible = false;
   });
   if (!possible) return false;
-  SHELLMATCH_CHECK(weights.size() == terms_->size(), "one weight for each term");
+  SHELLMATCH_CHECK(weights.size() == n_terms(), "one weight for each term");
   const std::size_t of_block = cells_per_block(elements_.size());
-  BlockValues parts(n_chunks(elements_.size(), of_block), terms_->size());
+  BlockValues parts(n_chunks(elements_.size(), of_block), n_terms());
   if (gradient.empty()) {
     parallel_chunks(elements_.size(), of_block, [&](const Chunk& cells) {
       if (!possible) return;
@@ -107,7 +142,7 @@ template <int Dim>
 bool MatchingEnergy<Dim>::report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
                                  BandSums& band) const {
   const std::size_t of_block = cells_per_block(elements_.size());
-  BlockValues parts(n_chunks(elements_.size(), of_block), terms_->size());
+  BlockValues parts(n_chunks(elements_.size(), of_block), n_terms());
   band = parallel_sum(elements_.size(), of_block, BandSums{}, [&](const Chunk& cells) {
     BandSums of_cells;
     add_terms<false>(cells, phi, weights, parts.of(cells.index), nullptr, &of_cells);

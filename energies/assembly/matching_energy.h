@@ -8,14 +8,23 @@
 #include "energies/elements/unknowns.h"
 #include "energies/elements/cell_blocks.h"
 #include "energies/options.h"
+#include "energies/pairs/pair_term.h"
 #include "energies/fields/geometry_field.h"
 
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace shellmatch {
+
+/// A term of point pairs, and its name in reports.
+template <int Dim>
+struct NamedPairTerm {
+  std::string name;
+  PairTerm<Dim> pairs;
+};
 
 /// The discrete energy on one grid as a function of the nodal positions. Grid, unknowns and geometry must outlive it.
 template <int Dim>
@@ -33,6 +42,19 @@ class MatchingEnergy {
   /// The contribution of some elements to the energy: values only. The elements must outlive this object.
   MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
+
+  /// Adds a term of point pairs, and returns its place in TermValues: after those of terms(), in the order of the calls.
+  /// \param pairs located on the grid of the unknowns. \pre this energy is of a whole grid
+  Term add_pairs(std::string name, PairTerm<Dim> pairs);
+  /// Gives such a term other pairs. Not during an evaluation.
+  void replace_pairs(Term term, PairTerm<Dim> pairs);
+  std::span<const NamedPairTerm<Dim>> pair_terms() const { return pair_terms_; }
+  /// Sets the values of the terms of pairs, which depend on no quadrature. \pre values.size() == n_terms()
+  void set_pair_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const;
+
+  /// Of all terms, those of pairs included: the size of `weights` and `values` below.
+  std::size_t n_terms() const { return terms_->size() + pair_terms_.size(); }
+  std::vector<std::string> term_names() const;
 
   /// Evaluates the terms' weighted values and, where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()).
@@ -70,11 +92,16 @@ class MatchingEnergy {
   void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                       double* gradients, BandSums* band_sums) const;
 
+  // Terms of pairs: adds to `values` and, if not null, to `gradients`.
+  void add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
+                      double* gradients) const;
+
   std::span<const Element<Dim>> elements_;
   const GeometryField<Dim>* target_;
   std::shared_ptr<const EnergyTerms<Dim>> terms_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
+  std::vector<NamedPairTerm<Dim>> pair_terms_;
   std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none for an energy of values only
 };
 

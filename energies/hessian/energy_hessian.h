@@ -5,7 +5,7 @@
 /// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi, on
 /// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: Gauss and
 /// Newton's model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
-/// elements where they act. To the model is added, where the solver asks for it, a multiple of the Laplacian's matrix on
+/// elements where they act. Terms of point pairs: 2 rho' B^T B, without rho''. To the model is added, where the solver asks for it, a multiple of the Laplacian's matrix on
 /// single elements: it resists changes of the step within the element, and no common motion of its nodes.
 
 #include "energies/assembly/matching_energy.h"
@@ -64,6 +64,8 @@ class EnergyHessian {
                         ElementMatrices<Dim>& matrices) const;
   template <class Variables>
   void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                      ElementMatrices<Dim>& matrices) const;
+  void add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                       ElementMatrices<Dim>& matrices) const;
   void add_damping(const Chunk& cells, std::span<const float> damping, ElementMatrices<Dim>& matrices) const;
   void measure_margins(const Chunk& cells, std::span<const Vec<Dim>> phi);

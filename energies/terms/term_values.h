@@ -25,6 +25,9 @@ class TermValues {
   auto begin() const { return v_.begin(); }
   auto end() const { return v_.end(); }
 
+  /// Adds terms of value 0 at the end. \pre n >= size()
+  void extend_to(std::size_t n) { v_.resize(n, 0.0); }
+
   TermValues& operator+=(const TermValues& o) {
     for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += o.v_[i];
     return *this;

@@ -10,6 +10,25 @@ namespace shellmatch {
 
 namespace {
 
+/// Share of the surface's area around vertices that are farther away than `most`. \param distances of used_vertices()
+template <int Dim>
+double share_beyond(const Surface<Dim>& surface, const std::vector<double>& distances, double most) {
+  std::vector<double> area(surface.vertices.size(), 0.0);
+  std::vector<bool> used(surface.vertices.size(), false);
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (const Index v : surface.facets[f]) {
+      area[v] += facet_measure(surface, static_cast<Index>(f));
+      used[v] = true;
+    }
+  double beyond = 0, all = 0;
+  for (std::size_t v = 0, i = 0; v < area.size(); ++v) {
+    if (!used[v]) continue;
+    all += area[v];
+    if (distances[i++] > most) beyond += area[v];
+  }
+  return all > 0 ? beyond / all : 0;
+}
+
 template <int Dim>
 std::vector<Vec<Dim>> used_vertices(const Surface<Dim>& surface) {
   std::vector<bool> used(surface.vertices.size(), false);
@@ -52,12 +71,13 @@ template <int Dim>
 MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
   const std::vector<Vec<Dim>> template_points = used_vertices(template_distance.surface());
   const double diagonal = bounding_box(template_points).diagonal();
-  const auto summary = [&](const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
-    const DistanceStatistics s = statistics(distances_to(points, surface));
+  const auto summary = [&](std::vector<double> distances) {
+    const DistanceStatistics s = statistics(std::move(distances));
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
   };
-  return {summary(used_vertices(deformed), template_distance),
-          summary(template_points, SignedDistance<Dim>(deformed))};
+  const std::vector<double> back = distances_to(template_points, SignedDistance<Dim>(deformed));
+  return {summary(distances_to(used_vertices(deformed), template_distance)), summary(back),
+          share_beyond(template_distance.surface(), back, covered_within * diagonal)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);

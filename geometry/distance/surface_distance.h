@@ -23,11 +23,16 @@ DistanceStatistics statistics(std::vector<double> values);
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface);
 
+/// The template counts as covered where the deformed reference is at most so far away, in diagonals of the template.
+inline constexpr double covered_within = 0.01;
+
 /// Accuracy of a matching. Both statistics are divided by the diagonal of the template's bounding box.
 template <int Dim>
 struct MatchQuality {
   DistanceStatistics deformed_to_template;  ///< vertices of the deformed reference to the template's surface
   DistanceStatistics template_to_deformed;  ///< vertices of the template to the deformed reference's surface
+  /// Share of the template's area (length) that is farther than `covered_within` diagonals from the deformed reference.
+  double uncovered;
 };
 
 /// Two-sided distances. Vertices without a facet are ignored. \pre neither surface is empty.

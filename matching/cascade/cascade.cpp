@@ -11,6 +11,7 @@
 #include "matching/level/level_problem.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/level/shape_fields.h"
+#include "matching/pairs/coverage.h"
 #include "solvers/methods/fallback.h"
 
 #include <fmt/format.h>
@@ -41,8 +42,13 @@ namespace {
 template <int Dim>
 class Level {
  public:
-  Level(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options)
-      : options_(options), grid_(grid), level_(grid, std::move(geometry), options) {}
+  /// \param coverage null where it does not act
+  Level(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
+        const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage)
+      : options_(options),
+        grid_(grid),
+        level_(grid, std::move(geometry), options, pairs),
+        coverage_(level_.covers(options) ? coverage : nullptr) {}
 
   LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted) {
     LevelResult result;
@@ -58,50 +64,29 @@ class Level {
 
     const std::vector<double> mass = lumped_mass_of(level_.unknowns.nodes());
     const auto steps = schedule_of_level(options_.cascade, level);
-    start.n_substeps = static_cast<int>(steps.size());
+    const int rounds = coverage_ ? options_.coverage.rounds : 1;
+    start.n_substeps = static_cast<int>(steps.size()) * rounds;
+    result.term_names = level_.energy.term_names();
     const SolverOptions solver = solver_at_level(options_.solver, level);
     TermValues weights;
-    for (std::size_t s = 0, next = 0; s < steps.size() && !interrupted; s = next) {
-      start.substep = static_cast<int>(s) + 1;
+    for (std::size_t s = 0; s < steps.size() && !interrupted;) {
       start.nu = steps[s].nu;
       start.volume_weight = steps[s].volume_weight;
-      weights = term_weights(options_.energy, start.nu, start.volume_weight);
-      LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
-                                [&](Metric metric) { return level_metric(level_, solver, weights, metric); });
-      std::vector<double> x = problem.unknowns_of(phi);
-      StopOptions stop = solver.stop;
-      if (level < options_.cascade.max_level || s + 1 < steps.size())
-        stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
-      observer.minimisation_started(start);
-      std::vector<double> terms;  // values of the terms at the end of the minimisation
-      result.last = minimize_with_fallback(
-          solver, problem, x, stop,
-          [&](const IterationRecord& r) {
-            check(r.iteration, start, problem.last_positions(), weights, observer);
-            terms = r.terms;
-            return observer.iterated(start, r);
-          },
-          [&](const std::string& change) {
-            result.fallbacks.push_back(fmt::format("level {}, step {}: {}", level, start.substep, change));
-            observer.note(result.fallbacks.back());
-          });
-      if (result.last.reason == StopReason::cannot_evaluate_start) {
-        if (level == options_.cascade.min_level && s == 0) refuse_start(level, phi, weights);
-        result.fallbacks.push_back(fmt::format(
-            "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", level,
-            start.substep));
-        observer.note(result.fallbacks.back());
+      weights = level_.weights(options_, start.nu, start.volume_weight);
+      const bool is_last = level == options_.cascade.max_level && s + 1 == steps.size();
+      std::vector<double> terms;  // values of the terms at the end of the last minimisation
+      for (int round = 0; round < rounds && !interrupted; ++round) {
+        start.substep = static_cast<int>(s) * rounds + round + 1;
+        if (coverage_) level_.energy.replace_pairs(*level_.coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi)));
+        StopOptions stop = solver.stop;
+        if (!is_last || round + 1 < rounds)
+          stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
+        terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
+        interrupted = result.last.reason == StopReason::interrupted;
       }
-      observer.minimisation_finished(start, result.last);
-      interrupted = result.last.reason == StopReason::interrupted;
-      phi = problem.positions(x);
-      next = terms.empty() ? s + 1
-                           : step_after(steps, s, terms[static_cast<std::size_t>("match"_term)],
-                                        result.last.final_value, options_.cascade.negligible_rise);
-      result.iterations += result.last.iterations;
-      result.value_evaluations += result.last.value_evaluations;
-      result.gradient_evaluations += result.last.gradient_evaluations;
-      result.seconds += result.last.seconds;
+      s = terms.empty() ? s + 1
+                        : step_after(steps, s, terms[static_cast<std::size_t>("match"_term)], result.last.final_value,
+                                     options_.cascade.negligible_rise);
     }
     level_.energy.evaluate(phi, weights, result.minimised, {});
     weights_ = weights;
@@ -114,19 +99,59 @@ class Level {
     const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
                                                    phi, weights_);
     result.reported = report.values;
+    result.reported.extend_to(weights_.size());
+    level_.energy.set_pair_values(phi, weights_, result.reported);
     result.band = report.band;
     result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
   }
 
  private:
+  // One minimisation from phi, which is replaced by its result. Adds its costs to `result` and returns the values of the
+  // terms at its end.
+  std::vector<double> minimise_once(const LevelStart& start, const TermValues& weights, const std::vector<double>& mass,
+                                    const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
+                                    Observer& observer, LevelResult& result) {
+    LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
+                              [&](Metric metric) { return level_metric(level_, solver, weights, metric); });
+    std::vector<double> x = problem.unknowns_of(phi);
+    observer.minimisation_started(start);
+    std::vector<double> terms;
+    result.last = minimize_with_fallback(
+        solver, problem, x, stop,
+        [&](const IterationRecord& r) {
+          check(r.iteration, start, problem.last_positions(), weights, observer);
+          terms = r.terms;
+          return observer.iterated(start, r);
+        },
+        [&](const std::string& change) {
+          result.fallbacks.push_back(fmt::format("level {}, step {}: {}", start.level, start.substep, change));
+          observer.note(result.fallbacks.back());
+        });
+    if (result.last.reason == StopReason::cannot_evaluate_start) {
+      if (start.level == options_.cascade.min_level && start.substep == 1) refuse_start(start.level, phi, weights);
+      result.fallbacks.push_back(fmt::format(
+          "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", start.level,
+          start.substep));
+      observer.note(result.fallbacks.back());
+    }
+    observer.minimisation_finished(start, result.last);
+    phi = problem.positions(x);
+    result.iterations += result.last.iterations;
+    result.value_evaluations += result.last.value_evaluations;
+    result.gradient_evaluations += result.last.gradient_evaluations;
+    result.seconds += result.last.seconds;
+    return terms;
+  }
+
   // The energy is not finite at the start of the very first minimisation: names the terms that cause it.
   [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
     std::string which;
+    const std::vector<std::string> names = level_.energy.term_names();
     for (std::size_t t = 0; t < weights.size(); ++t) {
-      TermValues alone, values;
+      TermValues alone(weights.size()), values;
       alone[t] = weights[t];
       if (alone[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
-        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", term_names()[t], alone[t]);
+        which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", names[t], alone[t]);
     }
     throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {}; "
                       "choose smaller weights or parameters of it (energy.*, cascade.*)",
@@ -163,6 +188,7 @@ class Level {
   const ExperimentOptions& options_;
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
+  const Coverage<Dim>* coverage_;
   TermValues weights_;  ///< of the last minimisation
 };
 
@@ -187,12 +213,16 @@ std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>&
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before) {
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before,
+                               const std::vector<PairSet<Dim>>& pairs) {
   const CascadeOptions& schedule = options.cascade;
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
   result.phi = identity_map(grid);
   ShapeFields<Dim> shapes(reference, template_shape, options);
+  std::optional<Coverage<Dim>> coverage;
+  if (options.coverage.levels > 0)
+    coverage.emplace(reference.surface(), template_shape.surface(), options.coverage);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.reference = at_nodes(geometry.reference, grid);
@@ -221,7 +251,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     } else {
       {  // frees the level's matrices before the output
         clock.start("set-up");
-        Level<Dim> problem(grid, *geometry, options);
+        Level<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr);
         clock.start("minimisation");
         result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
         clock.start("report");
@@ -243,9 +273,11 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 
 template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<2>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<2>>);
+                                         std::optional<FinishedLevel<2>>,
+                                         const std::vector<PairSet<2>>&);
 template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<3>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<3>>);
+                                         std::optional<FinishedLevel<3>>,
+                                         const std::vector<PairSet<3>>&);
 
 }  // namespace shellmatch

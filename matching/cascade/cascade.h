@@ -6,6 +6,7 @@
 #include "energies/assembly/band_report.h"
 #include "energies/assembly/folds.h"
 #include "energies/assembly/matching_energy.h"
+#include "energies/pairs/point_pairs.h"
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/curvature.h"
 #include "grid/octree/octree.h"
@@ -25,6 +26,7 @@ namespace shellmatch {
 
 /// The result of one level.
 struct LevelResult {
+  std::vector<std::string> term_names;  ///< of `minimised` and `reported`
   LevelStart start;                  ///< of the level's last minimisation
   Index n_band_cells = 0;
   std::size_t n_band_points = 0;
@@ -69,11 +71,13 @@ using LevelCallback = std::function<void(const LevelResult&, const LevelState<Di
 
 /// Runs the cascade from the identity, or continues after the level `before`: with the same shapes and options the
 /// result is then the same bit for bit. \pre the shapes lie in the unit domain
+/// \param pairs terms of point pairs, besides that of coverage (options.coverage)
 /// \throws InputError if the map `before` does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {});
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {},
+                               const std::vector<PairSet<Dim>>& pairs = {});
 
 /// Parameters nu and c_vol of one minimisation. schedule_of_level() lists those of a level in their order.
 struct ScheduleStep {

@@ -41,9 +41,23 @@ std::string surface_checksum(const Surface<Dim>& surface) {
   return Checksum().add(bytes_of(surface.vertices)).add(bytes_of(surface.facets)).text();
 }
 
-// Shapes are compared by checksums of their contents; true positions are read only for the final report.
+template <int Dim>
+std::string landmark_checksum(const std::vector<Landmark<Dim>>& landmarks) {
+  if (landmarks.empty()) return "";
+  std::vector<Vec<Dim>> points;
+  std::vector<double> weights;
+  for (const Landmark<Dim>& landmark : landmarks) {
+    points.push_back(landmark.on_reference);
+    points.push_back(landmark.on_template);
+    weights.push_back(landmark.weight);
+  }
+  return Checksum().add(bytes_of(points)).add(bytes_of(weights)).text();
+}
+
+// Shapes and landmarks are compared by checksums of their contents; true positions are read only for the final report.
 bool changes_no_level(const std::string& option) {
-  for (const char* path : {"input.reference", "input.template", "input.correspondence", "threads"})
+  for (const char* path : {"input.reference", "input.template", "input.correspondence", "landmarks.file",
+                           "landmarks.template_file", "threads"})
     if (option == path) return true;
   return option.starts_with("resume.");
 }
@@ -85,8 +99,9 @@ void copy_files(const fs::path& from, const fs::path& to) {
 
 template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
-                         const Surface<Dim>& template_shape) {
+                         const Surface<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks) {
   return {with_absolute_paths(options), surface_checksum(reference), surface_checksum(template_shape),
+          landmark_checksum(landmarks),
           fmt::format("{}, {}, {}", program_version(), compiler_name(),
                       fs::exists(executable) ? file_checksum(executable) : "unknown")};
 }
@@ -130,6 +145,7 @@ std::string CheckpointFolder::obstacle() const {
   }
   if (manifest->reference != identity_.reference) return "the reference is another one";
   if (manifest->template_shape != identity_.template_shape) return "the template is another one";
+  if (manifest->landmarks.value_or("") != identity_.landmarks) return "the landmarks are others";
   return "";
 }
 
@@ -156,6 +172,7 @@ void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::s
   manifest.program = identity_.program;
   manifest.reference = identity_.reference;
   manifest.template_shape = identity_.template_shape;
+  if (!identity_.landmarks.empty()) manifest.landmarks = identity_.landmarks;
   const std::string manifest_file = folder.path_of(manifest_name);
   const fs::path place = fs::path(manifest_file).parent_path();
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place))
@@ -180,7 +197,7 @@ void CheckpointFolder::remove() {
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const Surface<Dim>&,                  \
-                                         const Surface<Dim>&);                                           \
+                                         const Surface<Dim>&, const std::vector<Landmark<Dim>>&);                \
   template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>() const;                        \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);

@@ -8,6 +8,7 @@
 #include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
 #include "matching/experiment/options.h"
+#include "matching/pairs/landmarks.h"
 #include "matching/output/summary.h"
 #include "matching/result/match_result.h"
 
@@ -23,12 +24,13 @@ struct RunIdentity {
   ExperimentOptions options;
   /// Checksums of both surfaces in the unit domain: contents are compared, not file names.
   std::string reference, template_shape;
+  std::string landmarks;  ///< checksum of what the landmarks say; empty without any
   std::string program;  ///< version, compiler and checksum of the executable: builds may differ in rounding
 };
 
 template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
-                         const Surface<Dim>& template_shape);
+                         const Surface<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks);
 
 /// A checkpoint as it is written, by references to the state of the running cascade.
 template <int Dim>
@@ -86,6 +88,7 @@ struct CheckpointManifest {
   int format = 2;  ///< of the manifest; format 1 had other checksums
   int level = 0;  ///< the finished level that was kept
   std::string program, reference, template_shape;
+  std::optional<std::string> landmarks;
   struct File {
     std::string name, checksum;
   };

@@ -13,7 +13,7 @@ template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest>
 static void describe(S& s, Member&& member) {
   member("format", s.format), member("level", s.level), member("program", s.program);
-  member("reference", s.reference), member("template", s.template_shape), member("files", s.files);
+  member("reference", s.reference), member("template", s.template_shape), member("landmarks", s.landmarks), member("files", s.files);
 }
 
 std::string manifest_json(const CheckpointManifest& manifest) { return json_text(json_of(manifest)); }

@@ -51,12 +51,13 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
   const ElementOracle<Dim> oracle(level.energy, level.unknowns);
   const CheckContext<Dim> context{level, oracle, phi, settings};
+  const std::vector<std::string> names = level.energy.term_names();
   for (std::size_t t = 0; t <= weights.size(); ++t) {
-    const std::string name(t < weights.size() ? term_names()[t] : "sum");
+    const std::string name = t < weights.size() ? names[t] : "sum";
     if (next) next(name);
     TermValues some = weights;
     if (t < weights.size()) {
-      some = {};
+      some = TermValues(weights.size());
       some[t] = weights[t];
     }
     report.terms.push_back(check_term(context, energy, some, name, settings.newton_model));

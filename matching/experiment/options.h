@@ -7,6 +7,7 @@
 #include "grid/options.h"
 #include "matching/experiment/check_options.h"
 #include "matching/experiment/level_solver.h"
+#include "matching/experiment/pair_options.h"
 
 #include <string>
 
@@ -102,6 +103,8 @@ struct ExperimentOptions {
   EnergyOptions energy;
   CoefficientOptions coefficients;
   LevelwiseSolverOptions solver;
+  LandmarkOptions landmarks;
+  CoverageOptions coverage;
   CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::all;
   ResumeOptions resume;
@@ -114,6 +117,8 @@ struct ExperimentOptions {
     visit("energy", self.energy, {.meaning = "weights and material"});
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
     visit("solver", self.solver, {.meaning = "the minimiser"});
+    visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
+    visit("coverage", self.coverage, {.meaning = "two-sided match"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});

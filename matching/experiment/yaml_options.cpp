@@ -55,8 +55,9 @@ void apply(const OptionNode& root, const Override& change) {
 }
 
 // The options that are names of files.
-std::array<std::string*, 3> paths_of(InputOptions& input) {
-  return {&input.reference, &input.template_file, &input.correspondence};
+std::array<std::string*, 5> paths_of(ExperimentOptions& options) {
+  return {&options.input.reference, &options.input.template_file, &options.input.correspondence, &options.landmarks.file,
+          &options.landmarks.template_file};
 }
 
 std::string beside(const std::string& file, const std::string& shape) {
@@ -125,9 +126,7 @@ ExperimentOptions resolve(YamlDocument* document, const std::string& path, const
   const OptionNode root = option_tree(options);
   if (document != nullptr) {
     document->fill(root);
-    options.input.reference = beside(path, options.input.reference);
-    options.input.correspondence = beside(path, options.input.correspondence);
-    options.input.template_file = beside(path, options.input.template_file);
+    for (std::string* source : paths_of(options)) *source = beside(path, *source);
   }
   for (const Override& change : overrides) apply(root, change);
   options.profile = profile;
@@ -152,7 +151,7 @@ Override parse_override(const std::string& assignment) {
 
 Override beside_file(Override change, const std::string& file) {
   ExperimentOptions options;
-  const std::array<std::string*, 3> paths = paths_of(options.input);
+  const std::array<std::string*, 5> paths = paths_of(options);
   const OptionNode root = option_tree(options);
   const OptionNode* option = find_option(root, change.key);
   if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;
@@ -185,7 +184,7 @@ void check_experiment(const ExperimentOptions& options) {
 }
 
 ExperimentOptions with_absolute_paths(ExperimentOptions options) {
-  for (std::string* source : paths_of(options.input))
+  for (std::string* source : paths_of(options))
     if (!source->empty() && !is_generated_source(*source))
       *source = std::filesystem::absolute(*source).lexically_normal().string();
   return options;

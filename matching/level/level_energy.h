@@ -4,10 +4,13 @@
 
 #include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
+#include "energies/pairs/point_pairs.h"
 #include "matching/experiment/options.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace shellmatch {
 
@@ -27,16 +30,42 @@ struct LevelEnergy {
   GeometryPair<Dim> geometry;
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
+  std::vector<double> pair_weights;  ///< in the energy, of the terms made from `pairs`
+  std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where coverage.levels > 0
 
-  LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options)
+  /// \param pairs terms of their own, on all levels
+
+  LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
+              const std::vector<PairSet<Dim>>& pairs = {})
       : grid(g),
         sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
         geometry(std::move(shapes)),
         energy(unknowns, geometry, options.energy, sigma, options.energy.quadrature_order),
-        hessian(energy, unknowns) {}
+        hessian(energy, unknowns) {
+    for (const PairSet<Dim>& set : pairs) {
+      energy.add_pairs(set.name, PairTerm<Dim>(g, set.pairs));
+      pair_weights.push_back(set.factor / options.cascade.nu);
+    }
+    if (options.coverage.levels > 0) coverage = energy.add_pairs("coverage", {});
+  }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
+
+  /// Weights of all terms at one step of the schedule.
+  TermValues weights(const ExperimentOptions& options, double nu, double volume_weight) const {
+    TermValues all = term_weights(options.energy, nu, volume_weight);
+    const std::size_t first = all.size();
+    all.extend_to(energy.n_terms());
+    for (std::size_t i = 0; i < pair_weights.size(); ++i) all[first + i] = pair_weights[i];
+    if (coverage && covers(options)) all[*coverage] = options.coverage.weight / nu;
+    return all;
+  }
+
+  /// Does coverage act on this level?
+  bool covers(const ExperimentOptions& options) const {
+    return grid.finest_level() > options.cascade.max_level - options.coverage.levels;
+  }
 };
 
 }  // namespace shellmatch

@@ -13,6 +13,7 @@ LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEne
       energy_(&energy),
       hessian_(hessian),
       weights_(weights),
+      values_(weights.size()),
       phi_(std::move(phi)),
       metric_(std::move(metric)) {
   SHELLMATCH_CHECK(mass.size() == unknowns.nodes().size(), "one mass for each unknown node");
@@ -51,7 +52,7 @@ void LevelProblem<Dim>::add_damping(std::span<const RegionDamping> regions) {
 
 template <int Dim>
 std::vector<std::string> LevelProblem<Dim>::term_names() const {
-  return energy_->terms().names();
+  return energy_->term_names();
 }
 
 template <int Dim>

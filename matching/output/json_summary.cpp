@@ -15,7 +15,7 @@ template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, TwoSidedDistance>
 static void describe(S& s, Member&& member) {
   member("deformed_to_template", s.deformed_to_template),
-      member("template_to_deformed", s.template_to_deformed);
+      member("template_to_deformed", s.template_to_deformed), member("uncovered", s.uncovered);
 }
 
 template <class S, class Member>

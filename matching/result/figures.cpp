@@ -14,13 +14,13 @@ template <int Dim>
 TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
   const auto quality = match_quality(deformed, template_distance);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
-  return {one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed)};
+  return {one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered};
 }
 
 LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
-  const auto named = [](const TermValues& values) {
+  const auto named = [&](const TermValues& values) {
     NamedValues list;
-    for (std::size_t t = 0; t < values.size(); ++t) list.emplace_back(term_names()[t], values[t]);
+    for (std::size_t t = 0; t < values.size(); ++t) list.emplace_back(r.term_names[t], values[t]);
     list.emplace_back("total", values.sum());
     return list;
   };

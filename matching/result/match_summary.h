@@ -23,6 +23,8 @@ struct OneSidedDistance {
 
 struct TwoSidedDistance {
   OneSidedDistance deformed_to_template, template_to_deformed;
+  /// Share of the template's area (length) farther than 0.01 from the deformed reference, in [0, 1].
+  std::optional<double> uncovered = {};
 };
 
 /// Mean and range of a ratio or an angle over the deformed surface, weighted by the reference's area.

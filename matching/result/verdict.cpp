@@ -15,11 +15,12 @@ constexpr double far_away = 0.03, many_turned = 0.02;
 std::vector<std::string> verdict(const MatchSummary& summary) {
   std::vector<std::string> lines;
   if (summary.distance) {
-    const auto& [there, back] = *summary.distance;
+    const auto& [there, back, uncovered] = *summary.distance;
     lines.push_back(fmt::format("distance: mean {:.2g}, largest {:.2g} from the deformed reference to the template, mean {:.2g}, "
                                 "largest {:.2g} back, in diagonals of the template; {} folded cells",
                                 there.mean, there.max, back.mean, back.max,
                                 summary.levels.empty() ? 0 : summary.levels.back().folds.n_folded_cells));
+    if (uncovered) lines.back() += fmt::format("; {:.2g} % of the template uncovered", 100 * *uncovered);
     if (!(there.mean < far_away && back.mean < far_away))
       lines.push_back("the shapes do not match: are their units and places the same (shellmatch inspect), are both whole and of one kind?");
   }

@@ -48,6 +48,8 @@ TEST(SurfaceDistance, SeesWhatIsMissingOnOneSideOnly) {
   const MatchQuality<2> quality = match_quality(square, SignedDistance<2>(joined(square, far)));
   EXPECT_EQ(quality.deformed_to_template.max, 0);
   EXPECT_NEAR(quality.template_to_deformed.max, 5 / std::hypot(7, 2), 1e-15);
+  EXPECT_NEAR(quality.uncovered, 0.5, 1e-15);
+  EXPECT_EQ(match_quality(joined(square, far), SignedDistance<2>(square)).uncovered, 0);
 }
 
 TEST(SurfaceDistance, HasTheSameBitsWhateverTheNumberOfThreads) {

@@ -24,6 +24,13 @@ TEST(Verdict, TellsDistancesBothWaysAndFolds) {
     EXPECT_NE(lines[0].find(part), std::string::npos) << lines[0];
 }
 
+TEST(Verdict, TellsHowMuchIsNotReached) {
+  MatchSummary s = matched();
+  EXPECT_EQ(verdict(s)[0].find("uncovered"), std::string::npos);
+  s.distance->uncovered = 0.034;
+  EXPECT_NE(verdict(s)[0].find("; 3.4 % of the template uncovered"), std::string::npos) << verdict(s)[0];
+}
+
 TEST(Verdict, TellsWhatDoesNotBelongTogether) {
   for (const double far : {0.031, std::numeric_limits<double>::quiet_NaN()})
     for (const bool back : {false, true}) {

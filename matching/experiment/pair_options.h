@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// What can be chosen of landmarks and of coverage. Lengths are in diagonals of the template's bounding box.
+
+#include "base/options.h"
+#include "energies/pairs/robust_loss.h"
+
+#include <string>
+
+namespace shellmatch {
+
+/// Points that the user knows to correspond.
+struct LandmarkOptions {
+  std::string file, template_file;
+  double weight = 1;
+  RobustLoss loss = RobustLoss::cauchy;
+  double scale = 0.05;
+  double max_distance = 0.05;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("file", self.file, {.meaning = "CSV file of points of both shapes, or of the reference alone; relative to the YAML file (docs/landmarks.md)"});
+    visit("template_file", self.template_file, {.meaning = "CSV file of the points of the template, which have their names from `file`; empty: `file` holds both"});
+    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on all landmarks together, which weigh the reference's area (length) over nu at min_level, on all levels"});
+    visit("loss", self.loss, {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so that wrong landmarks do little harm"});
+    visit("scale", self.scale, {.unit = "diagonal of the template", .min = 0, .min_excluded = true, .meaning = "distance from which on a landmark counts less, for the losses huber and cauchy"});
+    visit("max_distance", self.max_distance, {.unit = "diagonal of the template", .min = 0, .meaning = "a landmark that lies farther from its own shape is refused"});
+  }
+};
+
+/// Coverage: points of the template pull at the deformed reference nearest to them.
+struct CoverageOptions {
+  int levels = 0;
+  double weight = 1;
+  double tolerance = 2e-4;
+  int samples = 3000;
+  int rounds = 3;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = 15, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper"});
+    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the template's area (length) over nu"});
+    visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a point of the template that is reached so closely does not pull: a mesh is no closer to the shape that it stands for"});
+    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "most points of the template that pull"});
+    visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the nearest points are found anew"});
+  }
+};
+
+}  // namespace shellmatch
