@@ -33,7 +33,7 @@ void apply(const ApplyCommand& command) {
 
   std::size_t n_outside = 0;
   for (const Vec<Dim>& x : shape.vertices) {
-    const Vec<Dim> y = deformation.placement(x);
+    const Vec<Dim> y = deformation.to_unit_domain(x);
     n_outside += (y.array() < 0).any() || (y.array() > 1).any();
   }
   if (n_outside > 0)

@@ -17,7 +17,7 @@ enum class Verbosity { quiet, normal, verbose };
 /// The settings that `match` and `run` share. A setting that was not given is an empty text.
 struct RunSettings {
   std::string output;                ///< output folder
-  std::string levels, placement, profile, threads;
+  std::string levels, align, placement, profile, threads;
   std::string landmarks, template_landmarks;  ///< files
   std::vector<std::string> assignments;  ///< values of --set, in their order
   Verbosity verbosity = Verbosity::normal;

@@ -19,6 +19,7 @@ std::vector<Override> overrides_of(const RunSettings& settings) {
     overrides.push_back({"cascade.min_level", settings.levels.substr(0, colon), origin});
     overrides.push_back({"cascade.max_level", settings.levels.substr(colon + 1), origin});
   }
+  add("align.mode", settings.align, "--align");
   add("landmarks.file", settings.landmarks, "--landmarks");
   add("landmarks.template_file", settings.template_landmarks, "--template-landmarks");
   add("input.placement", settings.placement, "--placement");

@@ -118,7 +118,7 @@ class TrueCorrespondence {
     std::map<Index, Index> known;
     for (std::size_t i = 0; i < on_reference_.size(); ++i) known[on_reference_[i]] = on_template_[i];
     std::vector<double> errors;
-    for (const PointPair& p : candidate.pairs)
+    for (const CorrespondingPoints& p : candidate.pairs)
       if (const auto at = known.find(nearest_vertex(reference_.vertices, p.on_reference)); at != known.end())
         errors.push_back(error(nearest_vertex(template_.vertices, p.on_template), at->second));
     return errors;

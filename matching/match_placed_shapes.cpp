@@ -1,6 +1,7 @@
 #include "matching/match_placed_shapes.h"
 
 #include "geometry/distance/surface_distance.h"
+#include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
@@ -32,8 +33,8 @@ class Matching {
   MatchResult<Dim> go() {
     summary_.distance_before = two_sided_distance(reference_.surface, d2_);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
-    if (!inputs_.landmarks.empty())
-      pairs.insert(pairs.begin(), landmark_pairs(inputs_.landmarks, options_.landmarks, inputs_.placement, d1_, d2_));
+    for (PairSet<Dim>& set : known_pairs(inputs_.landmarks, inputs_.alignment, options_, inputs_.placement, d1_, d2_))
+      pairs.push_back(std::move(set));
     for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
     if (options_.coverage.levels > 0) recorder_.history.term_names.emplace_back("coverage");
     std::optional<FinishedLevel<Dim>> before = resume();
@@ -76,7 +77,7 @@ class Matching {
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (inputs_.finished)
-      inputs_.finished({level, state, inputs_.shapes, inputs_.placement, deformed, d2_, summary_so_far(), recorder_.history});
+      inputs_.finished({level, state, inputs_.shapes, inputs_.placement, inputs_.alignment.pose, deformed, d2_, summary_so_far(), recorder_.history});
   }
 
   // The result without summary and history.
@@ -84,7 +85,7 @@ class Matching {
     Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, d2_);
-    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.placement};
+    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.placement, inputs_.alignment.pose};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, d2_);
     if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
@@ -110,6 +111,7 @@ class Matching {
     s.template_shape = shape_summary(template_);
     s.placement = {std::string(enum_name(options_.input.placement)), inputs_.placement.scale,
                    {inputs_.placement.offset.begin(), inputs_.placement.offset.end()}};
+    s.alignment = inputs_.alignment.summary;
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     clock_.state(s.run);
     return s;

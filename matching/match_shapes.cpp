@@ -20,7 +20,8 @@ MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& tem
   MatchInputs<Dim> inputs;
   inputs.shapes = {reference, template_shape};
   inputs.landmarks = landmarks;
-  inputs.placement = inputs.shapes.place(options);
+  inputs.alignment = align_shapes(inputs.shapes, landmarks, options, observer);
+  inputs.placement = inputs.shapes.place(options, inputs.alignment.pose);
   check_size<Dim>(refined_measures(inputs.shapes.reference.surface, inputs.shapes.template_shape.surface, options),
                   options.cascade.min_level, options.cascade.max_level, "");
   return match_placed_shapes(std::move(inputs), options, recorder, clock);

@@ -7,6 +7,7 @@
 #include "matching/level/shape_fields.h"
 #include "matching/experiment/shape_pair.h"
 #include "matching/experiment/yaml_options.h"
+#include "matching/alignment/known_pairs.h"
 #include "matching/pairs/coverage.h"
 #include "matching/pairs/landmark_file.h"
 
@@ -39,11 +40,14 @@ int level_of(const ExperimentOptions& options, const GradientCheckRequest& reque
 template <int Dim>
 GradientReport check(const ExperimentOptions& options, const GradientCheckRequest& request, ShapePair<Dim> shapes,
                      Observer& observer) {
-  const Similarity<Dim> placement = shapes.place(options);
+  const auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
+                                             shapes.template_shape.original.vertices);
+  const Alignment<Dim> alignment = align_shapes(shapes, landmarks, options, observer);
+  const Similarity<Dim> placement = shapes.place(options, alignment.pose);
   std::optional<Deformation<Dim>> found;
   if (request.state.kind == CheckState::Kind::folder) {
     found = read_deformation<Dim>(request.state.folder);
-    if (!same_placement(found->placement, placement))
+    if (!same_placement(found->placement, placement) || !same_placement(found->pose, alignment.pose))
       throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment",
                         request.state.folder);
   }
@@ -59,11 +63,8 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
     fields.refine(grid);
     fields.compute_distances(grid);
   }
-  std::vector<PairSet<Dim>> pairs;
-  const auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
-                                             shapes.template_shape.original.vertices);
-  if (!landmarks.empty()) pairs.push_back(landmark_pairs(landmarks, options.landmarks, placement, d1, d2));
-  LevelEnergy<Dim> level(grid, fields.geometry(grid), options, pairs);
+  LevelEnergy<Dim> level(grid, fields.geometry(grid), options,
+                         known_pairs(landmarks, alignment, options, placement, d1, d2));
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
   if (level.coverage && level.covers(options)) {

@@ -41,7 +41,10 @@ class Run {
 
  private:
   MatchResult<Dim> match(bool restart) {
-    inputs_.placement = inputs_.shapes.place(options_);
+    inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, inputs_.shapes.reference.original.vertices,
+                                            inputs_.shapes.template_shape.original.vertices);
+    inputs_.alignment = align(inputs_.shapes, inputs_.landmarks);
+    inputs_.placement = inputs_.shapes.place(options_, inputs_.alignment.pose);
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
@@ -49,7 +52,6 @@ class Run {
     inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
-    inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, reference.original.vertices, template_shape.original.vertices);
     if (options_.resume.enabled) {
       checkpoints_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface, inputs_.landmarks));
       if (checkpoints_->is_foreign()) {
@@ -67,6 +69,12 @@ class Run {
     MatchResult<Dim> result = match_placed_shapes(std::move(inputs_), options_, recorder_, clock_);
     write(result);
     return result;
+  }
+
+  Alignment<Dim> align(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks) {
+    PhaseClock phase(clock_.phases);
+    if (options_.align.mode != AlignMode::none) phase.start("alignment");
+    return align_shapes(shapes, landmarks, options_, recorder_);
   }
 
   void write(MatchResult<Dim>& result) {
@@ -112,7 +120,7 @@ class Run {
     s.distance = s.levels.back().distance;
     clock_.state(s.run);
     try {
-      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.placement, end.history, s}, folder_.path_of("pictures"));
+      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.placement, end.pose, end.history, s}, folder_.path_of("pictures"));
       checkpoint_level_ = end.level.start.level;
     } catch (const InputError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());

@@ -3,14 +3,14 @@
 /// Pairs of points out of a dense map, with doubtful ones left out.
 
 #include "alignment/functional_map/map_search.h"
-#include "alignment/pairs/point_pair.h"
+#include "alignment/pairs/corresponding_points.h"
 
 namespace shellmatch {
 
 /// A pair in the coordinates of SpectralShape.
 struct ConfidentPair {
   Index vertex;       ///< of surface 1
-  PointPair points;   ///< the vertex, and its image anywhere on the facets of surface 2
+  CorrespondingPoints points;   ///< the vertex, and its image anywhere on the facets of surface 2
   double cycle;       ///< distance between the vertex and the image of its image, in roots of the area
 };
 

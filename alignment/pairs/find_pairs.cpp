@@ -30,7 +30,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     candidate.is_mirrored = is_mirrored;
     candidate.map = dense_map(pair, maps[i]);
     for (const ConfidentPair& confident : confident_pairs(pair, maps[i], options)) {
-      PointPair points = confident.points;
+      CorrespondingPoints points = confident.points;
       points.on_reference = reference.in_input_coordinates(points.on_reference);
       points.on_template = template_shape.in_input_coordinates(points.on_template);
       candidate.pairs.push_back(points);
@@ -40,7 +40,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
 }
 
 /// Moves points of the pairs onto the surface that was given, where it was simplified.
-void project(const Surface<3>& input, const PreparedSurface& prepared, Vec<3> PointPair::*side,
+void project(const Surface<3>& input, const PreparedSurface& prepared, Vec<3> CorrespondingPoints::*side,
              std::vector<PairCandidate>& candidates) {
   if (prepared.surface.vertices.size() == input.vertices.size()) return;
   const FacetTree<3> tree(input);
@@ -82,8 +82,8 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   double runner_up = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < result.candidates.size(); ++i) runner_up = std::min(runner_up, result.candidates[i].score);
   result.margin = runner_up / std::max(result.candidates[0].score, 1e-12);
-  project(reference, result.reference, &PointPair::on_reference, result.candidates);
-  project(template_surface, result.template_surface, &PointPair::on_template, result.candidates);
+  project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
+  project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);
   return result;
 }
 

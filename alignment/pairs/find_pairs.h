@@ -3,7 +3,7 @@
 /// Automatic point pairs between two surfaces that are nearly isometric, in any position and pose, without learning.
 
 #include "alignment/functional_map/map_score.h"
-#include "alignment/pairs/point_pair.h"
+#include "alignment/pairs/corresponding_points.h"
 #include "alignment/spectrum/prepared_surface.h"
 
 #include <span>
@@ -17,7 +17,7 @@ struct PairCandidate {
   MapScore coarse_score, score_parts;
   bool is_identity = false;       ///< began with the surfaces as they lie
   bool is_mirrored = false;       ///< found for the mirrored reference
-  std::vector<PointPair> pairs;   ///< confident ones
+  std::vector<CorrespondingPoints> pairs;   ///< confident ones
   std::vector<Index> map;         ///< for each vertex of the prepared reference one of the prepared template
 };
 
@@ -26,7 +26,7 @@ struct AutomaticPairs {
   std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score
   double margin = 0;                      ///< score of the best of the others over that of the first; infinite without others
 
-  const std::vector<PointPair>& pairs() const { return candidates.front().pairs; }
+  const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }
   /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the
   /// prepared template; no_index on components left out.
   Index image(Index reference_vertex) const;

@@ -16,7 +16,7 @@ namespace shellmatch {
 
 namespace {
 
-using Pairs = std::span<const PointPair>;
+using Pairs = std::span<const CorrespondingPoints>;
 
 /// Weighted least squares. S. Umeyama, IEEE PAMI 13(4), 1991. Nothing where the points lie on a line.
 std::optional<Pose> least_squares(Pairs pairs, std::span<const double> weights, PoseKind kind, double handedness) {
@@ -54,7 +54,7 @@ std::optional<Pose> least_squares(Pairs pairs, std::span<const double> weights, 
 double median_distance(Pairs pairs, const Pose& pose) {
   std::vector<std::pair<double, double>> distances;
   double sum = 0;
-  for (const PointPair& p : pairs) {
+  for (const CorrespondingPoints& p : pairs) {
     distances.emplace_back((pose(p.on_reference) - p.on_template).norm(), p.weight);
     sum += p.weight;
   }
@@ -86,15 +86,15 @@ Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
 std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
   constexpr int n_trials = 300;
   std::vector<double> weights;
-  for (const PointPair& p : pairs) weights.push_back(p.weight);
+  for (const CorrespondingPoints& p : pairs) weights.push_back(p.weight);
   std::optional<Pose> best = least_squares(pairs, weights, kind, handedness);
   if (!best) return best;
   best->residual = median_distance(pairs, *best);
   std::mt19937 random(1);
   for (int trial = 0; trial < n_trials; ++trial) {
     // The generator's numbers are the same everywhere, while the library's distributions are not.
-    std::array<PointPair, 3> triple;
-    for (PointPair& p : triple) p = pairs[random() % pairs.size()];
+    std::array<CorrespondingPoints, 3> triple;
+    for (CorrespondingPoints& p : triple) p = pairs[random() % pairs.size()];
     std::optional<Pose> pose = least_squares(triple, std::array{1.0, 1.0, 1.0}, kind, handedness);
     if (!pose) continue;
     pose->residual = median_distance(pairs, *pose);

@@ -2,7 +2,8 @@
 /// \file
 /// The rigid motion or similarity that carries the points of pairs onto each other, robust to wrong pairs.
 
-#include "alignment/pairs/point_pair.h"
+#include "alignment/pairs/corresponding_points.h"
+#include "geometry/surface/placement.h"
 
 #include <span>
 
@@ -17,6 +18,7 @@ struct Pose {
 
   Vec<3> operator()(const Vec<3>& x) const { return scale * (rotation * x) + translation; }
   Vec<3> inverse(const Vec<3>& y) const { return rotation.transpose() * (y - translation) / scale; }
+  Similarity<3> similarity() const { return {scale, translation, rotation}; }
   bool is_mirrored() const;
 };
 
@@ -26,6 +28,6 @@ enum class PoseKind { rigid, similarity };
 /// improved by reweighted least squares with Tukey's biweight. Up to two fifths of the pairs may be anywhere. A mirrored
 /// pose is returned only with `allow_mirror`, and where its residual is below two thirds of that of the best proper one.
 /// \throws InputError with fewer than three pairs, and where the points of either side lie on a line
-Pose fit_pose(std::span<const PointPair> pairs, PoseKind kind, bool allow_mirror = false);
+Pose fit_pose(std::span<const CorrespondingPoints> pairs, PoseKind kind, bool allow_mirror = false);
 
 }  // namespace shellmatch

@@ -2,7 +2,10 @@
 
 #include "base/error.h"
 
+#include <Eigen/LU>
+
 #include <string>
+#include <utility>
 
 namespace shellmatch {
 
@@ -78,6 +81,8 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 template <int Dim>
 void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface) {
   for (Vec<Dim>& x : surface.vertices) x = placement(x);
+  if (placement.rotation.determinant() < 0)
+    for (auto& facet : surface.facets) std::swap(facet[0], facet[1]);
 }
 
 template Similarity<2> fit_placement(const Shape<2>&, const Shape<2>&, double);

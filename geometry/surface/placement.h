@@ -8,13 +8,16 @@
 
 namespace shellmatch {
 
-/// The map x -> scale x + offset from the user's coordinates to the unit domain; scale > 0.
+/// The map x -> scale rotation x + offset; scale > 0. A placement, from the user's coordinates to the unit domain, does not
+/// rotate; a pose, which moves the reference before that, does.
 template <int Dim>
 struct Similarity {
   double scale = 1;
   Vec<Dim> offset = Vec<Dim>::Zero();
-  Vec<Dim> operator()(const Vec<Dim>& x) const { return scale * x + offset; }
-  Vec<Dim> inverse(const Vec<Dim>& y) const { return (y - offset) / scale; }
+  Mat<Dim> rotation = Mat<Dim>::Identity();  ///< orthogonal; of determinant -1 where it mirrors
+  Vec<Dim> operator()(const Vec<Dim>& x) const { return scale * (rotation * x) + offset; }
+  Vec<Dim> inverse(const Vec<Dim>& y) const { return rotation.transpose() * (y - offset) / scale; }
+  bool is_identity() const { return scale == 1 && offset.isZero(0) && rotation == Mat<Dim>::Identity(); }
 };
 
 /// The similarity that centres both shapes together in [margin, 1 - margin]^Dim.
@@ -27,7 +30,8 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
 template <int Dim>
 Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double clearance);
 
-/// Transforms the computational surface; the original keeps the user's coordinates.
+/// Transforms the computational surface; the original keeps the user's coordinates. A similarity that mirrors turns the
+/// facets over, so that they still face outward.
 template <int Dim>
 void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface);
 

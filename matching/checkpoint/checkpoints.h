@@ -38,6 +38,7 @@ struct CheckpointView {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
   const Similarity<Dim>& placement;
+  const Similarity<Dim>& pose;
   const History& history;
   const MatchSummary& summary;
 };

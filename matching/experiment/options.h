@@ -5,6 +5,7 @@
 #include "base/options.h"
 #include "energies/options.h"
 #include "grid/options.h"
+#include "matching/experiment/align_options.h"
 #include "matching/experiment/check_options.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/pair_options.h"
@@ -103,6 +104,7 @@ struct ExperimentOptions {
   EnergyOptions energy;
   CoefficientOptions coefficients;
   LevelwiseSolverOptions solver;
+  AlignOptions align;
   LandmarkOptions landmarks;
   CoverageOptions coverage;
   CheckGradientOptions check_gradient;
@@ -117,6 +119,7 @@ struct ExperimentOptions {
     visit("energy", self.energy, {.meaning = "weights and material"});
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});
     visit("solver", self.solver, {.meaning = "the minimiser"});
+    visit("align", self.align, {.meaning = "pose and pairs of points, found before the cascade"});
     visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});

@@ -6,7 +6,8 @@
 namespace shellmatch {
 
 template <int Dim>
-Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options) {
+Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose) {
+  if (!pose.is_identity()) apply_placement(pose, reference.surface);
   const double clearance = 1.0 / static_cast<double>(1 << options.cascade.max_level);
   const Similarity<Dim> placement = options.input.placement == PlacementKind::fit
                                         ? fit_placement(reference, template_shape, options.input.margin)

@@ -15,9 +15,10 @@ template <int Dim>
 struct ShapePair {
   Shape<Dim> reference, template_shape;
 
-  /// Moves both surfaces into the unit domain according to `options.input` and returns the similarity.
+  /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns the
+  /// similarity that does the latter.
   /// \throws InputError for placement as-is of shapes that reach beyond the domain
-  Similarity<Dim> place(const ExperimentOptions& options);
+  Similarity<Dim> place(const ExperimentOptions& options, const Similarity<Dim>& pose = {});
 };
 
 using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;

@@ -101,6 +101,24 @@ std::vector<LeafPlace<Dim>> places_of(vtkUnstructuredGrid& data, const std::stri
   return places;
 }
 
+// The identity where the file has none.
+template <int Dim>
+Similarity<Dim> pose_of(vtkUnstructuredGrid& data, const std::string& path) {
+  Similarity<Dim> pose;
+  if (!data.GetFieldData()->HasArray("pose_scale")) return pose;
+  vtkDoubleArray& scale = doubles(*data.GetFieldData(), "pose_scale", 1, 1, path);
+  vtkDoubleArray& rotation = doubles(*data.GetFieldData(), "pose_rotation", Dim * Dim, 1, path);
+  vtkDoubleArray& offset = doubles(*data.GetFieldData(), "pose_offset", Dim, 1, path);
+  pose.scale = scale.GetValue(0);
+  for (int i = 0; i < Dim; ++i) {
+    pose.offset[i] = offset.GetTypedComponent(0, i);
+    for (int j = 0; j < Dim; ++j) pose.rotation(i, j) = rotation.GetTypedComponent(0, i * Dim + j);
+  }
+  const double error = (pose.rotation.transpose() * pose.rotation - Mat<Dim>::Identity()).norm();
+  if (!(pose.scale > 0 && std::isfinite(pose.scale) && pose.offset.allFinite() && error < 1e-9)) damaged(path, "the pose");
+  return pose;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -115,6 +133,7 @@ Deformation<Dim> read_deformation(const std::string& path_or_folder) {
   vtkDoubleArray& scale = doubles(*data->GetFieldData(), "placement_scale", 1, 1, path);
   vtkDoubleArray& offset = doubles(*data->GetFieldData(), "placement_offset", Dim, 1, path);
   if (!(scale.GetValue(0) > 0)) damaged(path, "placement_scale");
+  const Similarity<Dim> pose = pose_of<Dim>(*data, path);
 
   std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(*data, path));
   if (!grid) damaged(path, "the cells are no balanced tree");
@@ -138,6 +157,7 @@ Deformation<Dim> read_deformation(const std::string& path_or_folder) {
   }
   result.placement.scale = scale.GetValue(0);
   for (int k = 0; k < Dim; ++k) result.placement.offset[k] = offset.GetTypedComponent(0, k);
+  result.pose = pose;
   return result;
 }
 

@@ -18,6 +18,8 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <span>
+
 namespace shellmatch {
 
 namespace {
@@ -59,17 +61,24 @@ void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
 }
 
 template <int Dim>
-void add_facts(const Similarity<Dim>& placement, vtkFieldData& facts) {
+void add_facts(const Similarity<Dim>& placement, const Similarity<Dim>& pose, vtkFieldData& facts) {
   vtkNew<vtkIntArray> dimension;
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
   facts.AddArray(dimension);
-  auto scale = new_array<vtkDoubleArray>("placement_scale", 1, 1);
-  scale->SetValue(0, placement.scale);
-  facts.AddArray(scale);
-  auto offset = new_array<vtkDoubleArray>("placement_offset", Dim, 1);
-  for (int k = 0; k < Dim; ++k) offset->SetTypedComponent(0, k, placement.offset[k]);
-  facts.AddArray(offset);
+  const auto add = [&](const char* name, std::span<const double> values) {
+    auto array = new_array<vtkDoubleArray>(name, static_cast<int>(values.size()), 1);
+    for (std::size_t k = 0; k < values.size(); ++k) array->SetTypedComponent(0, static_cast<int>(k), values[k]);
+    facts.AddArray(array);
+  };
+  add("placement_scale", {&placement.scale, 1});
+  add("placement_offset", {placement.offset.data(), Dim});
+  if (!pose.is_identity()) {
+    const Mat<Dim> row_by_row = pose.rotation.transpose();
+    add("pose_scale", {&pose.scale, 1});
+    add("pose_rotation", {row_by_row.data(), static_cast<std::size_t>(row_by_row.size())});
+    add("pose_offset", {pose.offset.data(), Dim});
+  }
   vtkNew<vtkStringArray> version;
   version->SetName("program_version");
   version->InsertNextValue(program_version());
@@ -82,12 +91,14 @@ template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
-  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, nodal_fields, cell_fields);
+  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, deformation.pose, nodal_fields,
+                    cell_fields);
 }
 
 template <int Dim>
 void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                       const Similarity<Dim>& placement, const std::vector<NodalField>& nodal_fields,
+                       const Similarity<Dim>& placement, const Similarity<Dim>& pose,
+                       const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
   SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
@@ -118,7 +129,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
     data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
                                                [&](Index i, int) { return field.values[i]; }));
   }
-  add_facts(placement, *data->GetFieldData());
+  add_facts(placement, pose, *data->GetFieldData());
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const VtkMessages messages;
@@ -138,8 +149,8 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
                                        const std::vector<NodalField>&, const std::vector<CellField>&);       \
   template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
-                                       const Similarity<Dim>&, const std::vector<NodalField>&,               \
-                                       const std::vector<CellField>&)
+                                       const Similarity<Dim>&, const Similarity<Dim>&,                       \
+                                       const std::vector<NodalField>&, const std::vector<CellField>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -73,6 +73,13 @@ static void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
+static void describe(S& s, Member&& member) {
+  member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
+  member("score", s.score), member("margin", s.margin), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
+}
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, RunFigures>
 static void describe(S& s, Member&& member) {
   member("compiler", s.compiler), member("threads", s.threads), member("seconds", s.seconds);
@@ -86,7 +93,7 @@ static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
   member("interrupted", s.interrupted), member("reference", s.reference),
       member("template", s.template_shape);
-  member("placement", s.placement), member("distance_before", s.distance_before),
+  member("placement", s.placement), member("alignment", s.alignment), member("distance_before", s.distance_before),
       member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);

@@ -190,5 +190,6 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
                                                           const std::vector<Vec<Dim>>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

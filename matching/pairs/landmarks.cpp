@@ -37,15 +37,15 @@ Vec<Dim> placed(const Landmark<Dim>& landmark, const Vec<Dim>& x, const std::str
 }  // namespace
 
 template <int Dim>
-PairSet<Dim> landmark_pairs(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options,
-                            const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
+PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<Dim>>& landmarks,
+                            const LandmarkOptions& options, const Similarity<Dim>& pose, const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
                             const SignedDistance<Dim>& template_shape) {
   const double diagonal = bounding_box(template_shape.surface().vertices).diagonal();
   double area = 0;
   for (std::size_t f = 0; f < reference.surface().facets.size(); ++f)
     area += facet_measure(reference.surface(), static_cast<Index>(f));
   PairSet<Dim> set;
-  set.name = "landmarks";
+  set.name = name;
   set.factor = options.weight;
   set.pairs.loss = options.loss;
   set.pairs.scale = options.scale * diagonal;
@@ -53,7 +53,7 @@ PairSet<Dim> landmark_pairs(const std::vector<Landmark<Dim>>& landmarks, const L
     if (!(landmark.weight > 0 && std::isfinite(landmark.weight)))
       throw_input_error("landmark '{}': its weight {} is no positive number", landmark.name, landmark.weight);
     PointPair<Dim> pair;
-    pair.p = placed(landmark, landmark.on_reference, landmark.reference_origin, {"reference", reference, diagonal}, placement,
+    pair.p = placed(landmark, pose(landmark.on_reference), landmark.reference_origin, {"reference", reference, diagonal}, placement,
                     options.max_distance);
     pair.y = placed(landmark, landmark.on_template, landmark.template_origin, {"template", template_shape, diagonal}, placement,
                     options.max_distance);
@@ -64,9 +64,11 @@ PairSet<Dim> landmark_pairs(const std::vector<Landmark<Dim>>& landmarks, const L
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                       \
-  template PairSet<Dim> landmark_pairs<Dim>(const std::vector<Landmark<Dim>>&, const LandmarkOptions&,                    \
-                                            const Similarity<Dim>&, const SignedDistance<Dim>&, const SignedDistance<Dim>&)
+  template PairSet<Dim> landmark_pairs<Dim>(const std::string&, const std::vector<Landmark<Dim>>&,                        \
+                                            const LandmarkOptions&, const Similarity<Dim>&, const Similarity<Dim>&,       \
+                                            const SignedDistance<Dim>&, const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -22,13 +22,14 @@ struct Landmark {
   std::string reference_origin = {}, template_origin = {};
 };
 
-/// The landmarks as the term `landmarks` of a cascade: N landmarks of weight 1 have area(M1) / N each.
+/// The landmarks as a term of a cascade: N landmarks of weight 1 have area(M1) / N each.
+/// \param name of the term \param pose of the reference, before the placement
 /// \param reference, template_shape in the unit domain, as `placement` has moved them
 /// \throws InputError that names the landmark which is not finite, outside of the domain, or farther from its shape than
 ///   options.max_distance
 template <int Dim>
-PairSet<Dim> landmark_pairs(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options,
-                            const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
+PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<Dim>>& landmarks,
+                            const LandmarkOptions& options, const Similarity<Dim>& pose, const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
                             const SignedDistance<Dim>& template_shape);
 
 }  // namespace shellmatch

@@ -87,7 +87,7 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
   OriginalShape<Dim> moved = reference;
   std::vector<double> distance(reference.vertices.size());
   parallel_for(distance.size(), [&](std::size_t i) {
-    const Vec<Dim> y = deformation.apply_in_unit_domain(deformation.placement(reference.vertices[i]));
+    const Vec<Dim> y = deformation.apply_in_unit_domain(deformation.to_unit_domain(reference.vertices[i]));
     moved.vertices[i] = deformation.placement.inverse(y);
     distance[i] = std::abs(template_distance(y)) / deformation.placement.scale;
   });

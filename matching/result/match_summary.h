@@ -64,6 +64,16 @@ struct PlacementSummary {
   std::vector<double> offset;
 };
 
+/// What was found out about the shapes before the cascade.
+struct AlignmentSummary {
+  std::string mode;             ///< as in align.mode
+  double angle = 0, scale = 1;  ///< of the pose taken out of the reference; degrees, at most 180
+  bool mirrored = false;
+  std::optional<double> score, margin;  ///< of the map found (docs/alignment.md); no margin without a second map
+  int n_pairs = 0;              ///< used in the energy or for the pose
+  bool doubtful = false;
+};
+
 /// Figures that differ between runs of the same experiment.
 struct RunFigures {
   std::string compiler;
@@ -91,6 +101,7 @@ struct MatchSummary {
   bool interrupted = false;  ///< stopped before the last level was finished
   ShapeSummary reference, template_shape;
   PlacementSummary placement;
+  std::optional<AlignmentSummary> alignment;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;
   /// Mean distance from the true positions, relative to the template's diagonal; none where these are unknown.

@@ -81,7 +81,7 @@ TEST(FindPairs, ATurnedAndRenumberedShapeIsFoundVertexByVertex) {
   EXPECT_LT(found.candidates[0].score, 1e-3);
   EXPECT_GT(found.margin, 10);
   EXPECT_GE(found.pairs().size(), 290u);
-  for (const PointPair& p : found.pairs()) EXPECT_LT((30 * turn() * p.on_reference + Vec<3>(5, 6, 7) - p.on_template).norm(), 1e-3 * 30);
+  for (const CorrespondingPoints& p : found.pairs()) EXPECT_LT((30 * turn() * p.on_reference + Vec<3>(5, 6, 7) - p.on_template).norm(), 1e-3 * 30);
   const Pose pose = fit_pose(found.pairs(), PoseKind::similarity);
   EXPECT_LT((pose.rotation - turn()).norm(), 1e-5);
   EXPECT_NEAR(pose.scale, 30, 1e-4);
@@ -144,7 +144,7 @@ TEST(FindPairs, LargeSurfacesWithSeveralPartsAndHolesAreMatched) {
   EXPECT_LT(share_beyond(0.06, found, other.vertices), 0.02);
   // The points lie on the surfaces that were given, not on the simplified ones.
   const SignedDistance<3> to_reference(fine), to_template(other);
-  for (const PointPair& p : found.pairs()) {
+  for (const CorrespondingPoints& p : found.pairs()) {
     EXPECT_LT(std::abs(to_reference(p.on_reference)), 1e-9);
     EXPECT_LT(std::abs(to_template(p.on_template)), 1e-7);
   }

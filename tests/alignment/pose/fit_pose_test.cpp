@@ -15,8 +15,8 @@ struct Motion {
   Vec<3> translation = {3, -7, 20};
 };
 
-std::vector<PointPair> pairs_of(const Motion& motion, int n) {
-  std::vector<PointPair> pairs;
+std::vector<CorrespondingPoints> pairs_of(const Motion& motion, int n) {
+  std::vector<CorrespondingPoints> pairs;
   for (const Vec<3>& x : test::random_points<3>(n, {-1, -2, -3}, {1, 2, 3}))
     pairs.push_back({x, motion.scale * motion.rotation * x + motion.translation, 1});
   return pairs;
@@ -48,7 +48,7 @@ TEST(FitPose, ARigidPoseKeepsTheSize) {
 
 TEST(FitPose, TwoFifthsOfThePairsMayBeAnywhere) {
   const Motion motion{.scale = 0.4};
-  std::vector<PointPair> pairs = pairs_of(motion, 100);
+  std::vector<CorrespondingPoints> pairs = pairs_of(motion, 100);
   const std::vector<Vec<3>> anywhere = test::random_points<3>(40, {0, 0, 0}, {9, 9, 9}, 5);
   for (std::size_t i = 0; i < anywhere.size(); ++i) pairs[2 * i].on_template = anywhere[i];
   expect_near(fit_pose(pairs, PoseKind::similarity), motion, 1e-9);
@@ -56,7 +56,7 @@ TEST(FitPose, TwoFifthsOfThePairsMayBeAnywhere) {
 
 TEST(FitPose, NoiseIsAveraged) {
   const Motion motion{};
-  std::vector<PointPair> pairs = pairs_of(motion, 400);
+  std::vector<CorrespondingPoints> pairs = pairs_of(motion, 400);
   const std::vector<Vec<3>> noise = test::random_points<3>(400, Vec<3>::Constant(-0.1), Vec<3>::Constant(0.1), 6);
   for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].on_template += noise[i];
   expect_near(fit_pose(pairs, PoseKind::rigid), motion, 0.01);
@@ -64,8 +64,8 @@ TEST(FitPose, NoiseIsAveraged) {
 
 TEST(FitPose, WeightsCount) {
   const Motion motion{}, other{.translation = {0, 0, 0}};
-  std::vector<PointPair> pairs = pairs_of(motion, 20), wrong = pairs_of(other, 60);
-  for (PointPair& p : wrong) p.weight = 0.1;
+  std::vector<CorrespondingPoints> pairs = pairs_of(motion, 20), wrong = pairs_of(other, 60);
+  for (CorrespondingPoints& p : wrong) p.weight = 0.1;
   pairs.insert(pairs.end(), wrong.begin(), wrong.end());
   expect_near(fit_pose(pairs, PoseKind::rigid), motion, 1e-9);
 }
@@ -73,7 +73,7 @@ TEST(FitPose, WeightsCount) {
 TEST(FitPose, AMirrorOnlyWhereItIsAllowedAndThere) {
   Motion motion;
   motion.rotation = motion.rotation * Vec<3>(-1, 1, 1).asDiagonal();
-  const std::vector<PointPair> pairs = pairs_of(motion, 50);
+  const std::vector<CorrespondingPoints> pairs = pairs_of(motion, 50);
   const Pose proper = fit_pose(pairs, PoseKind::rigid);
   EXPECT_FALSE(proper.is_mirrored());
   EXPECT_GT(proper.residual, 0.1);
@@ -85,13 +85,13 @@ TEST(FitPose, AMirrorOnlyWhereItIsAllowedAndThere) {
 
 TEST(FitPose, PointsInAPlaneAreEnoughThoseOnALineAreNot) {
   const Motion motion{};
-  std::vector<PointPair> flat = pairs_of(motion, 30);
-  for (PointPair& p : flat) {
+  std::vector<CorrespondingPoints> flat = pairs_of(motion, 30);
+  for (CorrespondingPoints& p : flat) {
     p.on_reference[2] = 0;
     p.on_template = motion.rotation * p.on_reference + motion.translation;
   }
   expect_near(fit_pose(flat, PoseKind::rigid), motion, 1e-12);
-  for (PointPair& p : flat) {
+  for (CorrespondingPoints& p : flat) {
     p.on_reference[1] = 0;
     p.on_template = motion.rotation * p.on_reference + motion.translation;
   }

@@ -115,7 +115,7 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
   LandmarkOptions options;
   options.weight = 2;
   options.scale = 0.1;
-  const PairSet<2> set = landmark_pairs(marks, options, placement, d1, d2);
+  const PairSet<2> set = landmark_pairs("landmarks", marks, options, {}, placement, d1, d2);
   double length = 0;
   for (std::size_t f = 0; f < d1.surface().facets.size(); ++f) length += facet_measure(d1.surface(), static_cast<Index>(f));
   ASSERT_EQ(set.pairs.pairs.size(), 4u);
@@ -129,7 +129,7 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
   const auto refused = [&](Vec<2> x, bool on_template) {
     auto moved = marks;
     (on_template ? moved[2].on_template : moved[2].on_reference) = x;
-    return message_of<InputError>([&] { landmark_pairs(moved, options, placement, d1, d2); });
+    return message_of<InputError>([&] { landmark_pairs("landmarks", moved, options, {}, placement, d1, d2); });
   };
   EXPECT_NE(refused({50, 0}, true).find("landmark 'at 2': its point of the template lies outside of the domain"), std::string::npos);
   EXPECT_NE(refused({0, 0}, false).find("its point of the reference lies"), std::string::npos);

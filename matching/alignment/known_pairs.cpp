@@ -1,0 +1,31 @@
+#include "matching/alignment/known_pairs.h"
+
+namespace shellmatch {
+
+template <int Dim>
+std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmarks, const Alignment<Dim>& alignment,
+                                      const ExperimentOptions& options, const Similarity<Dim>& placement,
+                                      const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape) {
+  std::vector<PairSet<Dim>> sets;
+  const auto add = [&](const std::string& name, const std::vector<Landmark<Dim>>& points, const LandmarkOptions& weights) {
+    if (!points.empty())
+      sets.push_back(landmark_pairs(name, points, weights, alignment.pose, placement, reference, template_shape));
+  };
+  add("landmarks", landmarks, options.landmarks);
+  LandmarkOptions found;
+  found.weight = options.align.weight;
+  found.loss = RobustLoss::cauchy;
+  found.scale = options.align.scale;
+  add("alignment", alignment.pairs, found);
+  return sets;
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
+  template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&,         \
+                                                      const ExperimentOptions&, const Similarity<Dim>&,                 \
+                                                      const SignedDistance<Dim>&, const SignedDistance<Dim>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The terms of point pairs that a matching begins with.
+
+#include "energies/pairs/point_pairs.h"
+#include "geometry/distance/signed_distance.h"
+#include "matching/alignment/align_shapes.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+/// Terms `landmarks` and `alignment`, as far as there are such pairs.
+/// \param reference, template_shape in the unit domain, after the pose of `alignment` and `placement`
+/// \throws InputError as landmark_pairs
+template <int Dim>
+std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmarks, const Alignment<Dim>& alignment,
+                                      const ExperimentOptions& options, const Similarity<Dim>& placement,
+                                      const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape);
+
+}  // namespace shellmatch
