@@ -1,6 +1,6 @@
 #include "alignment/functional_map/two_way_map.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <numeric>
@@ -53,14 +53,20 @@ std::vector<std::pair<Index, Index>> pairs_of(const VertexMatches& matches) {
 
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto pairs = pairs_of(matches);
-  Features rows[2] = {Features(k, pairs.size()), Features(k, pairs.size())};
+  Features rows[2] = {Features(k, static_cast<Eigen::Index>(pairs.size())), Features(k, static_cast<Eigen::Index>(pairs.size()))};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     rows[0].col(static_cast<Eigen::Index>(i)) = pair.functions[0].col(pairs[i].first).head(k);
     rows[1].col(static_cast<Eigen::Index>(i)) = pair.functions[1].col(pairs[i].second).head(k);
   }
+  // Scaled functions have mean square 1, so that the Gram matrices are about n times the identity; the ridge keeps maps that
+  // collapse many points into one solvable.
+  const auto n = static_cast<double>(pairs.size());
   const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(products, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  const Eigen::MatrixXd ridge = 1e-6 * n * Eigen::MatrixXd::Identity(k, k);
+  const Eigen::MatrixXd gram_1 = (rows[0] * rows[0].transpose()).cast<double>() + ridge;
+  const Eigen::MatrixXd gram_2 = (rows[1] * rows[1].transpose()).cast<double>() + ridge;
+  const Eigen::MatrixXd from_2 = gram_1.llt().solve(products), from_1 = gram_2.llt().solve(products.transpose());
+  return 0.5 * (from_2 + from_1.transpose());
 }
 
 Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&sets)[2], const Eigen::MatrixXd& c,

@@ -4,8 +4,8 @@
 ///
 /// A functional map C carries the coefficients of a function on surface 2 to those of the same function on surface 1:
 /// functions_1 C a_2 is f_2 read through the map from surface 1 to surface 2. Ovsjanikov, Ben-Chen, Solomon, Butscher
-/// and Guibas, 'Functional maps: a flexible representation of maps between shapes', SIGGRAPH 2012. C is kept orthogonal,
-/// so that its transpose belongs to the map the other way.
+/// and Guibas, 'Functional maps: a flexible representation of maps between shapes', SIGGRAPH 2012. Between isometric
+/// surfaces C is orthogonal; in general its transpose is taken for the map the other way.
 
 #include "alignment/functional_map/nearest_features.h"
 #include "alignment/spectrum/spectral_shape.h"
@@ -41,7 +41,10 @@ struct VertexMatches {
   std::vector<Index> to[2];    ///< their images, vertices of the other surface
 };
 
-/// The orthogonal k x k matrix C that minimises the sum of |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q).
+/// The k x k matrix C between both least squares problems: the mean of the minimiser of the sum of
+/// |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q), and of that of |functions_1(p) - functions_2(q) C^T|^2. Where
+/// the surfaces are far from isometric it is far from orthogonal, and the best orthogonal matrix serves much worse
+/// (docs/alignment.md).
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
 
 /// Vectors that nearly agree at corresponding points, a column for each vertex of a set on either surface.
