@@ -14,8 +14,8 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   add("landmarks", landmarks, options.landmarks);
   LandmarkOptions found;
   found.weight = options.align.weight;
-  found.loss = RobustLoss::cauchy;
-  found.scale = options.align.scale;
+  // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
+  found.loss = RobustLoss::trivial;
   add("alignment", alignment.pairs, found);
   return sets;
 }

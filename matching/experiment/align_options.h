@@ -20,8 +20,7 @@ struct EnumNames<AlignMode> {
 
 struct AlignOptions {
   AlignMode mode = AlignMode::none;
-  double weight = 1;
-  double scale = 0.05;
+  double weight = 10;
   double pose_gain = 2;
   double doubtful_score = 0.9;
   double doubtful_margin = 1.05;
@@ -30,7 +29,6 @@ struct AlignOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode, {.meaning = "none: the shapes begin as they lie; auto: pairs of points are found from spectra, and used unless they are doubtful; rigid, similarity: they are used whatever their score, and this motion of the reference is taken out first; landmarks: the similarity between the landmarks is taken out, nothing is searched"});
     visit("weight", self.weight, {.min = 0, .meaning = "factor on the term of the pairs found, which weighs as landmarks do; 0: the pairs serve the pose alone"});
-    visit("scale", self.scale, {.unit = "diagonal of the template", .min = 0, .min_excluded = true, .meaning = "distance from which on a pair found counts less (Cauchy's loss)"});
     visit("pose_gain", self.pose_gain, {.min = 1, .meaning = "with auto a pose is taken out only where it brings the pairs nearer by this factor, so that shapes which lie as they belong stay where they are"});
     visit("doubtful_score", self.doubtful_score, {.min = 0, .meaning = "a map with a larger score is doubtful; 0 would be an isometry"});
     visit("doubtful_margin", self.doubtful_margin, {.min = 1, .meaning = "a map is doubtful, too, if another one scores worse by less than this factor"});
