@@ -11,6 +11,7 @@ namespace shellmatch {
 namespace {
 
 constexpr std::size_t n_queries = 250;
+constexpr std::size_t n_refined_queries = 1000;
 constexpr int n_merged = 9;      // functions at which starts are compared
 constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
 constexpr int n_scored = 40;     // functions at which candidates are compared
@@ -19,7 +20,7 @@ constexpr int n_scored = 40;     // functions at which candidates are compared
 void upsample(const ShapePairSpectra& pair, const VertexSet (&sets)[2], std::size_t queries,
               const std::vector<int>& steps, double normal_weight, MapCandidate& candidate) {
   for (const int k : steps) {
-    if (k > candidate.c.rows()) candidate.c = functional_map(pair, candidate.matches, std::min(k, pair.n_functions));
+    if (k > candidate.c.rows()) candidate.c = orthogonal_map(pair, candidate.matches, std::min(k, pair.n_functions));
     candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight), queries);
   }
 }
@@ -110,13 +111,14 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   candidates.resize(std::min(candidates.size(), static_cast<std::size_t>(options.refined)));
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
-    std::vector<int> steps;
+    // Least squares allow what orthogonal maps do not, and begin with fewer functions again to make use of it.
+    std::vector<int> steps = {24, 32, n_scored};
     for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
-    upsample(pair, pair.dense, pair.dense[0].size() / 1, {n_scored}, embedded_normal_weight, candidate);
     for (const int k : steps) {
       candidate.c = functional_map(pair, candidate.matches, k);
-      const Embedding e = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
-      candidate.matches = match_vertices(pair.dense, e, k == pair.n_functions ? 100000 : 1000);
+      const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
+      const bool is_last = k == pair.n_functions;
+      candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_vertices() : n_refined_queries);
     }
     candidate.score = score_map(pair, candidate.matches, candidate.c);
   }, 1);

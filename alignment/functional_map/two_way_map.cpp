@@ -1,6 +1,7 @@
 #include "alignment/functional_map/two_way_map.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <numeric>
@@ -51,16 +52,37 @@ std::vector<std::pair<Index, Index>> pairs_of(const VertexMatches& matches) {
   return pairs;
 }
 
-Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
+namespace {
+
+/// The first k functions at the points of all pairs, on both surfaces.
+struct PairedFunctions {
+  Features rows[2];
+  double n;
+};
+
+PairedFunctions paired_functions(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto pairs = pairs_of(matches);
   Features rows[2] = {Features(k, static_cast<Eigen::Index>(pairs.size())), Features(k, static_cast<Eigen::Index>(pairs.size()))};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     rows[0].col(static_cast<Eigen::Index>(i)) = pair.functions[0].col(pairs[i].first).head(k);
     rows[1].col(static_cast<Eigen::Index>(i)) = pair.functions[1].col(pairs[i].second).head(k);
   }
+  return {{std::move(rows[0]), std::move(rows[1])}, static_cast<double>(pairs.size())};
+}
+
+}  // namespace
+
+Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
+  const auto [rows, n] = paired_functions(pair, matches, k);
+  const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(products, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
+  const auto [rows, n] = paired_functions(pair, matches, k);
   // Scaled functions have mean square 1, so that the Gram matrices are about n times the identity; the ridge keeps maps that
   // collapse many points into one solvable.
-  const auto n = static_cast<double>(pairs.size());
   const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
   const Eigen::MatrixXd ridge = 1e-6 * n * Eigen::MatrixXd::Identity(k, k);
   const Eigen::MatrixXd gram_1 = (rows[0] * rows[0].transpose()).cast<double>() + ridge;

@@ -10,6 +10,8 @@
 #include "alignment/functional_map/nearest_features.h"
 #include "alignment/spectrum/spectral_shape.h"
 
+#include <algorithm>
+
 namespace shellmatch {
 
 /// Some vertices of a surface, which are searched for images or have images themselves.
@@ -27,6 +29,9 @@ struct ShapePairSpectra {
   VertexSet coarse[2];    ///< the samples
   VertexSet dense[2];     ///< all vertices: the samples, then the others
   int n_functions;      ///< of both
+
+  /// Of the larger of both.
+  std::size_t n_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
 };
 
 /// \pre the shapes outlive the result
@@ -41,9 +46,13 @@ struct VertexMatches {
   std::vector<Index> to[2];    ///< their images, vertices of the other surface
 };
 
+/// The orthogonal k x k matrix C that minimises the sum of |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q). It
+/// keeps maps from leaving out parts, so that it serves the search.
+Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
+
 /// The k x k matrix C between both least squares problems: the mean of the minimiser of the sum of
 /// |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q), and of that of |functions_1(p) - functions_2(q) C^T|^2. Where
-/// the surfaces are far from isometric it is far from orthogonal, and the best orthogonal matrix serves much worse
+/// the surfaces are far from isometric it is far from orthogonal, and refinement with it is much more exact
 /// (docs/alignment.md).
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
 

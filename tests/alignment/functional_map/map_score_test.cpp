@@ -48,6 +48,14 @@ TEST_F(KnownMap, TheFunctionalMapCarriesFunctionsThroughIt) {
   EXPECT_LT((carried - shape_2_->functions.leftCols(20)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+TEST_F(KnownMap, TheOrthogonalMapIsOrthogonalForAnyPairsAndTheSameForTrueOnes) {
+  EXPECT_LT((orthogonal_map(pair_, truth_, 20) - functional_map(pair_, truth_, 20)).cwiseAbs().maxCoeff(), 1e-4);
+  VertexMatches wrong = truth_;
+  for (int s = 0; s < 2; ++s) std::rotate(wrong.to[s].begin(), wrong.to[s].begin() + 100, wrong.to[s].end());
+  const Eigen::MatrixXd c = orthogonal_map(pair_, wrong, 20);
+  EXPECT_LT((c * c.transpose() - Eigen::MatrixXd::Identity(20, 20)).cwiseAbs().maxCoeff(), 1e-10);
+}
+
 TEST_F(KnownMap, TheFunctionalMapLiesBetweenBothLeastSquaresProblems) {
   // Pairs that no matrix fits.
   VertexMatches wrong = truth_;
