@@ -24,7 +24,7 @@ struct AlignOptions {
   double pose_gain = 2;
   double doubtful_score = 0.9;
   double doubtful_margin = 1.05;
-  AlignmentOptions search;
+  AlignmentOptions search{.pairs = 1000};
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode, {.meaning = "none: the shapes begin as they lie; auto: pairs of points are found from spectra, and used unless they are doubtful; rigid, similarity: they are used whatever their score, and this motion of the reference is taken out first; landmarks: the similarity between the landmarks is taken out, nothing is searched"});

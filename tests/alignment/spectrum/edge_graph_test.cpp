@@ -22,7 +22,8 @@ TEST(EdgeGraph, DistancesAreTheFixedPointOfAllEdges) {
       for (const auto& [a, b] : {std::pair(facet[k], facet[(k + 1) % 3]), std::pair(facet[(k + 1) % 3], facet[k])})
         least[a] = std::min(least[a], distances[b] + (surface.vertices[a] - surface.vertices[b]).norm());
   least[17] = 0;
-  EXPECT_EQ(distances, least);
+  // Lengths of edges may be rounded differently here and there.
+  for (std::size_t v = 0; v < least.size(); ++v) EXPECT_NEAR(distances[v], least[v], 1e-13) << v;
 }
 
 TEST(EdgeGraph, AnotherComponentIsOutOfReach) {
