@@ -81,17 +81,16 @@ void sort_by(std::vector<MapCandidate>& candidates, const Key& key) {
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   const std::vector<Eigen::MatrixXd> starts =
       start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
-  std::vector<Mat<3>> rotations = {Mat<3>::Identity()};
-  std::vector<MapCandidate> candidates(rotations.size() + starts.size());
+  std::vector<MapCandidate> candidates(1 + starts.size());
   candidates[0].is_identity = true;
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     std::vector<int> steps;
     int first = n_merged;
-    if (i < rotations.size()) {
-      candidate.matches = match_rotated(pair, candidate.c, rotations[i]);
+    if (candidate.is_identity) {
+      candidate.matches = match_rotated(pair, candidate.c, Mat<3>::Identity());
     } else {
-      candidate.c = starts[i - rotations.size()];
+      candidate.c = starts[i - 1];
       first = static_cast<int>(candidate.c.rows());
     }
     for (int k = first; k <= n_merged; ++k) steps.push_back(k);
