@@ -75,7 +75,9 @@ PairedFunctions paired_functions(const ShapePairSpectra& pair, const VertexMatch
 Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto [rows, n] = paired_functions(pair, matches, k);
   const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(products, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  // Square matrices of at most 40 rows, as here, need neither a preconditioner nor divide and conquer, whose code takes a
+  // minute to compile.
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
