@@ -34,7 +34,6 @@ struct LevelEnergy {
   std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where coverage.levels > 0
 
   /// \param pairs terms of their own, on all levels
-
   LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
               const std::vector<PairSet<Dim>>& pairs = {})
       : grid(g),
