@@ -12,7 +12,6 @@ struct AlignmentOptions {
   int functions = 100;
   int start_functions = 5;
   double swap_ratio = 1.35;
-  int candidates = 14;
   int refined = 4;
   int pairs = 300;
   double cycle_tolerance = 0.03;
@@ -38,11 +37,9 @@ struct AlignmentOptions {
           {.min = 1, .max = 3,
            .meaning = "neighbouring eigenfunctions are also tried in the other order where the ratio of their "
                       "eigenvalues is smaller"});
-    visit("candidates", self.candidates,
-          {.unit = "maps", .min = 1, .max = 200, .meaning = "distinct maps that are refined to 40 eigenfunctions"});
     visit("refined", self.refined,
           {.unit = "maps", .min = 1, .max = 20,
-           .meaning = "best maps that are refined to all eigenfunctions and returned"});
+           .meaning = "best maps that are refined to all eigenfunctions and returned; besides, the one that begins with the surfaces as they lie"});
     visit("pairs", self.pairs,
           {.unit = "pairs", .min = 10, .max = 5000,
            .meaning = "farthest point samples of the reference from which pairs are made"});

@@ -33,14 +33,16 @@ double difference(const ShapePairSpectra& pair, const VertexMatches& a, const Ve
   return sum / static_cast<double>(std::max<std::size_t>(1, a.to[0].size()));
 }
 
-/// Leaves out candidates that nearly equal an earlier one.
+/// Leaves out candidates that nearly equal an earlier one, which then counts as that of the surfaces as they lie if either does.
 std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<MapCandidate> candidates, double tolerance) {
   std::vector<MapCandidate> kept;
-  for (MapCandidate& candidate : candidates)
-    if (std::none_of(kept.begin(), kept.end(), [&](const MapCandidate& other) {
-          return difference(pair, candidate.matches, other.matches) < tolerance;
-        }))
-      kept.push_back(std::move(candidate));
+  for (MapCandidate& candidate : candidates) {
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const MapCandidate& other) {
+      return difference(pair, candidate.matches, other.matches) < tolerance;
+    });
+    if (same == kept.end()) kept.push_back(std::move(candidate));
+    else same->is_identity |= candidate.is_identity;
+  }
   return kept;
 }
 
@@ -76,6 +78,13 @@ void sort_by(std::vector<MapCandidate>& candidates, const Key& key) {
                    [&](const MapCandidate& a, const MapCandidate& b) { return key(a) < key(b); });
 }
 
+/// Keeps the first n, and that of the surfaces as they lie wherever it stands: callers judge it by more than its score.
+void keep_best(std::vector<MapCandidate>& candidates, std::size_t n) {
+  for (std::size_t i = n; i < candidates.size(); ++i)
+    if (candidates[i].is_identity) std::swap(candidates[n++], candidates[i]);
+  candidates.resize(std::min(candidates.size(), n));
+}
+
 }  // namespace
 
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
@@ -99,7 +108,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   candidates = distinct(pair, std::move(candidates), 0.05);
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
-    const Mat<3> rotation = proper_rotation(pair, candidate.matches, std::min(n_smooth, pair.n_functions));
+    const Mat<3> rotation = candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, std::min(n_smooth, pair.n_functions));
     candidate.matches = match_rotated(pair, candidate.c, rotation);
     candidate.c.resize(0, 0);
     upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
@@ -107,7 +116,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   }, 1);
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
   candidates = distinct(pair, std::move(candidates), 0.05);
-  candidates.resize(std::min(candidates.size(), static_cast<std::size_t>(options.refined)));
+  keep_best(candidates, static_cast<std::size_t>(options.refined));
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     // Least squares allow what orthogonal maps do not, and begin with fewer functions again to make use of it.

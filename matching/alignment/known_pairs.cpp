@@ -17,6 +17,8 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
   found.loss = RobustLoss::trivial;
   add("alignment", alignment.pairs, found);
+  if (!alignment.pairs.empty())
+    sets.back().pairs.tolerance = options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
   return sets;
 }
 

@@ -4,7 +4,8 @@
 
 #include "energies/pairs/point_pairs.h"
 #include "geometry/distance/signed_distance.h"
-#include "matching/alignment/align_shapes.h"
+#include "matching/alignment/alignment.h"
+#include "matching/experiment/options.h"
 
 #include <vector>
 

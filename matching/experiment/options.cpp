@@ -35,6 +35,8 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.normal_mass = MassKind::consistent;
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;
+    // The shapes begin as they lie, and nothing but the match pulls.
+    options.align.mode = AlignMode::none;
     // Section 6: the simplified volume term, no other term against folds, natural boundary conditions.
     options.energy.terms.model("volume"_term) = "simplified";
     options.energy.terms.factor("barrier"_term) = 0;

@@ -76,7 +76,7 @@ template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
 static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
-  member("score", s.score), member("margin", s.margin), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
+  member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
 }
 
 template <class S, class Member>

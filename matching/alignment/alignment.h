@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// What is found out about two shapes before the cascade: the pose of the reference, and pairs of points.
+
+#include "geometry/surface/placement.h"
+#include "matching/pairs/landmarks.h"
+#include "matching/result/match_summary.h"
+
+#include <optional>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+struct Alignment {
+  Similarity<Dim> pose;                ///< moves the reference onto the template, user's coordinates; the identity if it stays
+  std::vector<Landmark<Dim>> pairs;    ///< found automatically, in the user's coordinates, before the pose
+  double spread = 1;                   ///< of the pairs' errors over those of nearly isometric shapes; at least 1
+  std::optional<AlignmentSummary> summary;  ///< none with align.mode none
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The choice among starts of a cascade. Scores of pairs alone cannot tell arms from legs, or left from right, where these look
+/// alike; the energy that a deformation needs to carry one shape onto the other can.
+
+#include "matching/alignment/alignment.h"
+#include "matching/experiment/options.h"
+#include "matching/experiment/shape_pair.h"
+#include "matching/progress/observer.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+struct Start {
+  Alignment<Dim> alignment;   ///< without a summary
+  std::size_t n_pairs = 0;    ///< found, though they may have no weight
+  double score = 0;           ///< of the pairs, 0 is best; comparable within one search
+  bool is_identity = false;   ///< began with the shapes as they lie
+};
+
+/// Fewer pairs are no ground for anything.
+constexpr std::size_t min_pairs = 10;
+
+struct StartChoice {
+  std::size_t index = 0;
+  /// By which factor the others are worse, at least: sqrt(ratio of scores * ratio of energies) for those tried, the ratio of
+  /// scores for the others; infinite without others.
+  double margin = 0;
+  std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
+  bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
+};
+
+/// Tries the starts whose scores are less than options.align.clear_margin times the best, if there are several. The start
+/// as the shapes lie is preferred by options.align.search.identity_preference. If another is chosen, the shapes as they
+/// lie are tried without pairs, too, and win unless it is better than that by half in energy or in coverage.
+/// \param starts ascending by score, at least one \param margin of the first by score alone
+template <int Dim>
+StartChoice choose_start(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
+                         const ExperimentOptions& options, Observer& observer);
+
+}  // namespace shellmatch
