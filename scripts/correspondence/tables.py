@@ -30,14 +30,16 @@ def csv_text(rows):
     return text.getvalue()
 
 
-def short(value, digits=2):
-    """'' for what is not known; small numbers as 8.5e-4."""
+def fixed(value, digits):
+    return "" if value == "" else f"{value:.{digits}f}"
+
+
+def scientific(value):
+    """As 8.5e-4; '' for what is not known."""
     if value == "":
         return ""
-    if value != 0 and abs(value) < 0.01:
-        mantissa, exponent = f"{value:.1e}".split("e")
-        return f"{mantissa}e{int(exponent)}"
-    return f"{value:.{digits}f}"
+    mantissa, exponent = f"{value:.1e}".split("e")
+    return f"{mantissa}e{int(exponent)}" if value != 0 else "0"
 
 
 def cells(row):
@@ -46,9 +48,9 @@ def cells(row):
     if row["uncertified_cells"]:
         folds = f"{folds} ({row['uncertified_cells']} uncertified)"
     alignment = "" if row["alignment_doubtful"] == "" else "doubtful" if row["alignment_doubtful"] else "used"
-    both = [" / ".join(filter(None, (short(row[f"{way}_mean"]), short(row[f"{way}_max"])))) for way in ("dt", "td")]
-    return [row["pair"], row["method"], short(row["before"], digits), short(row["mean"], digits), short(row["p95"], digits),
-            short(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), alignment, f"{row['seconds']:.0f}", f"{row['cpu_seconds']:.0f}"]
+    both = [" / ".join(filter(None, (scientific(row[f"{way}_mean"]), scientific(row[f"{way}_max"])))) for way in ("dt", "td")]
+    return [row["pair"], row["method"], fixed(row["before"], digits), fixed(row["mean"], digits), fixed(row["p95"], digits),
+            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), alignment, f"{row['seconds']:.0f}", f"{row['cpu_seconds']:.0f}"]
 
 
 def mean_row(method, rows):
