@@ -6,9 +6,12 @@
 
 namespace shellmatch {
 
-struct CorrespondingPoints {
-  Vec<3> on_reference, on_template;  ///< in the coordinates of the input
-  double weight = 1;                 ///< confidence, greater than 0, at most 1
+template <int Dim>
+struct CorrespondingPointsIn {
+  Vec<Dim> on_reference, on_template;  ///< in the coordinates of the input
+  double weight = 1;                   ///< confidence, greater than 0, at most 1
 };
+
+using CorrespondingPoints = CorrespondingPointsIn<3>;
 
 }  // namespace shellmatch

@@ -30,7 +30,8 @@ double EdgeGraph::mean_edge_length() const {
   return edges_.empty() ? 0 : sum / static_cast<double>(edges_.size());
 }
 
-void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) const {
+// Dijkstra's algorithm: vertices are final in the order of their distances.
+void EdgeGraph::lower_distances_up_to(Index goal, Index source, std::vector<double>& distances) const {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   distances[source] = 0;
@@ -38,6 +39,7 @@ void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) co
   while (!open.empty()) {
     const auto [distance, v] = open.top();
     open.pop();
+    if (v == goal) return;
     if (distance > distances[v]) continue;
     for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e) {
       const double next = distance + edges_[e].length;
@@ -46,6 +48,16 @@ void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) co
       open.emplace(next, edges_[e].to);
     }
   }
+}
+
+void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) const {
+  lower_distances_up_to(no_index, source, distances);
+}
+
+double EdgeGraph::distance(Index source, Index goal) const {
+  std::vector<double> distances(n_vertices(), infinity);
+  lower_distances_up_to(goal, source, distances);
+  return distances[goal];
 }
 
 std::vector<double> EdgeGraph::distances_from(Index source) const {

@@ -19,6 +19,8 @@ class EdgeGraph {
   /// Length of the shortest path along edges from `source` to every vertex; infinite where there is none. Paths along
   /// edges are some per cent longer than those across facets.
   std::vector<double> distances_from(Index source) const;
+  /// That of one vertex; quick where it is near.
+  double distance(Index source, Index goal) const;
   /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are shorter.
   void lower_distances(Index source, std::vector<double>& distances) const;
 
@@ -26,6 +28,8 @@ class EdgeGraph {
   std::vector<Index> components() const;
 
  private:
+  void lower_distances_up_to(Index goal, Index source, std::vector<double>& distances) const;
+
   struct Edge {
     Index to;
     double length;

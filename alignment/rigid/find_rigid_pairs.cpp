@@ -1,0 +1,185 @@
+#include "alignment/rigid/find_rigid_pairs.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shellmatch {
+
+namespace {
+
+// Triangulations of one surface differ by less.
+constexpr double score_noise = 0.005;
+constexpr std::size_t n_few_samples = 150, n_samples = 600;
+
+struct SearchedMotion {
+  RigidMotion motion;
+  RigidScore score;
+  bool is_identity = false;
+};
+
+double angle_of(const Mat<3>& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1.0, 1.0)); }
+
+/// Rotations spread evenly: a spiral of unit quaternions (M. Alexa: Super-Fibonacci spirals: fast, low-discrepancy sampling of
+/// SO(3). CVPR 2022).
+std::vector<Mat<3>> rotations_all_around(int n) {
+  const double phi = std::numbers::sqrt2, psi = 1.533751168755204288118041;
+  std::vector<Mat<3>> rotations;
+  for (int i = 0; i < n; ++i) {
+    const double s = i + 0.5, r = std::sqrt(s / n), big = std::sqrt(1 - s / n);
+    const double alpha = 2 * std::numbers::pi * s / phi, beta = 2 * std::numbers::pi * s / psi;
+    rotations.push_back(Eigen::Quaterniond(r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta)).toRotationMatrix());
+  }
+  return rotations;
+}
+
+/// The 24 rotations of a cube.
+std::vector<Mat<3>> cube_rotations() {
+  std::vector<Mat<3>> rotations;
+  std::array<int, 3> order{0, 1, 2};
+  do {
+    for (int signs = 0; signs < 8; ++signs) {
+      Mat<3> m = Mat<3>::Zero();
+      for (int k = 0; k < 3; ++k) m(order[k], k) = signs >> k & 1 ? -1 : 1;
+      if (m.determinant() > 0) rotations.push_back(m);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return rotations;
+}
+
+std::vector<RigidMotion> rigid_starts(const NormalizedSurface& first, const NormalizedSurface& second) {
+  std::vector<RigidMotion> starts{{}};
+  for (const Mat<3>& m : cube_rotations()) starts.push_back({second.axes() * m * first.axes().transpose(), Vec<3>::Zero()});
+  for (const Mat<3>& rotation : rotations_all_around(144)) starts.push_back({rotation, Vec<3>::Zero()});
+  return starts;
+}
+
+/// The best motions and the one as the surfaces lie, no two alike.
+std::vector<SearchedMotion> distinct_motions(std::vector<SearchedMotion> motions, std::size_t n_most) {
+  constexpr double alike = 0.09;  // 5 degrees
+  std::stable_sort(motions.begin(), motions.end(),
+                   [](const SearchedMotion& a, const SearchedMotion& b) { return a.score.total() < b.score.total(); });
+  std::vector<SearchedMotion> distinct;
+  for (const SearchedMotion& m : motions) {
+    const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const SearchedMotion& other) {
+      return angle_of(m.motion.rotation.transpose() * other.motion.rotation) < alike;
+    });
+    if (same != distinct.end()) same->is_identity |= m.is_identity;
+    else if (distinct.size() < n_most || m.is_identity) distinct.push_back(m);
+  }
+  return distinct;
+}
+
+std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const NormalizedSurface& second, std::size_t n_most) {
+  const SampledPair few{first, second, first.samples(n_few_samples), second.samples(n_few_samples)};
+  const SampledPair many{first, second, first.samples(n_samples), second.samples(n_samples)};
+  const std::vector<RigidMotion> starts = rigid_starts(first, second);
+  std::vector<SearchedMotion> motions(starts.size());
+  parallel_for(starts.size(), [&](std::size_t i) {
+    motions[i].motion = iterated_points(few, starts[i], 6);
+    motions[i].score = rigid_score(few, motions[i].motion);
+  }, 4);
+  motions = distinct_motions(std::move(motions), 2 * n_most);
+  parallel_for(motions.size(), [&](std::size_t i) {
+    motions[i].motion = iterated_points(many, motions[i].motion, 40);
+    motions[i].score = rigid_score(many, motions[i].motion);
+  }, 1);
+  // Near-spheres would drift: the surfaces as they lie are judged as they lie.
+  motions.push_back({{}, rigid_score(many, {}), true});
+  return distinct_motions(std::move(motions), n_most);
+}
+
+std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, const NormalizedSurface& second, const RigidMotion& motion,
+                                               std::size_t n) {
+  std::vector<CorrespondingPoints> pairs;
+  for (const SurfacePoint& x : first.samples(n)) {
+    const SurfacePoint y = second.nearest(motion(x.point));
+    const double agreement = (motion.rotation * x.normal).dot(y.normal);
+    // Sides that face each other by less than 70 degrees are no partners.
+    if (agreement > 0.34)
+      pairs.push_back({first.centre() + first.radius() * x.point, second.centre() + second.radius() * y.point, agreement * agreement});
+  }
+  return pairs;
+}
+
+double median_distance_after(const std::vector<CorrespondingPoints>& pairs, const Pose& pose) {
+  if (pairs.empty()) return 0;
+  std::vector<double> distances;
+  for (const CorrespondingPoints& p : pairs) distances.push_back((pose(p.on_reference) - p.on_template).norm());
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const NormalizedSurface& second, const AlignmentOptions& options,
+                                             bool is_mirrored) {
+  const Vec<3> sides(is_mirrored ? -1 : 1, 1, 1);
+  Surface<3> shown = reference;
+  if (is_mirrored) {
+    for (Vec<3>& x : shown.vertices) x.x() *= -1;
+    for (auto& facet : shown.facets) std::swap(facet[0], facet[1]);
+  }
+  const NormalizedSurface first(shown);
+  std::vector<RigidCandidate> candidates;
+  for (const SearchedMotion& found : search_motions(first, second, static_cast<std::size_t>(options.refined))) {
+    RigidCandidate& candidate = candidates.emplace_back();
+    candidate.score_parts = found.score;
+    candidate.score = found.score.total();
+    candidate.is_identity = found.is_identity && !is_mirrored;
+    candidate.is_mirrored = is_mirrored;
+    candidate.pairs = nearest_pairs(first, second, found.motion, static_cast<std::size_t>(options.pairs));
+    for (CorrespondingPoints& pair : candidate.pairs) pair.on_reference = sides.cwiseProduct(pair.on_reference);
+    candidate.pose.rotation = found.motion.rotation * sides.asDiagonal();
+    candidate.pose.scale = second.radius() / first.radius();
+    candidate.pose.translation =
+        second.centre() + second.radius() * found.motion.offset - candidate.pose.scale * (found.motion.rotation * first.centre());
+    candidate.pose.residual = median_distance_after(candidate.pairs, candidate.pose);
+  }
+  return candidates;
+}
+
+/// Whether the poses differ by a motion that carries the template onto itself.
+bool differ_by_symmetry(const NormalizedSurface& surface, const Pose& a, const Pose& b) {
+  constexpr double tolerance = 0.01;
+  double sum = 0;
+  const std::vector<SurfacePoint> samples = surface.samples(n_samples);
+  for (const SurfacePoint& sample : samples) {
+    const Vec<3> x = (b(a.inverse(surface.centre() + surface.radius() * sample.point)) - surface.centre()) / surface.radius();
+    sum += (surface.nearest(x).point - x).norm();
+  }
+  return sum < tolerance * static_cast<double>(samples.size());
+}
+
+}  // namespace
+
+RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface, const AlignmentOptions& options) {
+  RigidPairs result;
+  std::vector<RigidCandidate>& candidates = result.candidates;
+  const NormalizedSurface second(template_surface);
+  candidates = rigid_candidates(reference, second, options, false);
+  if (options.mirror)
+    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true)) {
+      // Surfaces that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
+      candidate.score = candidate.score * options.identity_preference + score_noise;
+      candidates.push_back(std::move(candidate));
+    }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+  const double limit = options.identity_preference * candidates.front().score + score_noise;
+  const auto rank = [&](const RigidCandidate& c) {
+    if (c.score > limit) return infinity;
+    return c.is_identity ? -1.0 : c.is_mirrored ? 10.0 : angle_of(c.pose.rotation);
+  };
+  const auto chosen = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::rotate(candidates.begin(), chosen, chosen + 1);
+  result.margin = infinity;
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    candidates[i].is_symmetry = differ_by_symmetry(second, candidates[0].pose, candidates[i].pose);
+    if (!candidates[i].is_symmetry)
+      result.margin = std::min(result.margin, candidates[i].score / std::max(candidates[0].score, score_noise));
+  }
+  return result;
+}
+
+}  // namespace shellmatch
