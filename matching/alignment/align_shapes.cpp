@@ -1,15 +1,13 @@
 #include "matching/alignment/align_shapes.h"
 
-#include "alignment/pairs/find_pairs.h"
-#include "alignment/pose/fit_pose.h"
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
+#include "matching/alignment/search_starts.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,94 +15,78 @@ namespace shellmatch {
 
 namespace {
 
-AlignmentSummary summary_of(const Similarity<3>& pose) {
+template <int Dim>
+AlignmentSummary summary_of(const Similarity<Dim>& pose) {
   AlignmentSummary s;
-  s.angle = angle_in_degrees(pose.rotation);
+  s.angle = angle_in_degrees<Dim>(pose.rotation);
   s.scale = pose.scale;
   s.mirrored = pose.rotation.determinant() < 0;
   return s;
 }
 
-std::vector<CorrespondingPoints> as_pairs(const std::vector<Landmark<3>>& landmarks) {
-  std::vector<CorrespondingPoints> pairs;
-  for (const Landmark<3>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, 1});
-  return pairs;
-}
+/// What a search found, and the choice among it.
+template <int Dim>
+struct Outcome {
+  StartSearch<Dim> search;
+  StartChoice choice;
+  bool has_pairs = false, is_doubtful = true;
 
-std::vector<Landmark<3>> as_landmarks(const std::vector<CorrespondingPoints>& pairs) {
-  std::vector<Landmark<3>> landmarks;
-  for (const CorrespondingPoints& pair : pairs)
-    landmarks.push_back({fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
-  return landmarks;
-}
-
-// Up to this score pairs are as exact as 5000 vertices let them be; gorilla to man scores 0.8, with twice the errors.
-constexpr double isometric_score = 0.6;
-
-/// A start for each candidate of the search by spectra, and the margin of the first.
-struct Search {
-  std::vector<Start<3>> starts;
-  double margin;
+  Outcome(const ShapePair<Dim>& shapes, StartSearch<Dim> found, const ExperimentOptions& options, Observer& observer)
+      : search(std::move(found)), choice(choose_start(shapes, search.starts, search.margin, options, observer)) {
+    has_pairs = best().n_pairs >= min_pairs;
+    is_doubtful = !has_pairs || !(best().score <= options.align.doubtful_score && choice.margin >= options.align.doubtful_margin);
+  }
+  Start<Dim>& best() { return search.starts[choice.index]; }
 };
 
-Search search_spectra(const ShapePair<3>& shapes, const AlignOptions& options) {
-  const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
-  Search search{{}, found.margin};
-  for (const PairCandidate& candidate : found.candidates) {
-    Start<3>& start = search.starts.emplace_back();
-    start.n_pairs = candidate.pairs.size();
-    start.score = candidate.score;
-    start.is_identity = candidate.is_identity && !candidate.is_mirrored;
-    if (start.n_pairs < min_pairs) continue;
-    start.alignment.pose = choose_pose(candidate.pairs, options);
-    start.alignment.spread = std::max(1.0, std::pow(candidate.score / isometric_score, 3));
-    if (options.weight > 0) start.alignment.pairs = as_landmarks(candidate.pairs);
+template <int Dim>
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const ExperimentOptions& options, Observer& observer) {
+  Outcome<Dim> outcome(shapes, search_starts(shapes, options.align), options, observer);
+  if constexpr (Dim == 3) {
+    // Spectra of round shapes tell their sides not apart; distances may. Where the spectra themselves differ, they may not.
+    const bool is_featureless = outcome.is_doubtful && outcome.has_pairs && outcome.best().score <= options.align.doubtful_score;
+    if (is_featureless) {
+      Outcome<3> poses(shapes, search_poses(shapes, options.align), options, observer);
+      if (!poses.is_doubtful) return poses;
+    }
   }
-  return search;
+  return outcome;
 }
 
-Alignment<3> search(const ShapePair<3>& shapes, const ExperimentOptions& options, Observer& observer) {
-  const AlignOptions& align = options.align;
-  const bool is_automatic = align.mode == AlignMode::automatic;
-  Search found = search_spectra(shapes, align);
-  const StartChoice choice = choose_start(shapes, found.starts, found.margin, options, observer);
-  Start<3>& best = found.starts[choice.index];
-  const bool has_pairs = best.n_pairs >= min_pairs;
-  const bool is_doubtful = !has_pairs || !(best.score <= align.doubtful_score && choice.margin >= align.doubtful_margin);
-  const bool is_used = has_pairs && !(is_automatic && (is_doubtful || choice.as_it_lies));
-  Alignment<3> result;
+template <int Dim>
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const ExperimentOptions& options, Observer& observer) {
+  Outcome<Dim> outcome = search_and_choose(shapes, options, observer);
+  const StartChoice& choice = outcome.choice;
+  Start<Dim>& best = outcome.best();
+  const bool is_used =
+      outcome.has_pairs && !(options.align.mode == AlignMode::automatic && (outcome.is_doubtful || choice.as_it_lies));
+  Alignment<Dim> result;
   if (is_used) result = std::move(best.alignment);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(best.n_pairs) : 0;
-  s.doubtful = is_doubtful;
+  s.doubtful = outcome.is_doubtful;
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by the energy reached", choice.n_tried);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
-  observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", is_doubtful ? "doubtful: " : "",
+  observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", outcome.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
                             pose_text(result.pose)));
   return result;
 }
 
-Alignment<3> align(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const ExperimentOptions& options,
-                   Observer& observer) {
-  if (options.align.mode != AlignMode::landmarks) return search(shapes, options, observer);
+template <int Dim>
+Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options, Observer& observer) {
   if (landmarks.empty()) throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
-  Alignment<3> result;
-  result.pose = fit_pose(as_pairs(landmarks), PoseKind::similarity, options.align.search.mirror).similarity();
+  std::vector<CorrespondingPointsIn<Dim>> pairs;
+  for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, 1});
+  Alignment<Dim> result;
+  result.pose = choose_pose<Dim>(pairs, options, false);
   result.summary = summary_of(result.pose);
   observer.note(fmt::format("alignment by {} landmarks; {}", landmarks.size(), pose_text(result.pose)));
   return result;
-}
-
-Alignment<2> align(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions& options, Observer&) {
-  if (options.align.mode != AlignMode::automatic)
-    throw_input_error("align.mode: {}: is there for surfaces in space alone; expected none or auto for contours",
-                      enum_name(options.align.mode));
-  return {};
 }
 
 }  // namespace
@@ -116,8 +98,9 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   // Who takes coordinates as they are means that the shapes lie as they belong.
   if (mode == AlignMode::none || (mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is)) return {};
   observer.stage("alignment");
-  Alignment<Dim> result = align(shapes, landmarks, options, observer);
-  if (result.summary) result.summary->mode = enum_name(mode);
+  Alignment<Dim> result = mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
+                                                       : search(shapes, options, observer);
+  result.summary->mode = enum_name(mode);
   return result;
 }
 

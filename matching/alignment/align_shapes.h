@@ -13,8 +13,8 @@ namespace shellmatch {
 
 /// Aligns shapes as `options.align` asks for and tells the observer in one line what was chosen, and why.
 /// \param shapes in the user's coordinates \param landmarks for the mode `landmarks`
-/// \throws InputError in the plane, except for the modes none and auto, which leaves the shapes where they are; with fewer
-///   than three landmarks, or landmarks on a line
+/// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a line (in one
+///   point)
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                             const ExperimentOptions& options, Observer& observer);

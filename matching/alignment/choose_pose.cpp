@@ -1,5 +1,6 @@
 #include "matching/alignment/choose_pose.h"
 
+#include "alignment/outline/planar_pose.h"
 #include "alignment/pose/fit_pose.h"
 
 #include <Eigen/LU>
@@ -13,9 +14,18 @@ namespace shellmatch {
 
 namespace {
 
-double median_distance(const std::vector<CorrespondingPoints>& pairs, const Similarity<3>& pose) {
+Similarity<3> fitted_pose(const std::vector<CorrespondingPoints>& pairs, PoseKind kind, const AlignOptions& options, bool) {
+  return fit_pose(pairs, kind, options.search.mirror).similarity();
+}
+
+Similarity<2> fitted_pose(const std::vector<CorrespondingPointsIn<2>>& pairs, PoseKind kind, const AlignOptions&, bool is_mirrored) {
+  return fit_planar_pose(pairs, kind, is_mirrored);
+}
+
+template <int Dim>
+double median_distance(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const Similarity<Dim>& pose) {
   std::vector<double> distances;
-  for (const CorrespondingPoints& pair : pairs) distances.push_back((pose(pair.on_reference) - pair.on_template).norm());
+  for (const auto& pair : pairs) distances.push_back((pose(pair.on_reference) - pair.on_template).norm());
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return *middle;
@@ -26,27 +36,44 @@ constexpr double similar_size = 1.25;
 
 }  // namespace
 
-double angle_in_degrees(const Mat<3>& rotation) {
-  const double handed = rotation.determinant() < 0 ? -1 : 1;
-  return std::acos(std::clamp((handed * rotation.trace() - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
+template <int Dim>
+double angle_in_degrees(const Mat<Dim>& rotation) {
+  double angle = 0;
+  if constexpr (Dim == 2) {
+    // A mirror image of the plane is one at a line: it has no angle.
+    if (rotation.determinant() > 0) angle = std::abs(std::atan2(rotation(1, 0), rotation(0, 0)));
+  } else {
+    const double handed = rotation.determinant() < 0 ? -1 : 1;
+    angle = std::acos(std::clamp((handed * rotation.trace() - 1) / 2, -1.0, 1.0));
+  }
+  return angle * 180 / std::numbers::pi;
 }
 
-std::string pose_text(const Similarity<3>& pose) {
+template <int Dim>
+std::string pose_text(const Similarity<Dim>& pose) {
   if (pose.is_identity()) return "the reference begins as it lies";
-  return fmt::format("the reference is turned by {:.0f} degrees{}{}", angle_in_degrees(pose.rotation),
+  return fmt::format("the reference is turned by {:.0f} degrees{}{}", angle_in_degrees<Dim>(pose.rotation),
                      pose.rotation.determinant() < 0 ? " and mirrored" : "",
                      pose.scale == 1 ? "" : fmt::format(" and scaled by {:.3g}", pose.scale));
 }
 
-Similarity<3> choose_pose(const std::vector<CorrespondingPoints>& pairs, const AlignOptions& options) {
-  const bool may_mirror = options.search.mirror;
-  if (options.mode == AlignMode::rigid) return fit_pose(pairs, PoseKind::rigid, may_mirror).similarity();
-  const Similarity<3> similar = fit_pose(pairs, PoseKind::similarity, may_mirror).similarity();
+template <int Dim>
+Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, bool is_mirrored) {
+  if (options.mode == AlignMode::rigid) return fitted_pose(pairs, PoseKind::rigid, options, is_mirrored);
+  const Similarity<Dim> similar = fitted_pose(pairs, PoseKind::similarity, options, is_mirrored);
   if (options.mode != AlignMode::automatic) return similar;
   const bool same_size = similar.scale < similar_size && similar.scale > 1 / similar_size;
-  const Similarity<3> pose = same_size ? fit_pose(pairs, PoseKind::rigid, may_mirror).similarity() : similar;
-  const bool gains = median_distance(pairs, {}) > options.pose_gain * median_distance(pairs, pose);
-  return gains ? pose : Similarity<3>{};
+  const Similarity<Dim> pose = same_size ? fitted_pose(pairs, PoseKind::rigid, options, is_mirrored) : similar;
+  const bool gains = median_distance<Dim>(pairs, {}) > options.pose_gain * median_distance<Dim>(pairs, pose);
+  return gains ? pose : Similarity<Dim>{};
 }
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
+  template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                               \
+  template std::string pose_text<Dim>(const Similarity<Dim>&);                                                          \
+  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, bool)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

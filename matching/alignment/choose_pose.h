@@ -12,13 +12,18 @@
 namespace shellmatch {
 
 /// The pose that `options.mode` asks for. With `auto` it is a rigid motion, or a similarity where the sizes differ by more
-/// than a quarter, and the identity unless that brings the pairs nearer by options.pose_gain. \pre at least three pairs
-Similarity<3> choose_pose(const std::vector<CorrespondingPoints>& pairs, const AlignOptions& options);
+/// than a quarter, and the identity unless that brings the pairs nearer by options.pose_gain. With `landmarks`, a similarity.
+/// \param is_mirrored the pairs were found for the mirrored reference, in the plane
+/// \throws InputError where the points determine no pose
+template <int Dim>
+Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, bool is_mirrored);
 
 /// Of the rotation, in degrees, at most 180; that of the rotation after the mirror image where it is mirrored.
-double angle_in_degrees(const Mat<3>& rotation);
+template <int Dim>
+double angle_in_degrees(const Mat<Dim>& rotation);
 
 /// For the line that tells what was chosen.
-std::string pose_text(const Similarity<3>& pose);
+template <int Dim>
+std::string pose_text(const Similarity<Dim>& pose);
 
 }  // namespace shellmatch

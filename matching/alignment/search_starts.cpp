@@ -1,0 +1,69 @@
+#include "matching/alignment/search_starts.h"
+
+#include "alignment/outline/find_outline_pairs.h"
+#include "alignment/pairs/find_pairs.h"
+#include "alignment/rigid/find_rigid_pairs.h"
+#include "matching/alignment/choose_pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellmatch {
+
+namespace {
+
+// Up to this score pairs are as exact as 5000 vertices let them be; gorilla to man scores 0.8, with twice the errors.
+constexpr double isometric_score = 0.6;
+// Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
+constexpr double outline_spread = 2;
+
+template <int Dim>
+std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
+  std::vector<Landmark<Dim>> landmarks;
+  for (const auto& pair : pairs)
+    landmarks.push_back({fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
+  return landmarks;
+}
+
+template <int Dim>
+Start<Dim> start_of(const auto& candidate, const AlignOptions& options, bool with_pairs) {
+  Start<Dim> start;
+  start.n_pairs = candidate.pairs.size();
+  start.score = candidate.score;
+  start.is_identity = candidate.is_identity && !candidate.is_mirrored;
+  if (start.n_pairs < min_pairs) return start;
+  start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored);
+  start.alignment.spread = std::max(1.0, std::pow(candidate.score / isometric_score, 3));
+  if (with_pairs && options.weight > 0) start.alignment.pairs = as_landmarks<Dim>(candidate.pairs);
+  return start;
+}
+
+}  // namespace
+
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options) {
+  const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
+  StartSearch<3> search{{}, found.margin};
+  for (const PairCandidate& candidate : found.candidates) search.starts.push_back(start_of<3>(candidate, options, true));
+  return search;
+}
+
+StartSearch<2> search_starts(const ShapePair<2>& shapes, const AlignOptions& options) {
+  const OutlinePairs found = find_outline_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
+  StartSearch<2> search{{}, found.margin};
+  for (const OutlineCandidate& candidate : found.candidates) {
+    // What differs from the first by a symmetry of the template is as good as the first, which turns least.
+    if (candidate.is_symmetry) continue;
+    Start<2>& start = search.starts.emplace_back(start_of<2>(candidate, options, true));
+    start.alignment.spread = outline_spread;
+  }
+  return search;
+}
+
+StartSearch<3> search_poses(const ShapePair<3>& shapes, const AlignOptions& options) {
+  const RigidPairs found = find_rigid_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
+  return {{start_of<3>(found.candidates.front(), options, false)}, found.margin};
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Starts of a cascade from the searches of the room alignment/, in the user's coordinates.
+
+#include "matching/alignment/choose_start.h"
+#include "matching/experiment/align_options.h"
+#include "matching/experiment/shape_pair.h"
+
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+struct StartSearch {
+  std::vector<Start<Dim>> starts;  ///< at least one, ascending by score but for a preference for the shapes as they lie
+  double margin = 0;               ///< of the first, by score
+};
+
+/// By spectra for surfaces, by elastic paths for outlines: starts with pairs. \throws InputError as find_pairs(), find_outline_pairs()
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options);
+StartSearch<2> search_starts(const ShapePair<2>& shapes, const AlignOptions& options);
+
+/// By distance, for surfaces without features: the best pose alone, as others differ from it by what symmetry there is, which the
+/// energy cannot judge. \throws InputError as find_rigid_pairs()
+StartSearch<3> search_poses(const ShapePair<3>& shapes, const AlignOptions& options);
+
+}  // namespace shellmatch
