@@ -10,7 +10,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace shellmatch {
 
@@ -25,21 +28,40 @@ OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, 
 }
 
 template <int Dim>
+void move(const Deformation<Dim>& deformation, std::vector<Vec<Dim>>& points) {
+  std::size_t n_outside = 0;
+  for (const Vec<Dim>& x : points) {
+    const Vec<Dim> y = deformation.to_unit_domain(x);
+    n_outside += (y.array() < 0).any() || (y.array() > 1).any();
+  }
+  if (n_outside > 0)
+    fmt::print(stderr, "{} of {} points lie outside the domain; they move with its nearest point\n", n_outside, points.size());
+  parallel_for(points.size(), [&](std::size_t v) { points[v] = deformation.apply(points[v]); });
+}
+
+template <int Dim>
+void move_back(const Deformation<Dim>& deformation, const std::string& file, std::vector<Vec<Dim>>& points) {
+  const InverseDeformation<Dim> inverse(deformation);
+  std::vector<char> is_lost(points.size());
+  parallel_for(points.size(), [&](std::size_t v) {
+    if (const auto x = inverse(points[v])) points[v] = *x;
+    else is_lost[v] = 1;
+  });
+  const auto first = std::find(is_lost.begin(), is_lost.end(), 1);
+  if (first != is_lost.end())
+    throw_input_error("{}: {} of {} points are the image of none, the first of them {}, counted from 0: they lie beyond what the deformed domain covers; "
+                      "leave them out", file, std::count(first, is_lost.end(), 1), points.size(), first - is_lost.begin());
+}
+
+template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
   OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
   for (const std::string& note : notes) std::fputs(fmt::format("{}\n", note).c_str(), stderr);
 
-  std::size_t n_outside = 0;
-  for (const Vec<Dim>& x : shape.vertices) {
-    const Vec<Dim> y = deformation.to_unit_domain(x);
-    n_outside += (y.array() < 0).any() || (y.array() > 1).any();
-  }
-  if (n_outside > 0)
-    fmt::print(stderr, "{} of {} points lie outside the domain; they move with its nearest point\n", n_outside,
-               shape.vertices.size());
-  parallel_for(shape.vertices.size(), [&](std::size_t v) { shape.vertices[v] = deformation.apply(shape.vertices[v]); });
+  if (command.inverse) move_back(deformation, command.file, shape.vertices);
+  else move(deformation, shape.vertices);
   write_output_file(command.output, shape);
 }
 

@@ -44,6 +44,7 @@ struct GenerateCommand {
 
 struct ApplyCommand {
   std::string deformation, file, output;
+  bool inverse = false;  ///< from the template back to the reference
   bool force = false;
 };
 

@@ -5,6 +5,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt 9 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nanoflann REQUIRED)
+find_package(Boost 1.74 REQUIRED)
 find_package(Spectra 1.0 REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 # Ceres' package configuration finds SuiteSparse if Ceres was built with it, as Debian's is.

@@ -31,8 +31,8 @@ struct Outcome {
   StartChoice choice;
   bool has_pairs = false, is_doubtful = true;
 
-  Outcome(const ShapePair<Dim>& shapes, StartSearch<Dim> found, const ExperimentOptions& options, Observer& observer)
-      : search(std::move(found)), choice(choose_start(shapes, search.starts, search.margin, options, observer)) {
+  Outcome(const ShapePair<Dim>& shapes, StartSearch<Dim> found, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer)
+      : search(std::move(found)), choice(choose_start(shapes, search.starts, search.margin, landmarks, options, observer)) {
     has_pairs = best().n_pairs >= min_pairs;
     is_doubtful = !has_pairs || !(best().score <= options.align.doubtful_score && choice.margin >= options.align.doubtful_margin);
   }
@@ -40,13 +40,13 @@ struct Outcome {
 };
 
 template <int Dim>
-Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const ExperimentOptions& options, Observer& observer) {
-  Outcome<Dim> outcome(shapes, search_starts(shapes, options.align), options, observer);
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer) {
+  Outcome<Dim> outcome(shapes, search_starts(shapes, options.align), landmarks, options, observer);
   if constexpr (Dim == 3) {
     // Spectra of round shapes tell their sides not apart; distances may. Where the spectra themselves differ, they may not.
     const bool is_featureless = outcome.is_doubtful && outcome.has_pairs && outcome.best().score <= options.align.doubtful_score;
     if (is_featureless) {
-      Outcome<3> poses(shapes, search_poses(shapes, options.align), options, observer);
+      Outcome<3> poses(shapes, search_poses(shapes, options.align), landmarks, options, observer);
       if (!poses.is_doubtful) return poses;
     }
   }
@@ -54,8 +54,8 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const ExperimentOpt
 }
 
 template <int Dim>
-Alignment<Dim> search(const ShapePair<Dim>& shapes, const ExperimentOptions& options, Observer& observer) {
-  Outcome<Dim> outcome = search_and_choose(shapes, options, observer);
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer) {
+  Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, observer);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
   const bool is_used =
@@ -99,7 +99,7 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   if (mode == AlignMode::none || (mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is)) return {};
   observer.stage("alignment");
   Alignment<Dim> result = mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
-                                                       : search(shapes, options, observer);
+                                                       : search(shapes, landmarks, options, observer);
   result.summary->mode = enum_name(mode);
   return result;
 }

@@ -18,9 +18,9 @@ constexpr double clearly_better = 1.5;
 template <int Dim>
 class Choosing {
  public:
-  Choosing(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, const ExperimentOptions& options,
-           Observer& observer)
-      : shapes_(shapes), starts_(starts), options_(options), observer_(observer), trials_(starts.size()) {}
+  Choosing(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, const std::vector<Landmark<Dim>>& landmarks,
+           const ExperimentOptions& options, Observer& observer)
+      : shapes_(shapes), starts_(starts), landmarks_(landmarks), options_(options), observer_(observer), trials_(starts.size()) {}
 
   StartChoice go(double margin) {
     StartChoice choice;
@@ -55,17 +55,18 @@ class Choosing {
   }
 
   bool is_clearly_better_than_none(const Trial& chosen) const {
-    const Trial none = try_start<Dim>(shapes_, {}, options_, observer_);
+    const Trial none = try_start<Dim>(shapes_, {}, landmarks_, options_, observer_);
     return clearly_better * chosen.energy < none.energy || clearly_better * chosen.uncovered < none.uncovered;
   }
 
   const Trial& trial(std::size_t i) {
-    if (!trials_[i]) trials_[i] = try_start(shapes_, starts_[i].alignment, options_, observer_);
+    if (!trials_[i]) trials_[i] = try_start(shapes_, starts_[i].alignment, landmarks_, options_, observer_);
     return *trials_[i];
   }
 
   const ShapePair<Dim>& shapes_;
   const std::vector<Start<Dim>>& starts_;
+  const std::vector<Landmark<Dim>>& landmarks_;
   const ExperimentOptions& options_;
   Observer& observer_;
   std::vector<std::optional<Trial>> trials_;
@@ -75,11 +76,11 @@ class Choosing {
 
 template <int Dim>
 StartChoice choose_start(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
-                         const ExperimentOptions& options, Observer& observer) {
-  return Choosing<Dim>(shapes, starts, options, observer).go(margin);
+                         const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer) {
+  return Choosing<Dim>(shapes, starts, landmarks, options, observer).go(margin);
 }
 
-template StartChoice choose_start<2>(const ShapePair<2>&, const std::vector<Start<2>>&, double, const ExperimentOptions&, Observer&);
-template StartChoice choose_start<3>(const ShapePair<3>&, const std::vector<Start<3>>&, double, const ExperimentOptions&, Observer&);
+template StartChoice choose_start<2>(const ShapePair<2>&, const std::vector<Start<2>>&, double, const std::vector<Landmark<2>>&, const ExperimentOptions&, Observer&);
+template StartChoice choose_start<3>(const ShapePair<3>&, const std::vector<Start<3>>&, double, const std::vector<Landmark<3>>&, const ExperimentOptions&, Observer&);
 
 }  // namespace shellmatch

@@ -36,9 +36,9 @@ struct StartChoice {
 /// Tries the starts whose scores are less than options.align.clear_margin times the best, if there are several. The start
 /// as the shapes lie is preferred by options.align.search.identity_preference. If another is chosen, the shapes as they
 /// lie are tried without pairs, too, and win unless it is better than that by half in energy or in coverage.
-/// \param starts ascending by score, at least one \param margin of the first by score alone
+/// \param starts ascending by score, at least one \param margin of the first by score alone \param landmarks pull in the trials, too
 template <int Dim>
 StartChoice choose_start(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
-                         const ExperimentOptions& options, Observer& observer);
+                         const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer);
 
 }  // namespace shellmatch

@@ -31,7 +31,7 @@ template <int Dim>
 Start<Dim> start_of(const auto& candidate, const AlignOptions& options, bool with_pairs) {
   Start<Dim> start;
   start.n_pairs = candidate.pairs.size();
-  start.score = candidate.score;
+  start.score = std::max(0.0, candidate.score);  // rounding
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
   if (start.n_pairs < min_pairs) return start;
   start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored);

@@ -42,14 +42,15 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 }  // namespace
 
 template <int Dim>
-Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const ExperimentOptions& options, Observer& observer) {
+Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const std::vector<Landmark<Dim>>& landmarks,
+                const ExperimentOptions& options, Observer& observer) {
   const ExperimentOptions trial = trial_options(options);
   ShapePair<Dim> placed = shapes;
   Trial result;
   try {
     const Similarity<Dim> placement = placed.place(trial, start.pose);
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
-    const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>({}, start, trial, placement, d1, d2);
+    const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks, start, trial, placement, d1, d2);
     TrialObserver silent(observer);
     PhaseSeconds seconds;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs);
@@ -57,14 +58,14 @@ Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const
     const double with_pairs = terms.sum();
     if (!std::isfinite(with_pairs)) return result;
     result.with_pairs = with_pairs;
-    result.energy = with_pairs - (pairs.empty() ? 0 : terms[terms.size() - 1]);
+    result.energy = with_pairs - (start.pairs.empty() ? 0 : terms[terms.size() - 1]);
     result.uncovered = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2).template_to_deformed.mean;
   } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
   }
   return result;
 }
 
-template Trial try_start<2>(const ShapePair<2>&, const Alignment<2>&, const ExperimentOptions&, Observer&);
-template Trial try_start<3>(const ShapePair<3>&, const Alignment<3>&, const ExperimentOptions&, Observer&);
+template Trial try_start<2>(const ShapePair<2>&, const Alignment<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&, Observer&);
+template Trial try_start<3>(const ShapePair<3>&, const Alignment<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&, Observer&);
 
 }  // namespace shellmatch

@@ -18,8 +18,9 @@ struct Trial {
   double uncovered = std::numeric_limits<double>::infinity();    ///< mean distance from the template to phi(M1), sides of the domain
 };
 
-/// \param start pose and pairs of the reference
+/// \param start pose and pairs of the reference \param landmarks pull, too
 template <int Dim>
-Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const ExperimentOptions& options, Observer& observer);
+Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const std::vector<Landmark<Dim>>& landmarks,
+                const ExperimentOptions& options, Observer& observer);
 
 }  // namespace shellmatch

@@ -4,8 +4,10 @@
 /// domain, and the pose that was taken out before.
 
 #include "geometry/surface/placement.h"
+#include "grid/inverse/inverse_map.h"
 #include "grid/octree/octree.h"
 
+#include <optional>
 #include <vector>
 
 namespace shellmatch {
@@ -25,6 +27,24 @@ struct Deformation {
   /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
   /// the domain.
   Vec<Dim> apply_in_unit_domain(const Vec<Dim>& x) const;
+};
+
+/// Carries points of the template back to the reference.
+template <int Dim>
+class InverseDeformation {
+ public:
+  /// \param map must outlive this object
+  explicit InverseDeformation(const Deformation<Dim>& map) : map_(&map), inverse_(map.grid, map.phi) {}
+
+  /// The x with map.apply(x) = y, both in the user's coordinates; none as InverseMap says.
+  std::optional<Vec<Dim>> operator()(const Vec<Dim>& y) const {
+    const std::optional<Vec<Dim>> x = inverse_(map_->placement(y));
+    return x ? std::optional<Vec<Dim>>(map_->pose.inverse(map_->placement.inverse(*x))) : std::nullopt;
+  }
+
+ private:
+  const Deformation<Dim>* map_;
+  InverseMap<Dim> inverse_;
 };
 
 }  // namespace shellmatch

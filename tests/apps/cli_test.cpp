@@ -217,7 +217,7 @@ TEST_F(Cli, DerivativesOfAnExperimentAreChecked) {
 
 TEST_F(Cli, ChecksThatCannotBeMadeSayWhy) {
   const std::string config =
-      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse}\ncascade: {min_level: 3, max_level: 5}\n");
+      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse}\ncascade: {min_level: 3, max_level: 5}\nalign: {mode: none}\n");
   const auto check = [&](Words words) {
     words.insert(words.begin(), {"check-gradient", config});
     return words;

@@ -21,7 +21,7 @@ using Words = std::vector<std::string>;
 
 // Pictures, which take a second in all, leave the time to send a signal.
 Words match(const std::string& out, const Words& more = {}) {
-  Words words{"match", "generate:circle", "generate:ellipse/long", "-o", out, "--levels", "3:6",
+  Words words{"match", "generate:circle", "generate:ellipse/long", "-o", out, "--levels", "3:6", "--align", "none",
               "--set", "resume.min_seconds=0"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -99,7 +99,7 @@ TEST(StoppedRun, TwoRunsOfOneNameDoNotMeet) {
 // In the middle of a loop over the nodes of a large grid, seconds away from the next iteration.
 TEST(StoppedRun, LongWorkIsLeftWithinASecond) {
   const TemporaryFolder tmp;
-  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "out", "--levels", "6:6", "-v"});
+  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "out", "--levels", "6:6", "--align", "none", "-v"});
   ASSERT_TRUE(program.wait_for_stderr("matching ("));
   usleep(300000);
   const auto begin = std::chrono::steady_clock::now();

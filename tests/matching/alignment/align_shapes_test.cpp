@@ -124,13 +124,58 @@ TEST_F(AlignShapes, LandmarksGiveThePose) {
   EXPECT_NE(told.find("landmarks.file"), std::string::npos) << told;
 }
 
-TEST(AlignOutlines, StayWhereTheyAreOrAreRefused) {
+TEST_F(AlignShapes, CoordinatesTakenAsTheyAreStay) {
+  ExperimentOptions o = quick(AlignMode::automatic);
+  o.input.placement = PlacementKind::as_is;
+  Notes notes;
+  const Alignment<3> none = align_shapes(ShapePair<3>{reference_, moved(bent_, motion(1))}, {}, o, notes);
+  EXPECT_TRUE(none.pose.is_identity());
+  EXPECT_FALSE(none.summary);
+  EXPECT_TRUE(notes.all.empty());
+}
+
+TEST(AlignRoundShapes, FindsAPoseWhereSpectraCannotTellTheSidesApart) {
+  const Shape<3> ellipsoid = std::get<Shape<3>>(open_shape("generate:ellipsoid/long"));
+  const Similarity<3> by{1, Vec<3>(0.1, 0, 0), Eigen::AngleAxisd(0.7, Vec<3>(0.3, 1, 0.5).normalized()).toRotationMatrix()};
+  Notes notes;
+  const Alignment<3> found = align_shapes(ShapePair<3>{moved(ellipsoid, by), ellipsoid}, {}, quick(AlignMode::automatic), notes);
+  EXPECT_TRUE(found.pairs.empty()) << notes.all;
+  ASSERT_FALSE(found.summary->doubtful) << notes.all;
+  // Half a turn about an axis of the ellipsoid changes nothing: each axis is to lie on itself.
+  const Mat<3> both = found.pose.rotation * by.rotation;
+  EXPECT_LT((both.cwiseAbs() - Mat<3>::Identity()).norm(), 0.02) << notes.all;
+}
+
+TEST(AlignOutlines, ATurnedLeafMatchesAsWellAsTheOneThatLiesAsItBelongs) {
+  const Shape<2> deep = std::get<Shape<2>>(open_shape("generate:leaf/deep")), shallow = std::get<Shape<2>>(open_shape("generate:leaf/shallow"));
+  Similarity<2> by;
+  by.rotation = Eigen::Rotation2Dd(2.3).toRotationMatrix();
+  by.scale = 7;
+  by.offset = Vec<2>(3, -1);
+  OriginalShape<2> original = shallow.original;
+  for (Vec<2>& x : original.vertices) x = by(x);
+  const Shape<2> turned = make_shape(std::move(original), "turned");
+  ExperimentOptions o = quick(AlignMode::automatic);
+  o.cascade.max_level = 7;
+  Notes notes;
+  const Correspondence<2> truth = generated_correspondence<2>("generate:leaf/deep", "generate:leaf/shallow");
+  const auto error = [&](const Shape<2>& target, const Similarity<2>& back) {
+    std::vector<Vec<2>> ends;
+    for (const Vec<2>& y : match_shapes(deep, target, o, notes).deformed.vertices) ends.push_back(back.inverse(y));
+    return correspondence_error(truth, ends) / bounding_box(shallow.original.vertices).diagonal();
+  };
+  EXPECT_LT(error(shallow, {}), 0.004) << notes.all;
+  EXPECT_LT(error(turned, by), 0.004) << notes.all;
+  o.align.mode = AlignMode::none;
+  EXPECT_GT(error(turned, by), 0.1);
+}
+
+TEST(AlignOutlines, CirclesStayWhereTheyAre) {
   const auto outline = [](const char* name) { return std::get<Shape<2>>(open_shape(name)); };
-  const ShapePair<2> pair{outline("generate:circle"), outline("generate:ellipse")};
   Observer quiet;
-  EXPECT_TRUE(align_shapes(pair, {}, quick(AlignMode::automatic), quiet).pose.is_identity());
-  const std::string told = message_of<InputError>([&] { align_shapes(pair, {}, quick(AlignMode::rigid), quiet); });
-  EXPECT_NE(told.find("align.mode: rigid"), std::string::npos) << told;
+  const Alignment<2> found = align_shapes(ShapePair<2>{outline("generate:circle"), outline("generate:ellipse/long")}, {}, quick(AlignMode::automatic), quiet);
+  EXPECT_TRUE(found.pose.is_identity());
+  EXPECT_TRUE(found.pairs.empty());
 }
 
 TEST(MirroringPose, KeepsFacetsFacingOutward) {

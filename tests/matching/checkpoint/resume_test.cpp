@@ -32,6 +32,7 @@ using testing::TemporaryFolder;
 
 ExperimentOptions experiment(Pictures pictures = Pictures::none) {
   ExperimentOptions o = profile_defaults(Profile::standard);
+  o.align.mode = AlignMode::none;
   o.input.reference = "generate:circle";
   o.input.template_file = "generate:ellipse/long";
   o.cascade.max_level = 5;

@@ -33,6 +33,7 @@ std::vector<Landmark<2>> landmarks(int n = 9) {
 ExperimentOptions options_to(int max_level) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.cascade.max_level = max_level;
+  o.align.mode = AlignMode::none;  // which would find the limb by itself
   return o;
 }
 
