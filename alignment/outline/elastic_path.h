@@ -13,8 +13,9 @@ namespace shellmatch {
 using ElasticPath = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// The path of least cost from the pair (first, second) once around both curves, by steps of 1 to 3 samples on each.
-/// \param costs of making i and j a pair, n x n; infinite where they must not be one \param stretching weight of the squared logarithm of the ratio of both steps,
-///   in the unit of `costs` \param[out] total mean cost of a sample, the stretching included
+/// \param costs of making i and j a pair, n x n; infinite where they must not be one
+/// \param stretching weight of the squared logarithm of the ratio of both steps, in the unit of `costs`
+/// \param[out] total mean cost of a sample, the stretching included
 /// \return empty where infinite costs leave no way
 /// \source T. B. Sebastian, P. N. Klein, B. B. Kimia: On aligning curves. IEEE PAMI 25, 2003
 ElasticPath elastic_path(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching,

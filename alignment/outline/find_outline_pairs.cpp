@@ -44,7 +44,8 @@ std::vector<Similarity<2>> poses_by_shift(const ClosedCurve& first, const Closed
     for (std::size_t i = 0; i < n; ++i) correlation[s] += std::conj(x[i] - x_mean) * (y[(i + s) % n] - y_mean);
   std::vector<std::pair<double, std::size_t>> peaks;
   for (std::size_t s = 0; s < n; ++s)
-    if (const double here = std::abs(correlation[s]); here >= std::abs(correlation[(s + 1) % n]) && here > std::abs(correlation[(s + n - 1) % n]))
+    if (const double here = std::abs(correlation[s]);
+        here >= std::abs(correlation[(s + 1) % n]) && here > std::abs(correlation[(s + n - 1) % n]))
       peaks.emplace_back(-here, s);
   std::sort(peaks.begin(), peaks.end());
   if (peaks.size() > n_most) peaks.resize(n_most);
@@ -109,8 +110,9 @@ std::vector<OutlineMap> search_outline_maps(const NormalizedOutline& first, cons
 }
 
 /// Pairs on the outlines themselves, by a second path close to the first, on curves with all but the smallest teeth.
-std::vector<CorrespondingPointsIn<2>> dense_pairs(const OutlineMap& map, const NormalizedOutline& coarse, const NormalizedOutline& first,
-                                                  const NormalizedOutline& second, std::size_t n_pairs) {
+std::vector<CorrespondingPointsIn<2>> dense_pairs(const OutlineMap& map, const NormalizedOutline& coarse,
+                                                  const NormalizedOutline& first, const NormalizedOutline& second,
+                                                  std::size_t n_pairs) {
   std::vector<CorrespondingPointsIn<2>> pairs;
   for (const CurveMatch& m : map.matches) {
     const ClosedCurve &a = first.curves[m.first], &b = second.curves[m.second];
@@ -127,7 +129,8 @@ std::vector<CorrespondingPointsIn<2>> dense_pairs(const OutlineMap& map, const N
     near.minCoeff(&i, &j);
     const ElasticPath path = closed_elastic_path(near, static_cast<std::size_t>(i), static_cast<std::size_t>(j), path_stretching);
     const double share = a.length / first.length;
-    const auto n_here = std::min(path.size(), std::max<std::size_t>(8, static_cast<std::size_t>(share * static_cast<double>(n_pairs) + 0.5)));
+    const auto n_here =
+        std::min(path.size(), std::max<std::size_t>(8, static_cast<std::size_t>(share * static_cast<double>(n_pairs) + 0.5)));
     for (std::size_t k = 0; !path.empty() && k < n_here; ++k) {
       const auto [from, to] = path[k * path.size() / n_here];
       const double agreement = (map.pose.rotation * a.normals[from]).dot(b.normals[to]);
@@ -149,7 +152,8 @@ std::vector<OutlineCandidate> candidates_between(const Surface<2>& reference, co
   const std::size_t n_curves = std::max(closed_polygons(reference).size(), closed_polygons(template_outline).size());
   const std::size_t n = std::clamp<std::size_t>(800 / std::max<std::size_t>(n_curves, 1), 64, 200);
   const Surface<2> shown = is_mirrored ? mirrored_outline(reference) : reference;
-  const NormalizedOutline first = normalized_outline(shown, n, search_smoothing), second = normalized_outline(template_outline, n, search_smoothing);
+  const NormalizedOutline first = normalized_outline(shown, n, search_smoothing),
+                          second = normalized_outline(template_outline, n, search_smoothing);
   const NormalizedOutline first_dense = normalized_outline(shown, 4 * n, pair_smoothing),
                           second_dense = normalized_outline(template_outline, 4 * n, pair_smoothing);
   const std::vector<OutlineMap> maps = search_outline_maps(first, second, static_cast<std::size_t>(options.refined));
@@ -184,7 +188,8 @@ bool differ_by_symmetry(const Surface<2>& outline, const FacetTree<2>& tree, con
 
 }  // namespace
 
-OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& template_outline, const AlignmentOptions& options) {
+OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& template_outline,
+                                const AlignmentOptions& options) {
   OutlinePairs result;
   std::vector<OutlineCandidate>& candidates = result.candidates;
   candidates = candidates_between(reference, template_outline, options, false);
@@ -201,7 +206,8 @@ OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& t
     if (c.score > limit) return infinity;
     return c.is_identity ? -1.0 : std::abs(angle_of(c.pose)) + (c.is_mirrored ? 10 : 0);
   };
-  const auto chosen = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto chosen =
+      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   std::rotate(candidates.begin(), chosen, chosen + 1);
 
   const FacetTree<2> tree(template_outline);

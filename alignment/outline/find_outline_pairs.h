@@ -31,6 +31,7 @@ struct OutlinePairs {
 /// many poses (docs/alignment.md). Of candidates that score alike, within options.identity_preference, the one that began as
 /// the outlines lie comes first, else the one that turns least. Uses `pairs`, `refined`, `identity_preference` and `mirror`
 /// of the options. \throws InputError where an outline has no closed curve
-OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& template_outline, const AlignmentOptions& options = {});
+OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& template_outline,
+                                const AlignmentOptions& options = {});
 
 }  // namespace shellmatch

@@ -16,7 +16,8 @@ Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, P
     from += pair.weight * turned_over(pair.on_reference);
     to += pair.weight * pair.on_template;
   }
-  if (pairs.size() < 2 || !(sum > 0)) throw_input_error("a pose in the plane needs at least two pairs of points; there are {}", pairs.size());
+  if (pairs.size() < 2 || !(sum > 0))
+    throw_input_error("a pose in the plane needs at least two pairs of points; there are {}", pairs.size());
   from /= sum;
   to /= sum;
   double real = 0, imaginary = 0, from2 = 0, to2 = 0;

@@ -30,7 +30,8 @@ std::vector<Mat<3>> rotations_all_around(int n) {
   for (int i = 0; i < n; ++i) {
     const double s = i + 0.5, r = std::sqrt(s / n), big = std::sqrt(1 - s / n);
     const double alpha = 2 * std::numbers::pi * s / phi, beta = 2 * std::numbers::pi * s / psi;
-    rotations.push_back(Eigen::Quaterniond(r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta)).toRotationMatrix());
+    rotations.push_back(Eigen::Quaterniond(r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta))
+                            .toRotationMatrix());
   }
   return rotations;
 }
@@ -91,15 +92,16 @@ std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const
   return distinct_motions(std::move(motions), n_most);
 }
 
-std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, const NormalizedSurface& second, const RigidMotion& motion,
-                                               std::size_t n) {
+std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, const NormalizedSurface& second,
+                                               const RigidMotion& motion, std::size_t n) {
   std::vector<CorrespondingPoints> pairs;
   for (const SurfacePoint& x : first.samples(n)) {
     const SurfacePoint y = second.nearest(motion(x.point));
     const double agreement = (motion.rotation * x.normal).dot(y.normal);
     // Sides that face each other by less than 70 degrees are no partners.
     if (agreement > 0.34)
-      pairs.push_back({first.centre() + first.radius() * x.point, second.centre() + second.radius() * y.point, agreement * agreement});
+      pairs.push_back(
+          {first.centre() + first.radius() * x.point, second.centre() + second.radius() * y.point, agreement * agreement});
   }
   return pairs;
 }
@@ -113,8 +115,8 @@ double median_distance_after(const std::vector<CorrespondingPoints>& pairs, cons
   return *middle;
 }
 
-std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const NormalizedSurface& second, const AlignmentOptions& options,
-                                             bool is_mirrored) {
+std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const NormalizedSurface& second,
+                                             const AlignmentOptions& options, bool is_mirrored) {
   const Vec<3> sides(is_mirrored ? -1 : 1, 1, 1);
   Surface<3> shown = reference;
   if (is_mirrored) {
@@ -171,7 +173,8 @@ RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& templ
     if (c.score > limit) return infinity;
     return c.is_identity ? -1.0 : c.is_mirrored ? 10.0 : angle_of(c.pose.rotation);
   };
-  const auto chosen = std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto chosen =
+      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   std::rotate(candidates.begin(), chosen, chosen + 1);
   result.margin = infinity;
   for (std::size_t i = 1; i < candidates.size(); ++i) {

@@ -33,6 +33,7 @@ struct RigidPairs {
 /// lie come first, else the one that turns least. Surfaces whose limbs lie otherwise may come nearest to each other in a
 /// wrong pose: this is for where find_pairs() is doubtful. Uses `pairs`, `refined`, `identity_preference` and `mirror` of the
 /// options. \throws InputError for surfaces without area
-RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface, const AlignmentOptions& options = {});
+RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
+                            const AlignmentOptions& options = {});
 
 }  // namespace shellmatch

@@ -69,7 +69,8 @@ RigidMotion iterated_points(const SampledPair& pair, RigidMotion motion, int n_s
     }
     const Eigen::Matrix<double, 6, 1> step = matrix.ldlt().solve(right);
     const double angle = step.head<3>().norm();
-    const Mat<3> turn = angle > 0 ? Eigen::AngleAxisd(angle, step.head<3>() / angle).toRotationMatrix() : Mat<3>(Mat<3>::Identity());
+    const Mat<3> turn =
+        angle > 0 ? Eigen::AngleAxisd(angle, step.head<3>() / angle).toRotationMatrix() : Mat<3>(Mat<3>::Identity());
     motion.rotation = turn * motion.rotation;
     motion.offset = turn * motion.offset + step.tail<3>();
     if (step.norm() < 1e-5) break;

@@ -39,7 +39,8 @@ NormalizedSurface::NormalizedSurface(const Surface<3>& input) : surface_(input) 
   for (std::size_t f = 0; f < input.facets.size(); ++f) {
     const auto [a, b, c] = corners(f);
     const double share = facet_measure(surface_, static_cast<Index>(f)) / area;
-    for (const Vec<3>& x : {Vec<3>((a + b) / 2), Vec<3>((b + c) / 2), Vec<3>((c + a) / 2)}) moments += share / 3 * x * x.transpose();
+    for (const Vec<3>& x : {Vec<3>((a + b) / 2), Vec<3>((b + c) / 2), Vec<3>((c + a) / 2)})
+      moments += share / 3 * x * x.transpose();
     area_up_to_.push_back(sum += share);
   }
   radius_ = std::sqrt(moments.trace());
@@ -55,7 +56,8 @@ std::vector<SurfacePoint> NormalizedSurface::samples(std::size_t n) const {
     const double at = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * area_up_to_.back();
     const auto f = static_cast<std::size_t>(std::lower_bound(area_up_to_.begin(), area_up_to_.end(), at) - area_up_to_.begin());
     // Kronecker's sequence of the golden ratio's kind spreads the points over the facets' interiors.
-    double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(k), 1.0), v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(k), 1.0);
+    double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(k), 1.0),
+           v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(k), 1.0);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const auto& [a, b, c] = surface_.facets[f];
     samples.push_back({(1 - u - v) * surface_.vertices[a] + u * surface_.vertices[b] + v * surface_.vertices[c],

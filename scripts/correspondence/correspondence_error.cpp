@@ -4,13 +4,14 @@
 //                        [--errors FILE]
 //
 // RESULT: a mesh (OBJ, OFF, PLY) with the vertices of the reference, in their order, moved to the template; or text (any other
-// ending) with a vertex of the template, counted from --first-index (1), for each vertex of the reference; or the word `identity`.
+// ending) with a vertex of the template, counted from --first-index (1), for each vertex of the reference; or the word
+// `identity`.
 // Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other; without them vertex i of
 // one mesh corresponds to vertex i of the other.
 //
-// Errors are lengths of paths along the template's edges from the vertex nearest to where a vertex ends to the one where it belongs,
-// times 100 over the root of the template's area; with --euclidean distances in diagonals of the template's bounding box.
-// Printed: number of points; mean, 95 % quantile, greatest error; share beyond 10 (0.1 diagonals); points that end on
+// Errors are lengths of paths along the template's edges from the vertex nearest to where a vertex ends to the one where it
+// belongs, times 100 over the root of the template's area; with --euclidean distances in diagonals of the template's bounding
+// box. Printed: number of points; mean, 95 % quantile, greatest error; share beyond 10 (0.1 diagonals); points that end on
 // another component than they belong to, which the other figures leave out. --errors writes all errors, one a line.
 
 #include "alignment/evaluation/correspondence_error.h"
@@ -129,7 +130,8 @@ std::vector<double> errors_of(const Arguments& arguments) {
   if (from.empty()) throw_input_error("{}: names no vertex", arguments.ids.empty() ? arguments.files[0] : arguments.ids[0]);
 
   const bool is_map = result != "identity" && !is_mesh(result);
-  const std::vector<Index> map = is_map ? read_indices(result, arguments.first_index, target.vertices.size()) : std::vector<Index>();
+  const std::vector<Index> map =
+      is_map ? read_indices(result, arguments.first_index, target.vertices.size()) : std::vector<Index>();
   const std::vector<Vec<3>> moved = is_map                ? at(target.vertices, map)
                                     : result == "identity" ? reference.vertices
                                                            : read_surface(result).vertices;

@@ -146,18 +146,21 @@ class Benchmark:
             if not self.keep_maps:
                 (out / "deformation.vtu").unlink(missing_ok=True)
         else:
-            result = next((path for ending in ("", ".ply", ".off", ".obj", ".txt") if (path := out.with_name("out" + ending)).exists()), out)
+            choices = [out.with_name("out" + ending) for ending in ("", ".ply", ".off", ".obj", ".txt")]
+            result = next((path for path in choices if path.exists()), out)
         if not result.exists():
-            raise Failed("it wrote nothing to {out}, nor with .ply, .off, .obj or .txt behind it" if result == out else f"it wrote no {result.name}")
-        return {"result": str(result.relative_to(partial.resolve())), "summary": summary, "seconds": seconds, "cpu_seconds": cpu_seconds}
+            raise Failed("it wrote nothing to {out}, nor with .ply, .off, .obj or .txt behind it" if result == out
+                         else f"it wrote no {result.name}")
+        return {"result": str(result.relative_to(partial.resolve())), "summary": summary, "seconds": seconds,
+                "cpu_seconds": cpu_seconds}
 
     def measure(self, pair, partial, result):
         words = [self.measure_program, str(pair.reference), str(pair.template)]
         options = ["--vts", *map(str, pair.vts)] if pair.vts else []
         options += ["--euclidean"] if pair.metric == "euclidean" else []
         found = {}
-        for name, end, more in (("before", "identity", []),
-                                ("error", str(partial / result), ["--first-index", str(self.first_index), "--errors", str(partial / "errors.txt")])):
+        of_result = ["--first-index", str(self.first_index), "--errors", str(partial / "errors.txt")]
+        for name, end, more in (("before", "identity", []), ("error", str(partial / result), of_result)):
             # What cannot be measured is a fault of the result; what can be wrong with the pair shows in the first of the two.
             log = partial / "measure.txt"
             self.call(words + [end] + options + more, log)
@@ -173,7 +176,8 @@ class Benchmark:
                 if self.stopped.is_set():
                     raise Stopped
                 try:
-                    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
+                    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
+                                             start_new_session=True)
                 except OSError as error:
                     raise Failed(f"{command[0]} cannot be run: {error.strerror}") from error
                 self.children.add(child)

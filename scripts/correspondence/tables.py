@@ -50,7 +50,8 @@ def cells(row):
     alignment = "" if row["alignment_doubtful"] == "" else "doubtful" if row["alignment_doubtful"] else "used"
     both = [" / ".join(filter(None, (scientific(row[f"{way}_mean"]), scientific(row[f"{way}_max"])))) for way in ("dt", "td")]
     return [row["pair"], row["method"], fixed(row["before"], digits), fixed(row["mean"], digits), fixed(row["p95"], digits),
-            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), alignment, f"{row['seconds']:.0f}", f"{row['cpu_seconds']:.0f}"]
+            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), alignment, f"{row['seconds']:.0f}",
+            f"{row['cpu_seconds']:.0f}"]
 
 
 def mean_row(method, rows):
@@ -77,8 +78,8 @@ def markdown(rows, failed):
         if not chosen:
             continue
         limit = "10" if metric == "geodesic" else "0.1"
-        head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "d->t mean / max", "t->d mean / max", "folds", "alignment",
-                "s", "CPU s"]
+        head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "d->t mean / max", "t->d mean / max", "folds",
+                "alignment", "s", "CPU s"]
         methods = list(dict.fromkeys(row["method"] for row in chosen))
         means = [mean_row(method, [row for row in chosen if row["method"] == method]) for method in methods]
         lines = [cells(row) for row in (chosen + means if len(chosen) > len(methods) else chosen)]

@@ -138,8 +138,8 @@ class Benchmark(unittest.TestCase):
 
     def test_a_match_is_measured_kept_and_repeated_where_options_change(self):
         for name, variant, edge in (("sphere", "round", "0.041"), ("ellipsoid", "long", "0.05")):  # 492 vertices each
-            subprocess.run([build / "apps/shellmatch", "generate", f"ellipsoid/{variant}", "-o", self.folder / f"{name}.off", "--edge-length", edge],
-                           check=True, capture_output=True)
+            words = ["generate", f"ellipsoid/{variant}", "-o", self.folder / f"{name}.off", "--edge-length", edge]
+            subprocess.run([build / "apps/shellmatch", *words], check=True, capture_output=True)
         pairs = self.folder / "round.txt"
         pairs.write_text("# two shapes\nsphere.off ellipsoid.off  # of one connectivity\n")
         words = [pairs, "--jobs", 2, "--", "--levels", "3:3"]
@@ -219,7 +219,8 @@ class Benchmark(unittest.TestCase):
 
     def test_a_run_that_fails_is_named_and_the_others_go_on(self):
         shapes = self.squares()
-        result = self.run_script(shapes, *self.other("fail", "bad"), "--command", f"good: {self.tool} shift {{reference}} {{template}} {{out}}")
+        good = f"good: {self.tool} shift {{reference}} {{template}} {{out}}"
+        result = self.run_script(shapes, *self.other("fail", "bad"), "--command", good)
         self.assertEqual(result.returncode, 1)
         self.assertIn("2 of 4 runs failed", result.stderr)
         self.assertIn("no map was found", result.stdout)
@@ -272,7 +273,8 @@ class Benchmark(unittest.TestCase):
 
     def test_two_at_a_time_in_one_folder_are_refused(self):
         shapes = self.squares()
-        first = subprocess.Popen(self.command(shapes, *self.other("sleep"), "--only", "a0-a1"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        words = self.command(shapes, *self.other("sleep"), "--only", "a0-a1")
+        first = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             for _ in range(400):
                 if list(self.folder.glob("out/tool/.a0-a1.partial-*/out")):
@@ -297,11 +299,14 @@ class Benchmark(unittest.TestCase):
         few.write_text("1\n2\n")
         wrong = self.folder / "wrong.vts"
         for words, part in (((a, b), "expected three files"), ((a, short, "identity"), "25 vertices"), ((a, b, short), "is for 10 vertices"),
-                            ((a, b, "identity", "--vts", ids, few), "has 25 lines and"), ((a, b, "identity", "--vts", ids), "a value is missing"),
-                            ((a, b, "identity", "--vts", ids, wrong), "entry 2: '26' is no vertex"), ((a, b, "identity", "--speed"), "no option --speed"),
+                            ((a, b, "identity", "--vts", ids, few), "has 25 lines and"),
+                            ((a, b, "identity", "--vts", ids), "a value is missing"),
+                            ((a, b, "identity", "--vts", ids, wrong), "entry 2: '26' is no vertex"),
+                            ((a, b, "identity", "--speed"), "no option --speed"),
                             ((a, b, "identity", "--first-index", "2"), "expected 0 or 1")):
             wrong.write_text("1 26")
-            result = subprocess.run([build / "scripts/correspondence/correspondence_error", *map(str, words)], capture_output=True, text=True)
+            program = build / "scripts/correspondence/correspondence_error"
+            result = subprocess.run([program, *map(str, words)], capture_output=True, text=True)
             self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
             self.assertIn(part, result.stderr)
 

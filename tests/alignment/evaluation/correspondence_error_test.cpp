@@ -65,7 +65,8 @@ TEST(CorrespondenceError, ASphereTurnedByASymmetryOfItsVerticesEndsAGreatCircleA
 TEST(CorrespondenceError, AnotherComponentIsInfinitelyFar) {
   const Surface<3> sphere = test::unit_sphere(1);
   const auto n = static_cast<Index>(sphere.vertices.size());
-  const std::vector<double> errors = geodesic_errors(test::joined(sphere, sphere), std::vector<Index>{0, n}, std::vector<Index>{n, n});
+  const std::vector<double> errors =
+      geodesic_errors(test::joined(sphere, sphere), std::vector<Index>{0, n}, std::vector<Index>{n, n});
   EXPECT_TRUE(std::isinf(errors[0]));
   EXPECT_EQ(errors[1], 0);
 }

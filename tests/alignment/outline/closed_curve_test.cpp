@@ -20,9 +20,8 @@ TEST(ClosedPolygons, AreFoundInTheDirectionOfTheirSegmentsAndOpenLinesAreLeftOut
   const Surface<2> ring = test::polygon(7, [](double) { return 2.0; });
   Surface<2> outline = test::joined(ring, test::reversed(test::polygon(5, [](double) { return 1.0; })));
   const auto open = static_cast<Index>(outline.vertices.size());
-  for (int k = 0; k < 3; ++k) outline.vertices.push_back(Vec<2>(5 + k, 0));
-  outline.facets.push_back({open, open + 1});
-  outline.facets.push_back({open + 1, open + 2});
+  for (int k = 0; k < 5; ++k) outline.vertices.push_back(Vec<2>(5 + k, 0));
+  for (Index k = 0; k < 4; ++k) outline.facets.push_back({open + k, open + k + 1});
   std::swap(outline.facets[1], outline.facets[9]);
   const std::vector<std::vector<Index>> polygons = closed_polygons(outline);
   ASSERT_EQ(polygons.size(), 2u);

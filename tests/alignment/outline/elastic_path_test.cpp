@@ -15,7 +15,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// The least cost of the steps from (i, j) behind the first pair to (n, n), by trying all.
-double least_of_all(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching, std::size_t i, std::size_t j) {
+double least_of_all(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching, std::size_t i,
+                    std::size_t j) {
   const auto n = static_cast<std::size_t>(costs.rows());
   if (i == n && j == n) return 0;
   double least = inf;
@@ -55,7 +56,9 @@ TEST(ElasticPath, IsTheCheapestOfAll) {
 TEST(ElasticPath, FindsAWarpFromAWrongFirstPair) {
   const std::size_t n = 120;
   const auto warp = [&](double i) { return i + 8 * std::sin(2 * M_PI * i / n); };
-  const auto feature = [&](double i) { return std::array{std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), std::sin(6 * M_PI * i / n)}; };
+  const auto feature = [&](double i) {
+    return std::array{std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), std::sin(6 * M_PI * i / n)};
+  };
   Eigen::MatrixXd costs(n, n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {

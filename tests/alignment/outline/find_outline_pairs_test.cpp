@@ -78,8 +78,9 @@ TEST(FindOutlinePairs, AnotherLeafIsTurnedAsThisOne) {
   EXPECT_LT(std::abs(turn_of(as_it_lies.candidates[0].pose)), 10 * degree);
   for (const double angle : {150.0, -100.0}) {
     const OutlinePairs found = find_outline_pairs(moved(leaf(), similarity(-angle * degree)), other);
-    EXPECT_NEAR(std::remainder(turn_of(found.candidates[0].pose) - turn_of(as_it_lies.candidates[0].pose) - angle * degree, 2 * std::numbers::pi), 0,
-                2 * degree);
+    EXPECT_NEAR(std::remainder(turn_of(found.candidates[0].pose) - turn_of(as_it_lies.candidates[0].pose) - angle * degree,
+                               2 * std::numbers::pi),
+                0, 2 * degree);
     EXPECT_GT(found.margin, 1.3);
   }
 }
@@ -106,11 +107,12 @@ TEST(FindOutlinePairs, AStarTurnsNoFartherThanToItsNextPoint) {
   }
 }
 
+Surface<2> disc(double radius, const Vec<2>& middle) {
+  return moved(test::polygon(60, [=](double) { return radius; }), similarity(0, 1, middle));
+}
+
 TEST(FindOutlinePairs, SeveralCurvesAreFoundTogether) {
   // A disc with two holes and a small disc beside it: only together they tell which way is up.
-  const auto disc = [](double radius, const Vec<2>& middle) {
-    return moved(test::polygon(60, [=](double) { return radius; }), similarity(0, 1, middle));
-  };
   Surface<2> outline = disc(1, {0, 0});
   outline = test::joined(outline, test::reversed(disc(0.3, {0.4, 0.2})));
   outline = test::joined(outline, test::reversed(disc(0.2, {-0.5, 0.1})));
@@ -126,6 +128,20 @@ TEST(FindOutlinePairs, SeveralCurvesAreFoundTogether) {
   // A curve that the other outline does not have finds no partner.
   const OutlinePairs found = find_outline_pairs(outline, disc(1, {0, 0}));
   EXPECT_NEAR(found.candidates[0].score_parts.unmatched, 0.5 * (1 - 1 / 1.9), 0.01);
+}
+
+TEST(FindOutlinePairs, CurvesHaveOnePartnerOfTheirKind) {
+  const auto unmatched = [](const Surface<2>& a, const Surface<2>& b) {
+    return find_outline_pairs(a, b).candidates[0].score_parts.unmatched;
+  };
+  const Surface<2> small = disc(0.3, {0.4, 0.2});
+  const Surface<2> with_hole = test::joined(disc(1, {0, 0}), test::reversed(small));
+  EXPECT_NEAR(unmatched(with_hole, with_hole), 0, 1e-12);
+  EXPECT_NEAR(unmatched(with_hole, test::joined(disc(1, {0, 0}), small)), 0.3 / 1.3, 0.01);
+  const Surface<2> two = test::joined(test::joined(disc(1, {0, 0}), disc(0.3, {1.6, 0})), disc(0.3, {1.6, 0.7}));
+  const Surface<2> one = test::joined(disc(1, {0, 0}), disc(0.3, {1.6, 0.35}));
+  EXPECT_NEAR(unmatched(two, one), 0.5 * 0.3 / 1.6, 0.01);
+  EXPECT_NEAR(unmatched(one, two), 0.5 * 0.3 / 1.6, 0.01);
 }
 
 TEST(FindOutlinePairs, AMirroredLeafNeedsMirror) {
@@ -164,7 +180,9 @@ TEST(FindOutlinePairs, TurnedHandsFindTheirFingers) {
   const auto folder = test::data_folder() / "hands2d_basel";
   if (!exists(folder)) GTEST_SKIP() << folder << " is not there";
   for (const auto& [a, b] : {std::pair("00", "03"), {"05", "10"}}) {
-    const auto read = [&](const char* number) { return read_outline(folder / ("hand" + std::string(number) + "_registered.csv")); };
+    const auto read = [&](const char* number) {
+      return read_outline(folder / ("hand" + std::string(number) + "_registered.csv"));
+    };
     const Shape<2> reference = read(a), other = read(b);
     for (const double angle : {0.0, 170.0}) {
       const Similarity<2> motion = similarity(angle * degree, 2);
@@ -187,14 +205,17 @@ TEST(FindOutlinePairs, TurnedHandsFindTheirFingers) {
 TEST(FindOutlinePairs, TurnedLeavesFindTheirStalk) {
   const auto folder = test::data_folder() / "leaves2d_vitis";
   if (!exists(folder)) GTEST_SKIP() << folder << " is not there";
-  for (const auto& [a, b] : {std::pair("000_CHARDONNAY", "000_ALICANTEBOUSCHET"), {"020_leaf3_588154a", "234_5BB"}, {"000_CHARDONNAY", "057_leaf4_588233a"},
+  for (const auto& [a, b] : {std::pair("000_CHARDONNAY", "000_ALICANTEBOUSCHET"),
+                             {"020_leaf3_588154a", "234_5BB"},
+                             {"000_CHARDONNAY", "057_leaf4_588233a"},
                              {"033_leaf4_483146a", "057_leaf4_588233a"}}) {
     const auto read = [&](const char* name) { return read_outline(folder / (std::string(name) + "_aligned.csv")).surface; };
     const Surface<2> reference = read(a), other = read(b);
     for (const double angle : {0.0, -110.0}) {
       const OutlinePairs found = find_outline_pairs(moved(reference, similarity(angle * degree)), other);
       // Stalks point down; two leaves lie on each other best at some degrees.
-      EXPECT_LT(std::abs(std::remainder(turn_of(found.candidates[0].pose) + angle * degree, 2 * std::numbers::pi)), 18 * degree) << a << ' ' << b;
+      EXPECT_LT(std::abs(std::remainder(turn_of(found.candidates[0].pose) + angle * degree, 2 * std::numbers::pi)), 18 * degree)
+          << a << ' ' << b;
       EXPECT_GT(found.margin, 1.3);
     }
   }

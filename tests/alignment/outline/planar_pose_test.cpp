@@ -21,7 +21,8 @@ Similarity<2> motion(double angle, double scale, bool mirror) {
 
 std::vector<CorrespondingPointsIn<2>> moved_points(const Similarity<2>& pose) {
   std::vector<CorrespondingPointsIn<2>> pairs;
-  for (const Vec<2>& x : test::random_points<2>(20, {-1, 2}, {4, 3})) pairs.push_back({x, pose(x), 0.1 + 0.01 * static_cast<double>(pairs.size())});
+  for (const Vec<2>& x : test::random_points<2>(20, {-1, 2}, {4, 3}))
+    pairs.push_back({x, pose(x), 0.1 + 0.01 * static_cast<double>(pairs.size())});
   return pairs;
 }
 
@@ -30,7 +31,8 @@ TEST(PlanarPose, OfMovedPointsIsTheMotion) {
     for (const double angle : {0.0, 1.0, 3.1, -2.0})
       for (const double scale : {1.0, 2.5}) {
         const Similarity<2> pose = motion(angle, scale, mirror);
-        const Similarity<2> found = fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity, mirror);
+        const Similarity<2> found =
+            fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity, mirror);
         EXPECT_NEAR(found.scale, scale, 1e-12);
         EXPECT_LT((found.rotation - pose.rotation).norm(), 1e-12);
         EXPECT_LT((found.offset - pose.offset).norm(), 1e-11);

@@ -24,7 +24,8 @@ Surface<3> ellipsoid(const Vec<3>& axes, int frequency = 12) {
 Surface<3> blob(int frequency = 12) {
   Surface<3> surface = geodesic_sphere(frequency);
   const Vec<3> top = Vec<3>(1, 0.7, 0.4).normalized();
-  for (Vec<3>& x : surface.vertices) x = Vec<3>(1.3, 1.1, 0.9).cwiseProduct((1 + 0.25 * std::exp(-4 * (x - top).squaredNorm())) * x);
+  for (Vec<3>& x : surface.vertices)
+    x = Vec<3>(1.3, 1.1, 0.9).cwiseProduct((1 + 0.25 * std::exp(-4 * (x - top).squaredNorm())) * x);
   return surface;
 }
 
@@ -40,7 +41,8 @@ double degrees_between(const Mat<3>& a, const Mat<3>& b) {
   return std::acos(std::clamp(((a.transpose() * b).trace() - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-double greatest_error(const RigidPairs& found, const Surface<3>& other, const Mat<3>& rotation, double scale, const Vec<3>& offset) {
+double greatest_error(const RigidPairs& found, const Surface<3>& other, const Mat<3>& rotation, double scale,
+                      const Vec<3>& offset) {
   double greatest = 0;
   for (const CorrespondingPoints& pair : found.pairs())
     greatest = std::max(greatest, (scale * (rotation * pair.on_reference) + offset - pair.on_template).norm());
@@ -84,7 +86,8 @@ TEST(FindRigidPairs, ATurnedEllipsoidTurnsByTheLeastOfItsFourTurns) {
 
 TEST(FindRigidPairs, WhatIsSymmetricStaysAsItLies) {
   const Mat<3> none = Mat<3>::Identity();
-  for (const Surface<3>& shape : {ellipsoid({1, 1, 1}), ellipsoid({1.4, 1.2, 1}), ellipsoid({2, 1, 1}), test::box({-1, -1, -1}, {1, 1, 1})}) {
+  for (const Surface<3>& shape :
+       {ellipsoid({1, 1, 1}), ellipsoid({1.4, 1.2, 1}), ellipsoid({2, 1, 1}), test::box({-1, -1, -1}, {1, 1, 1})}) {
     const Surface<3> other = moved_by(shape, none, 1.3, {1, 2, 3});
     const RigidPairs found = find_rigid_pairs(shape, other);
     EXPECT_TRUE(found.candidates[0].is_identity);
