@@ -99,6 +99,7 @@ class Octree {
   // Family 0 has one member, the root, which is stored as if it were the last child of a cell.
   static constexpr int last_child = n_corners<Dim> - 1;
   static Index family_of(Index cell) { return (cell + last_child) >> Dim; }
+  static constexpr std::size_t chunk_size = 256;  // of the parallel loops
   /// The family that created the node at a point: of the cells that share the point, the children of the one
   /// that was split first. `point` is the point's number in their parent.
   struct Origin {

@@ -4,7 +4,7 @@
 #include "energies/compiled/energy_terms.h"
 #include "energies/terms/term_names.h"
 #include "examples/normal_alignment.h"
-#include "tests/matching/experiment/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 #include <gtest/gtest.h>
 

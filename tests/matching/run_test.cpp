@@ -8,7 +8,7 @@
 #include "matching/run_matching.h"
 #include "matching/result/correspondence.h"
 #include "matching/output/summary.h"
-#include "tests/matching/experiment/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 #include <gtest/gtest.h>
 

@@ -10,12 +10,6 @@
 namespace shellmatch {
 namespace {
 
-double area(const Surface<3>& surface) {
-  double sum = 0;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f) sum += facet_measure(surface, static_cast<Index>(f));
-  return sum;
-}
-
 Surface<3> bumpy() {
   return test::mapped<3>(test::unit_sphere(3), [](const Vec<3>& x) {
     return Vec<3>(x * (1 + 0.3 * std::sin(3 * x[0]) * std::cos(4 * x[1] + x[2])));
@@ -40,8 +34,8 @@ TEST(Laplacian, EnergiesOfTheCoordinatesAddUpToTwiceTheArea) {
     for (Eigen::Index v = 0; v < x.size(); ++v) x[v] = surface.vertices[static_cast<std::size_t>(v)][k];
     energy += x.dot(laplacian.stiffness * x);
   }
-  EXPECT_NEAR(energy, 2 * area(surface), 1e-12 * energy);
-  EXPECT_NEAR(laplacian.mass.sum(), area(surface), 1e-12);
+  EXPECT_NEAR(energy, 2 * test::boundary_measure(surface), 1e-12 * energy);
+  EXPECT_NEAR(laplacian.mass.sum(), test::boundary_measure(surface), 1e-12);
 }
 
 TEST(Laplacian, EigenvaluesOfASphereConvergeWithSecondOrder) {

@@ -10,12 +10,6 @@
 namespace shellmatch {
 namespace {
 
-double area(const Surface<3>& surface) {
-  double sum = 0;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f) sum += facet_measure(surface, static_cast<Index>(f));
-  return sum;
-}
-
 /// Number of edges that have not exactly two facets.
 std::size_t n_open_edges(const Surface<3>& surface) {
   std::map<std::pair<Index, Index>, int> facets;
@@ -45,10 +39,11 @@ TEST(PreparedSurface, ALargeSurfaceIsSimplifiedAndStaysClosed) {
   EXPECT_NEAR(n_vertices, 1500, 15);
   EXPECT_EQ(n_open_edges(prepared.surface), 0u);
   EXPECT_EQ(prepared.surface.facets.size(), 2 * prepared.surface.vertices.size());  // genus 1, as before
-  EXPECT_NEAR(area(prepared.surface), area(torus), 0.02 * area(torus));
+  const double area = test::boundary_measure(torus);
+  EXPECT_NEAR(test::boundary_measure(prepared.surface), area, 0.02 * area);
   EXPECT_EQ(prepared.notes.size(), 1u);
   // The mean area of a facet gives the length of its edges.
-  const double edge = std::sqrt(area(torus) / static_cast<double>(prepared.surface.facets.size()) * 4 / std::sqrt(3));
+  const double edge = std::sqrt(area / static_cast<double>(prepared.surface.facets.size()) * 4 / std::sqrt(3));
   for (std::size_t v = 0; v < torus.vertices.size(); ++v)
     EXPECT_LT((prepared.surface.vertices[prepared.nearest[v]] - torus.vertices[v]).norm(), 1.5 * edge);
 }
@@ -58,7 +53,7 @@ TEST(PreparedSurface, ACoarseSurfaceIsDividedWithoutMoving) {
   const PreparedSurface prepared = prepare_surface(box, {});
   EXPECT_GE(prepared.surface.vertices.size(), n_least_vertices);
   EXPECT_EQ(n_open_edges(prepared.surface), 0u);
-  EXPECT_NEAR(area(prepared.surface), 22, 1e-12);
+  EXPECT_NEAR(test::boundary_measure(prepared.surface), 22, 1e-12);
   EXPECT_NEAR(enclosed_measure(prepared.surface), 6, 1e-12);
   for (std::size_t v = 0; v < box.vertices.size(); ++v)
     EXPECT_EQ(prepared.surface.vertices[prepared.nearest[v]], box.vertices[v]);

@@ -1,5 +1,6 @@
 // Volumes, areas and lengths with known values: second order in the edge length.
 #include "tests/geometry/generate/generated_surface.h"
+#include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +9,6 @@
 
 namespace shellmatch {
 namespace {
-
-template <int Dim>
-double boundary_measure(const Surface<Dim>& s) {
-  double sum = 0;
-  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) sum += facet_measure(s, f);
-  return sum;
-}
 
 // The error falls at least like h^1.8 from h = 0.04 to 0.02 to 0.01, and is not zero by accident.
 void expect_second_order(const std::function<double(double)>& measure, double exact) {
@@ -33,7 +27,7 @@ TEST(Measures, Sphere) {
       4 * M_PI / 3 * 0.027);
   expect_second_order(
       [](double h) {
-        return boundary_measure(generated_surface("sphere", "", h, {{"radius", 0.3}}));
+        return test::boundary_measure(generated_surface("sphere", "", h, {{"radius", 0.3}}));
       },
       4 * M_PI * 0.09);
 }
@@ -46,7 +40,7 @@ TEST(Measures, Ellipsoid) {
 TEST(Measures, Torus) {
   expect_second_order([](double h) { return enclosed_measure(generated_surface("torus", "thick", h)); },
                       2 * M_PI * M_PI * 0.26 * 0.01);
-  expect_second_order([](double h) { return boundary_measure(generated_surface("torus", "thick", h)); },
+  expect_second_order([](double h) { return test::boundary_measure(generated_surface("torus", "thick", h)); },
                       4 * M_PI * M_PI * 0.26 * 0.1);
 }
 
@@ -62,7 +56,7 @@ TEST(Measures, RoundedBox) {
 TEST(Measures, Ellipse) {
   expect_second_order([](double h) { return enclosed_measure(generated_outline("ellipse", "long", h)); },
                       M_PI * 0.37 * 0.2);
-  expect_second_order([](double h) { return boundary_measure(generated_outline("circle", "large", h)); },
+  expect_second_order([](double h) { return test::boundary_measure(generated_outline("circle", "large", h)); },
                       2 * M_PI * 0.3);
 }
 

@@ -49,6 +49,14 @@ Surface<Dim> joined(Surface<Dim> a, const Surface<Dim>& b) {
   return a;
 }
 
+/// Area of a surface, length of an outline.
+template <int Dim>
+double boundary_measure(const Surface<Dim>& surface) {
+  double sum = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) sum += facet_measure(surface, static_cast<Index>(f));
+  return sum;
+}
+
 /// A file of the data folder as a surface of triangles, scaled to a longest side of 1; nothing where there is
 /// none.
 std::optional<Surface<3>> data_surface(const std::string& file);

@@ -2,7 +2,7 @@
 
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
-#include "tests/matching/experiment/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 #include <fmt/core.h>
 

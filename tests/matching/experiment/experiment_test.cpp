@@ -2,7 +2,7 @@
 
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/yaml_options.h"
-#include "tests/matching/experiment/expect_input_error.h"
+#include "tests/support/expect_input_error.h"
 
 #include <filesystem>
 #include <fstream>
