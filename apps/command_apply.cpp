@@ -4,6 +4,7 @@
 #include "apps/output_file.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/printable.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "matching/map_file/deformation_file.h"
@@ -58,7 +59,7 @@ void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
   OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
-  for (const std::string& note : notes) std::fputs(fmt::format("{}\n", note).c_str(), stderr);
+  for (const std::string& note : notes) std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr);
 
   if (command.inverse) move_back(deformation, command.file, shape.vertices);
   else move(deformation, shape.vertices);

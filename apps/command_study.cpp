@@ -3,6 +3,7 @@
 #include "apps/commands.h"
 #include "apps/interrupt.h"
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/replace_file.h"
 #include "base/stop.h"
 #include "studies/report/collect.h"
@@ -30,7 +31,7 @@ class StudyProgress final : public StudyObserver {
   }
   bool stop_requested() override { return interrupt_requested(); }
   void say(const std::string& text) const {
-    if (!quiet_) std::fputs(fmt::format("shellmatch: {}\n", text).c_str(), stderr);
+    if (!quiet_) std::fputs(fmt::format("shellmatch: {}\n", printable(text, max_message_length)).c_str(), stderr);
   }
 
  private:

@@ -3,10 +3,12 @@
 #include "apps/command_line.h"
 #include "apps/interrupt.h"
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/stop.h"
 
 #include <fmt/core.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -21,7 +23,7 @@ namespace {
 enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, internal_error = 70 };
 
 int fail(ExitCode code, const std::string& text) {
-  std::fputs(fmt::format("shellmatch: error: {}\n", text).c_str(), stderr);
+  std::fputs(fmt::format("shellmatch: error: {}\n", shellmatch::printable(text, shellmatch::max_message_length)).c_str(), stderr);
   return code;
 }
 
@@ -29,6 +31,8 @@ int fail(ExitCode code, const std::string& text) {
 
 int main(int argc, char** argv) {
   using namespace shellmatch;
+  // A file that grows beyond its limit (ulimit -f) is an error of the write, which is reported and cleaned up.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const Command command = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
     std::visit([](const auto& c) { execute(c); }, command);
@@ -45,7 +49,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
   } catch (const Stopped& error) {
-    std::fputs(fmt::format("shellmatch: {}\n", error.what()).c_str(), stderr);
+    std::fputs(fmt::format("shellmatch: {}\n", printable(error.what(), max_message_length)).c_str(), stderr);
     return interrupt_exit_code();
   } catch (const std::exception& error) {
     return fail(internal_error, error.what());

@@ -15,7 +15,8 @@ namespace shellmatch {
 void check_report_file(const std::string& path, bool force) {
   namespace fs = std::filesystem;
   if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
-  if (fs::exists(path) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
+  // A link that leads nowhere is a name that is taken, too.
+  if (fs::exists(fs::symlink_status(path)) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
   const fs::path folder = fs::absolute(path).parent_path();
   if (!fs::is_directory(folder)) throw_input_error("{}: there is no folder {}", path, folder.string());
 }

@@ -1,5 +1,6 @@
 #include "apps/progress.h"
 
+#include "base/printable.h"
 #include "base/stop.h"
 #include "matching/derivative_check/gradient_report.h"
 
@@ -46,7 +47,7 @@ void Progress::clear() {
 void Progress::line(const std::string& text) {
   if (verbosity_ == Verbosity::quiet) return;
   clear();
-  std::fputs(fmt::format("{}\n", text).c_str(), stderr);
+  std::fputs(fmt::format("{}\n", printable(text, max_message_length)).c_str(), stderr);
 }
 
 void Progress::rewrite(const std::string& text) {

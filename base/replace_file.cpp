@@ -2,12 +2,14 @@
 
 #include "base/error.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <random>
 
 namespace shellmatch {
 
@@ -15,24 +17,65 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw_environment_error("{}: cannot be written ({}); check the folder, its permissions and the free space", path, reason);
+constexpr std::string_view partial_file_prefix = ".partial-";
+constexpr std::size_t n_random_digits = 16;
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw_environment_error("{}: cannot be written ({}); check the folder, its permissions and the free space", path,
+                          std::strerror(error));
+}
+
+// The bytes go to the disk through one descriptor, whose errors are those of the system.
+void write_bytes(const std::string& partial, const std::string& path, std::string_view bytes) {
+  const int file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) fail(path, errno);
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int error = errno;
+      ::close(file);
+      fail(path, error);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  if (::close(file) != 0) fail(path, errno);
 }
 
 }  // namespace
 
-std::string partial_file_name(const std::string& path) {
+bool is_partial_file_name(std::string_view name) {
+  if (!name.starts_with(partial_file_prefix)) return false;
+  name.remove_prefix(partial_file_prefix.size());
+  const std::size_t n = std::min(name.find_first_not_of("0123456789abcdef"), name.size());
+  return n == n_random_digits && (name.size() == n || name[n] == '.');
+}
+
+std::string create_partial_file(const std::string& path) {
   const fs::path place = path;
-  return (place.parent_path() / fmt::format("{}{}-{}", partial_file_prefix, ::getpid(), place.filename().string())).string();
+  // A long extension is none that a writer asks for; without it the name fits every file system.
+  std::string extension = place.extension().string();
+  if (extension.size() > 16) extension.clear();
+  std::random_device random;
+  for (int attempt = 0;; ++attempt) {
+    const std::string name = fmt::format("{}{:08x}{:08x}{}", partial_file_prefix, random(), random(), extension);
+    const std::string partial = (place.parent_path() / name).string();
+    const int file = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file >= 0) {
+      ::close(file);
+      return partial;
+    }
+    if (errno != EEXIST || attempt > 100) fail(path, errno);
+  }
 }
 
 void replace_file(const std::string& path, const std::function<void(const std::string&)>& write) {
-  const std::string partial = partial_file_name(path);
+  const std::string partial = create_partial_file(path);
   std::error_code error, ignored;
   try {
     write(partial);
     fs::rename(partial, path, error);
-    if (error) fail(path, error.message());
+    if (error) fail(path, error.value());
   } catch (...) {
     fs::remove(partial, ignored);
     throw;
@@ -40,14 +83,7 @@ void replace_file(const std::string& path, const std::function<void(const std::s
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {
-  replace_file(path, [&](const std::string& partial) {
-    errno = 0;
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    if (!stream) fail(path, std::strerror(errno));
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) fail(path, errno != 0 ? std::strerror(errno) : "writing failed");
-  });
+  replace_file(path, [&](const std::string& partial) { write_bytes(partial, path, bytes); });
 }
 
 }  // namespace shellmatch

@@ -8,15 +8,15 @@
 
 namespace shellmatch {
 
-/// How the names of files that are being written begin. What a killed process has left is found by it.
-inline constexpr std::string_view partial_file_prefix = ".partial-";
+/// Whether a file of this name has been left by a process that was killed while it wrote: `.partial-RANDOM.EXTENSION`.
+bool is_partial_file_name(std::string_view name);
 
-/// The name under which this process writes `path` before it renames it: `.partial-PID-NAME` in the same folder, so that
-/// processes do not disturb each other and the extension is the same.
-std::string partial_file_name(const std::string& path);
+/// Creates an empty file of such a name in the folder of `path`, with a name that nothing had before: no link
+/// is followed and no file is lost. Its extension is that of `path`. \throws EnvironmentError naming `path`
+std::string create_partial_file(const std::string& path);
 
-/// Calls `write` with that name and renames the file. \throws EnvironmentError if it cannot be renamed, and whatever
-/// `write` throws; no partial file is left
+/// Calls `write` with the name of such a file and renames it to `path`. \throws EnvironmentError if it cannot be created
+/// or renamed, and whatever `write` throws; no partial file is left
 void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);
 
 /// The same with these contents. \throws EnvironmentError naming `path`: disk full, no permission

@@ -53,14 +53,8 @@ class Run {
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
     if (options_.resume.enabled) {
-      checkpoints_.emplace(folder_.final_path(), run_identity(options_, reference.surface, template_shape.surface, inputs_.landmarks));
-      if (checkpoints_->is_foreign()) {
-        recorder_.note(fmt::format("{}: no run has written this, and it is left alone: levels are not kept for the case "
-                                   "that this run is stopped", checkpoints_->path()));
-        checkpoints_.reset();
-      } else if (!restart) {
-        inputs_.before = read_checkpoint();
-      }
+      open_checkpoints(run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
+      if (checkpoints_ && !restart) inputs_.before = read_checkpoint();
     }
     inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
@@ -82,12 +76,35 @@ class Run {
     recorder_.stage("writing");
     PhaseClock phase(clock_.phases);
     phase.start("output");
-    write_result_files(result, options_, folder_);
+    write_result_files(result, options_, folder_, recorder_);
     phase.stop();
     clock_.state(result.summary.run);
     write_summary(result.summary, folder_.path_of("summary.json"));
     folder_.commit();
-    if (checkpoints_ && !result.summary.interrupted) checkpoints_->remove();
+    if (checkpoints_ && !result.summary.interrupted) remove_checkpoint();
+  }
+
+  void open_checkpoints(RunIdentity identity) {
+    constexpr const char* consequence = "levels are not kept for the case that this run is stopped";
+    try {
+      checkpoints_.emplace(folder_.final_path(), std::move(identity));
+    } catch (const EnvironmentError& error) {
+      return recorder_.note(fmt::format("{}: {}", consequence, error.what()));
+    }
+    if (checkpoints_->is_foreign()) {
+      recorder_.note(fmt::format("{}: no run has written this, and it is left alone: {}", checkpoints_->path(), consequence));
+      checkpoints_.reset();
+    } else if (const std::string text = checkpoints_->foreign_text(); !text.empty()) {
+      recorder_.note(fmt::format("{}: {}; until that is moved elsewhere, {}", checkpoints_->path(), text, consequence));
+    }
+  }
+
+  // What another configuration has kept stays, unless this run has replaced it.
+  void remove_checkpoint() {
+    if (checkpoint_level_ == 0 && !checkpoints_->obstacle().empty()) return;
+    const std::string text = checkpoints_->foreign_text();
+    checkpoints_->remove();
+    if (!text.empty()) recorder_.note(fmt::format("{}: {}; that folder is not removed", checkpoints_->path(), text));
   }
 
   // The checkpoint of an earlier run of the same experiment, if there is one.
@@ -100,8 +117,8 @@ class Run {
       obstacle = fmt::format("it cannot be read ({})", error.what());
     }
     if (!obstacle.empty())
-      recorder_.note(fmt::format("{}: {}; the run begins anew and replaces that folder once it keeps a level",
-                                 checkpoints_->path(), obstacle));
+      recorder_.note(fmt::format("{}: {}; the run begins anew{}", checkpoints_->path(), obstacle,
+                                 checkpoints_->foreign_text().empty() ? " and replaces that folder once it keeps a level" : ""));
     if (!checkpoint) return std::nullopt;
     checkpoint_level_ = checkpoint->summary.levels.back().level;
     recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", checkpoint_level_, checkpoints_->path(),
@@ -148,6 +165,11 @@ class Run {
 
   void picture(const LevelEnd<Dim>& end) {
     const int level = end.level.start.level;
+    draw(folder_, level_picture_name(level), recorder_, [&](const std::string& path) { write_picture(end, path); });
+  }
+
+  void write_picture(const LevelEnd<Dim>& end, const std::string& path) {
+    const int level = end.level.start.level;
     LevelPicture<Dim> p;
     p.draft = true;
     p.reference = &end.shapes.reference.surface;
@@ -159,7 +181,7 @@ class Run {
       p.grid = &end.state.grid;
       p.phi = &end.state.phi;
     }
-    write_level_picture(p, folder_.path_of(level_picture_name(level)));
+    write_level_picture(p, path);
   }
 
   const ExperimentOptions& options_;

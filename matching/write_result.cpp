@@ -1,5 +1,7 @@
 #include "matching/write_result.h"
 
+#include "base/error.h"
+#include "base/stop.h"
 #include "geometry/io/write_shape.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/pictures/grid_picture.h"
@@ -10,12 +12,15 @@
 #include "matching/output/write_file.h"
 #include "render/canvas/plot.h"
 
+#include <filesystem>
+#include <new>
+
 namespace shellmatch {
 
 namespace {
 
 template <int Dim>
-void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder) {
+void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observer& observer) {
   const MatchedSurfaces<Dim>& s = result.surfaces;
   LevelPicture<Dim> picture;
   picture.reference = &s.reference;
@@ -26,17 +31,38 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder) {
     picture.grid = &result.map.grid;
     picture.phi = &result.map.phi;
   }
-  write_level_picture(picture, folder.path_of("pictures/result.png"));
+  draw(folder, "pictures/result.png", observer, [&](const std::string& path) { write_level_picture(picture, path); });
   if constexpr (Dim == 3)
-    write_grid_picture(result.map.grid, s.reference, s.template_shape, "", folder.path_of("pictures/grid.png"));
-  write_plot(energy_plot(result.history), folder.path_of("pictures/energy.png"));
+    draw(folder, "pictures/grid.png", observer, [&](const std::string& path) {
+      write_grid_picture(result.map.grid, s.reference, s.template_shape, "", path);
+    });
+  draw(folder, "pictures/energy.png", observer, [&](const std::string& path) { write_plot(energy_plot(result.history), path); });
 }
 
 }  // namespace
 
+void draw(OutputFolder& folder, const std::string& name, Observer& observer,
+          const std::function<void(const std::string& path)>& write) {
+  const std::string path = folder.path_of(name);
+  std::string why;
+  try {
+    return write(path);
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    why = "not enough memory";
+  } catch (const std::exception& error) {
+    why = error.what();
+  }
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  observer.note(fmt::format("{} is missing: {}", name, why));
+}
+
 template <int Dim>
-void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder) {
-  if (options.pictures != Pictures::none) write_pictures(result, folder);
+void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
+                        Observer& observer) {
+  if (options.pictures != Pictures::none) write_pictures(result, folder, observer);
   if constexpr (Dim == 3) write_ply(folder.path_of("deformed.ply"), result.deformed);
   else write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
   write_deformation(folder.path_of(deformation_file_name), result.map,
@@ -50,14 +76,15 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
 template <int Dim>
 void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
   OutputFolder place(folder, force);
-  write_result_files(result, options, place);
+  Observer nobody;
+  write_result_files(result, options, place, nobody);
   write_summary(result.summary, place.path_of("summary.json"));
   place.commit();
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
   template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
-  template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&)
+  template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

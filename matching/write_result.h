@@ -4,8 +4,10 @@
 
 #include "matching/experiment/options.h"
 #include "matching/output/output_folder.h"
+#include "matching/progress/observer.h"
 #include "matching/result/match_result.h"
 
+#include <functional>
 #include <string>
 
 namespace shellmatch {
@@ -23,6 +25,12 @@ void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions
 /// Writes the same files without summary.json into a folder that the caller commits. The caller writes summary.json
 /// last, because it states the time spent on writing.
 template <int Dim>
-void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder);
+void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
+                        Observer& observer);
+
+/// Draws one picture, NAME in the folder. A picture that cannot be drawn or written does not end a run: it is removed, and
+/// the observer is told. \throws Stopped
+void draw(OutputFolder& folder, const std::string& name, Observer& observer,
+          const std::function<void(const std::string& path)>& write);
 
 }  // namespace shellmatch

@@ -62,13 +62,14 @@ InputFile::InputFile(std::string path) : path_(std::move(path)), format_(format_
     throw_input_error("{}: no such file; check the name and the folder", path_);
   }
   if (fs::is_directory(status)) throw_input_error("{}: is a folder, not a file; name the file in it", path_);
+  if (!fs::is_regular_file(status)) throw_input_error("{}: is a pipe or a device, not a file; write its contents to a file", path_);
 }
 
 std::string InputFile::read() const {
   std::ifstream stream(path_, std::ios::binary);
   if (!stream) throw_input_error("{}: cannot be opened ({})", path_, std::strerror(errno));
   std::string bytes;
-  // Pipes and devices have no size: reading in pieces serves all of them.
+  // In pieces: the file may grow or shrink meanwhile.
   std::string piece(1 << 20, '\0');
   while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
     bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));

@@ -22,10 +22,10 @@ FileFormat format_of(const std::string& path);
 /// Of the shapes in files of that format: 3 for meshes, 2 for tables and masks, 0 for what holds no shape.
 int dimension_of(FileFormat format);
 
-/// A file that exists and is not a folder.
+/// A file that exists: no folder, and no pipe or device, of which nobody knows whether it ends.
 class InputFile {
  public:
-  /// \throws InputError where it is missing or a folder
+  /// \throws InputError where it is missing or no file
   explicit InputFile(std::string path);
 
   const std::string& path() const { return path_; }

@@ -40,9 +40,9 @@ void check_foreground(const GreyImage& image, const std::string& source) {
 
 // Does every pixel have one of two values?
 bool is_binary(const GreyImage& image) {
-  const auto [low, high] = std::minmax_element(image.values.begin(), image.values.end());
-  return std::all_of(image.values.begin(), image.values.end(),
-                     [&](float v) { return v == *low || v == *high; });
+  const auto extremes = std::minmax_element(image.values.begin(), image.values.end());
+  const float low = *extremes.first, high = *extremes.second;
+  return std::all_of(image.values.begin(), image.values.end(), [&](float v) { return v == low || v == high; });
 }
 
 // Adds dark pixels all around.

@@ -73,6 +73,8 @@ class PlyBody {
     return {lines_.path(), element_->name, item_};
   }
 
+  const std::string& path() const { return lines_.path(); }
+
   // Handles data after the last element.
   void end(const PlyHeader& header, std::vector<std::string>& notes) {
     if (form_ != PlyForm::text && !bytes_.empty())
@@ -130,7 +132,7 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
     uses.push_back(use);
   }
   if (n_coordinates != 3)
-    throw_input_error("{}: the vertices need the properties x, y and z", body.place().path);
+    throw_input_error("{}: the vertices need the properties x, y and z", body.path());
   for (std::size_t i = 0; i < element.n_items; ++i) {
     body.begin_item(element, i);
     Vec<3> x = Vec<3>::Zero();
@@ -156,7 +158,7 @@ void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body
     return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
   if (element.n_items > 0 && std::none_of(element.properties.begin(), element.properties.end(), is_corners))
-    throw_input_error("{}: the faces need the property vertex_indices", body.place().path);
+    throw_input_error("{}: the faces need the property vertex_indices", body.path());
   std::size_t n_ignored = 0;
   for (std::size_t f = 0; f < element.n_items; ++f) {
     body.begin_item(element, f);

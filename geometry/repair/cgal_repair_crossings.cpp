@@ -32,6 +32,15 @@ bool meet(const Surface<2>& outline, Index f, Index g) {
   return CGAL::do_intersect(Kernel::Segment_2(pa, pb), Kernel::Segment_2(pc, pd));
 }
 
+// Two segments without a common end that pass through each other.
+bool pass_through(const Surface<2>& outline, Index f, Index g) {
+  const auto& [a, b] = outline.facets[f];
+  const auto& [c, d] = outline.facets[g];
+  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c), pd = outline_point(outline, d);
+  return CGAL::orientation(pa, pb, pc) * CGAL::orientation(pa, pb, pd) == CGAL::NEGATIVE &&
+         CGAL::orientation(pc, pd, pa) * CGAL::orientation(pc, pd, pb) == CGAL::NEGATIVE;
+}
+
 // Calls visit(f, g), f < g, for all pairs of segments whose boxes meet.
 template <class Visit>
 void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
@@ -48,11 +57,17 @@ void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline) {
+std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline, Contact contact, std::size_t most) {
+  struct Enough {};  // CGAL's search ends by an exception only
   std::vector<std::pair<Index, Index>> found;
-  for_each_near_pair(outline, [&](Index f, Index g) {
-    if (meet(outline, f, g)) found.emplace_back(f, g);
-  });
+  try {
+    for_each_near_pair(outline, [&](Index f, Index g) {
+      if (contact == Contact::any ? !meet(outline, f, g) : !pass_through(outline, f, g)) return;
+      found.emplace_back(f, g);
+      if (found.size() > most) throw Enough();
+    });
+  } catch (const Enough&) {
+  }
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -1,13 +1,33 @@
 #include "geometry/repair/make_shape.h"
 
+#include "base/error.h"
 #include "geometry/repair/repair.h"
 
 #include <utility>
 
 namespace shellmatch {
 
+namespace {
+
+// Areas, volumes and their squares are formed of coordinates: within these limits they neither overflow nor vanish.
+template <int Dim>
+void check_size(const OriginalShape<Dim>& shape, const std::string& source) {
+  constexpr double least = 1e-50, most = 1e50;
+  Box<Dim> box;
+  for (const Vec<Dim>& x : shape.vertices) box.add(x);
+  if (shape.vertices.empty()) return;
+  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff(), side = (box.max - box.min).maxCoeff();
+  if (largest > most)
+    throw_input_error("{}: a coordinate is {:.3g}, and coordinates up to {:g} can be used; scale the shape", source, largest, most);
+  if (side > 0 && side < least)
+    throw_input_error("{}: the shape has a size of {:.3g}, and sizes from {:g} on can be used; scale the shape", source, side, least);
+}
+
+}  // namespace
+
 template <int Dim>
 Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes) {
+  check_size(original, source);
   Shape<Dim> shape{std::move(source), std::move(original), {}, std::move(notes)};
   if constexpr (Dim == 2) shape.surface = mend_outline(shape.original, shape.source, shape.notes);
   else shape.surface = mend_surface(shape.original, shape.source, shape.notes);

@@ -9,8 +9,10 @@
 
 namespace shellmatch {
 
-/// All pairs (f < g) of segments that share a point other than a common end. Exact test, sorted.
-std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline);
+/// Pairs (f < g) of segments that share a point other than a common end, or an inner point of both. Exact test, sorted.
+/// \param most the search ends where more than so many are found: n segments may cross n (n - 1) / 2 times
+enum class Contact { any, of_inner_points };
+std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline, Contact contact, std::size_t most);
 
 /// All pairs of a segment and a vertex in its interior (exact test), sorted by segment and along the segment.
 std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline);

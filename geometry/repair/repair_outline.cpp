@@ -66,6 +66,18 @@ std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::si
   return points;
 }
 
+// A ring that is cut off is closed by a segment from its last point to its first, which is much longer than the others.
+void note_long_closing_edge(const std::vector<Index>& ring, const std::vector<Vec<2>>& x, std::size_t number,
+                            std::vector<std::string>& notes) {
+  constexpr double much = 5;
+  double longest = 0;
+  for (std::size_t k = 0; k + 1 < ring.size(); ++k) longest = std::max(longest, (x[ring[k + 1]] - x[ring[k]]).norm());
+  const double closing = (x[ring.front()] - x[ring.back()]).norm();
+  if (closing > much * longest)
+    notes.push_back(fmt::format("ring {} is closed by a segment of length {:.3g}, {:.3g} times the longest other one: is it cut off?",
+                                number + 1, closing, closing / longest));
+}
+
 // Segments of all rings, in their order.
 Surface<2> segments_of(const std::vector<Vec<2>>& vertices, const std::vector<std::vector<Index>>& rings) {
   Surface<2> all{vertices, {}};
@@ -110,9 +122,12 @@ void add_rings(const std::vector<Index>& points, const std::vector<Vec<2>>& x, s
   }
 }
 
-void check_crossings(const Surface<2>& outline, const std::string& source) {
-  const auto found = crossing_segments(outline);
-  if (found.empty()) return;
+// Beyond this number the outline is noise, and where it crosses itself is of no help.
+constexpr std::size_t max_crossings = 1000;
+
+void check_crossings(const Surface<2>& outline, const std::string& source, Contact contact, std::size_t allowed) {
+  const auto found = crossing_segments(outline, contact, max_crossings);
+  if (found.size() <= allowed) return;
   std::string places;
   const std::size_t n_shown = std::min<std::size_t>(found.size(), 3);
   for (std::size_t i = 0; i < n_shown; ++i) {
@@ -125,7 +140,7 @@ void check_crossings(const Surface<2>& outline, const std::string& source) {
   throw_input_error(
       "{}: the outline crosses or touches itself in {}: {}{} (points counted from 1); move or remove "
       "points there",
-      source, counted(found.size(), "place", "places"), places, found.size() > n_shown ? ", ..." : "");
+      source, found.size() > max_crossings ? fmt::format("more than {} places", max_crossings) : counted(found.size(), "place", "places"), places, found.size() > n_shown ? ", ..." : "");
 }
 
 // Crossing number of the ray to the right; x lies on no segment.
@@ -164,6 +179,10 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   std::vector<std::vector<Index>> polygons;
   for (std::size_t number = 0; number < original.polygons.size(); ++number)
     polygons.push_back(without_repetitions(original, number, source, repairs));
+  for (std::size_t number = 0; number < polygons.size(); ++number)
+    note_long_closing_edge(polygons[number], original.vertices, number, notes);
+  // Segments that touch are joined below, which takes time for each pair that is near: not for noise.
+  check_crossings(segments_of(original.vertices, polygons), source, Contact::of_inner_points, max_crossings);
   share_touching_points(original.vertices, polygons);
   std::vector<Ring> rings;
   for (std::size_t number = 0; number < polygons.size(); ++number)
@@ -173,7 +192,7 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   polygons.clear();
   for (const Ring& ring : rings) polygons.push_back(ring.points);
   const Surface<2> all = segments_of(original.vertices, polygons);
-  check_crossings(all, source);
+  check_crossings(all, source, Contact::any, 0);
 
   Surface<2> outline;
   std::size_t n_turned = 0, n_holes = 0;

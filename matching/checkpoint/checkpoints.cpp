@@ -4,10 +4,12 @@
 #include "matching/output/checksum.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/experiment/option_text.h"
+#include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
 #include "matching/progress/process_info.h"
 #include "matching/output/write_file.h"
+#include "matching/output/written_files.h"
 #include "matching/experiment/yaml_options.h"
 
 #include <array>
@@ -37,8 +39,14 @@ std::string_view bytes_of(const std::vector<T>& values) {
 }
 
 template <int Dim>
-std::string surface_checksum(const Surface<Dim>& surface) {
-  return Checksum().add(bytes_of(surface.vertices)).add(bytes_of(surface.facets)).text();
+std::string shape_checksum(const OriginalShape<Dim>& shape) {
+  Checksum sum;
+  sum.add(bytes_of(shape.vertices));
+  for (const std::vector<Index>& polygon : shape.polygons) {
+    const auto n = static_cast<std::uint64_t>(polygon.size());
+    sum.add({reinterpret_cast<const char*>(&n), sizeof n}).add(bytes_of(polygon));
+  }
+  return sum.text();
 }
 
 template <int Dim>
@@ -98,9 +106,9 @@ void copy_files(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 template <int Dim>
-RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
-                         const Surface<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks) {
-  return {with_absolute_paths(options), surface_checksum(reference), surface_checksum(template_shape),
+RunIdentity run_identity(const ExperimentOptions& options, const OriginalShape<Dim>& reference,
+                         const OriginalShape<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks) {
+  return {with_absolute_paths(options), shape_checksum(reference), shape_checksum(template_shape),
           landmark_checksum(landmarks),
           fmt::format("{}, {}, {}", program_version(), compiler_name(),
                       fs::exists(executable) ? file_checksum(executable) : "unknown")};
@@ -134,7 +142,9 @@ std::string CheckpointFolder::obstacle() const {
   constexpr const char* other_program = "another build of the program has written it";
   if (manifest->format != CheckpointManifest().format) return other_program;
   try {
-    for (const CheckpointManifest::File& file : manifest->files)
+    const auto files = read_file_list(path_);
+    if (!files) return fmt::format("its {} is damaged", written_files_name);
+    for (const WrittenFile& file : *files)
       if (file_checksum(folder / file.name) != file.checksum)
         return fmt::format("its {} is damaged", file.name);
     if (manifest->program != identity_.program) return other_program;
@@ -159,7 +169,7 @@ std::optional<MatchProgress<Dim>> CheckpointFolder::read() const {
 
 template <int Dim>
 void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::string& pictures) {
-  OutputFolder folder(path_, true);
+  OutputFolder folder(path_, true, ChangedFiles::are_written);  // a damaged checkpoint may be replaced
   write_deformation(folder.path_of(deformation_file_name), checkpoint.grid, checkpoint.phi, checkpoint.placement,
                     checkpoint.pose);
   write_history(checkpoint.history, folder.path_of("history.csv"));
@@ -174,31 +184,46 @@ void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::s
   manifest.reference = identity_.reference;
   manifest.template_shape = identity_.template_shape;
   if (!identity_.landmarks.empty()) manifest.landmarks = identity_.landmarks;
-  const std::string manifest_file = folder.path_of(manifest_name);
-  const fs::path place = fs::path(manifest_file).parent_path();
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place))
-    if (entry.is_regular_file())
-      manifest.files.push_back({fs::relative(entry.path(), place).string(), file_checksum(entry.path())});
-  write_file(manifest_file, manifest_json(manifest));
+  write_file(folder.path_of(manifest_name), manifest_json(manifest));
   folder.commit();
 }
 
 void CheckpointFolder::copy_pictures(const std::string& pictures) const {
-  copy_files(fs::path(path_) / "pictures", pictures);
+  for (const WrittenFile& file : read_file_list(path_).value_or(std::vector<WrittenFile>{})) {
+    const fs::path name = file.name;
+    if (name.parent_path() != "pictures") continue;
+    std::error_code error;
+    fs::create_directories(pictures, error);
+    fs::copy_file(fs::path(path_) / name, fs::path(pictures) / name.filename(), fs::copy_options::overwrite_existing, error);
+    if (error) cannot_copy((fs::path(pictures) / name.filename()).string(), error);
+  }
 }
 
 void CheckpointFolder::remove() {
   if (!is_ours()) return;
-  // Renamed first to a name that the next run cleans up, so that a kill leaves no half-removed checkpoint.
-  const fs::path place = path_, hidden = partial_folder_name(place);
   std::error_code error;
-  fs::rename(place, hidden, error);
-  if (!error) fs::remove_all(hidden, error);
+  if (!foreign_text().empty()) {
+    if (!read_file_list(path_)) return;
+    fs::remove(fs::path(path_) / manifest_name, error);  // first, so that a kill leaves no half of a checkpoint
+    return remove_written_files(path_);
+  }
+  // Renamed first to a name that the next run cleans up, so that a kill leaves no half-removed checkpoint.
+  const std::string hidden = partial_folder_name(path_);
+  fs::rename(path_, hidden, error);
+  if (error) return;
+  remove_written_files(hidden);
+  if (fs::exists(hidden, error)) fs::rename(hidden, path_, error);  // something came in meanwhile
+}
+
+std::string CheckpointFolder::foreign_text() const {
+  if (!is_ours()) return "";
+  const ForeignThing thing = first_foreign_thing(path_, ChangedFiles::are_written);
+  return thing ? shellmatch::foreign_text(thing) : "";
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
-  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const Surface<Dim>&,                  \
-                                         const Surface<Dim>&, const std::vector<Landmark<Dim>>&);                \
+  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,            \
+                                         const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&);  \
   template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>() const;                        \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);

@@ -22,15 +22,15 @@ namespace shellmatch {
 /// All data on which the levels of a run depend. A checkpoint is resumed only by a run of equal identity.
 struct RunIdentity {
   ExperimentOptions options;
-  /// Checksums of both surfaces in the unit domain: contents are compared, not file names.
+  /// Checksums of both shapes as they were read, before they are placed together: contents are compared, not file names.
   std::string reference, template_shape;
   std::string landmarks;  ///< checksum of what the landmarks say; empty without any
   std::string program;  ///< version, compiler and checksum of the executable: builds may differ in rounding
 };
 
 template <int Dim>
-RunIdentity run_identity(const ExperimentOptions& options, const Surface<Dim>& reference,
-                         const Surface<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks);
+RunIdentity run_identity(const ExperimentOptions& options, const OriginalShape<Dim>& reference,
+                         const OriginalShape<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks);
 
 /// A checkpoint as it is written, by references to the state of the running cascade.
 template <int Dim>
@@ -66,15 +66,21 @@ class CheckpointFolder {
   template <int Dim>
   std::optional<MatchProgress<Dim>> read() const;
 
+  /// What is in the folder besides a checkpoint, as "'thesis' in it is of no run"; empty where there is nothing. As long as
+  /// it is there, no checkpoint can be written.
+  std::string foreign_text() const;
+
   /// Replaces the checkpoint. \param pictures folder of the run's pictures so far
-  /// \throws EnvironmentError if it cannot be written; the earlier checkpoint then stays. \pre not is_foreign()
+  /// \throws EnvironmentError if it cannot be written, InputError if foreign_text() is not empty; the earlier checkpoint
+  /// then stays. \pre not is_foreign()
   template <int Dim>
   void write(const CheckpointView<Dim>& checkpoint, const std::string& pictures);
 
   /// Copies the pictures of the finished levels into the folder `pictures` of a resumed run. \throws EnvironmentError
   void copy_pictures(const std::string& pictures) const;
 
-  /// Removes the checkpoint, after the run has written its output.
+  /// Removes the files of the checkpoint, after the run has written its output, and the folder unless anything else is in
+  /// it.
   void remove();
 
  private:
@@ -84,16 +90,13 @@ class CheckpointFolder {
   RunIdentity identity_;
 };
 
-/// Contents of state.json, the file by which a checkpoint is recognised.
+/// Contents of state.json, the file by which a checkpoint is recognised. Its files stand in files.json, as those of every
+/// output folder.
 struct CheckpointManifest {
-  int format = 2;  ///< of the manifest; format 1 had other checksums
+  int format = 3;  ///< of the manifest; format 2 listed the files itself, format 1 had other checksums
   int level = 0;  ///< the finished level that was kept
   std::string program, reference, template_shape;
   std::optional<std::string> landmarks;
-  struct File {
-    std::string name, checksum;
-  };
-  std::vector<File> files;  ///< all other files of the checkpoint, paths relative to it
 };
 
 std::string manifest_json(const CheckpointManifest& manifest);

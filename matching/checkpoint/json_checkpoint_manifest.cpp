@@ -6,14 +6,10 @@
 namespace shellmatch {
 
 template <class S, class Member>
-requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest::File>
-static void describe(S& s, Member&& member) { member("name", s.name), member("checksum", s.checksum); }
-
-template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest>
 static void describe(S& s, Member&& member) {
   member("format", s.format), member("level", s.level), member("program", s.program);
-  member("reference", s.reference), member("template", s.template_shape), member("landmarks", s.landmarks), member("files", s.files);
+  member("reference", s.reference), member("template", s.template_shape), member("landmarks", s.landmarks);
 }
 
 std::string manifest_json(const CheckpointManifest& manifest) { return json_text(json_of(manifest)); }

@@ -4,6 +4,7 @@
 #include "matching/experiment/option_text.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <sstream>
 
 namespace shellmatch {
 
@@ -33,6 +36,42 @@ std::string read_text(const std::string& path) {
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > max_bytes) throw_input_error("{}: larger than 1 MB; expected a YAML file of options", path);
   return text;
+}
+
+// Notes where a document and its first value begin, and keeps nothing of it.
+struct DocumentStart final : YAML::EventHandler {
+  YAML::Mark mark;
+  std::optional<YAML::Mark> value;
+  void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark& at, YAML::anchor_t) override { begin(at); }
+  void OnScalar(const YAML::Mark& at, const std::string&, YAML::anchor_t, const std::string&) override { begin(at); }
+  void OnSequenceStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { begin(at); }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { begin(at); }
+  void OnMapEnd() override {}
+  void begin(const YAML::Mark& at) {
+    if (!value) value = at;
+  }
+};
+
+// Where anything follows the first document. The parser takes stray characters, as the comma in "{a: 1},", for an empty
+// document without moving on, so that no more than two documents may be asked for: YAML::LoadAll would go on for ever.
+std::optional<DocumentStart> second_document(const std::string& text) {
+  std::istringstream in(text);
+  YAML::Parser parser(in);
+  DocumentStart first, second;
+  if (!parser.HandleNextDocument(first) || !parser.HandleNextDocument(second)) return std::nullopt;
+  return second;
+}
+
+std::string line_of(const std::string& text, int number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i <= number && std::getline(lines, line); ++i) {
+  }
+  return line;
 }
 
 std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node& value, const std::string& where) {
@@ -197,22 +236,28 @@ YamlDocument YamlDocument::from_file(const std::string& path) { return from_text
 YamlDocument YamlDocument::from_text(const std::string& text, const std::string& name) {
   if (text.find('\0') != std::string::npos)
     throw_input_error("{}: holds zero bytes; expected a YAML file of options, as text", name);
-  std::vector<YAML::Node> documents;
+  YAML::Node document;
+  std::optional<DocumentStart> second;
   try {
-    documents = YAML::LoadAll(text);
+    second = second_document(text);
+    document = YAML::Load(text);
   } catch (const YAML::Exception& error) {
     throw_input_error("{}:{}: YAML syntax error in column {}: {}", name, error.mark.line + 1, error.mark.column + 1,
                       error.msg);
   }
-  if (documents.empty() || (documents.size() == 1 && documents[0].IsNull()))
+  if (document.IsNull() && !second)
     throw_input_error("{}: the file is empty; expected options as 'key: value' (`shellmatch config` prints all)", name);
-  if (documents.size() > 1)
-    throw_input_error("{}:{}: a second YAML document begins; expected one per file", name,
-                      documents[1].Mark().line + 1);
-  if (!documents[0].IsMap())
+  if (second) {
+    if (line_of(text, second->mark.line).starts_with("---"))
+      throw_input_error("{}:{}: a second YAML document begins; expected one per file", name,
+                        second->value.value_or(second->mark).line + 1);
+    throw_input_error("{}:{}: the options end before column {}, and something follows; remove it", name, second->mark.line + 1,
+                      second->mark.column + 1);
+  }
+  if (!document.IsMap())
     throw_input_error("{}:{}: expected a map of options, as 'key: value', but found {}", name,
-                      documents[0].Mark().line + 1, documents[0].IsSequence() ? "a list" : "a single value");
-  return YamlDocument(std::make_unique<Content>(Content{name, documents[0], {}}));
+                      document.Mark().line + 1, document.IsSequence() ? "a list" : "a single value");
+  return YamlDocument(std::make_unique<Content>(Content{name, document, {}}));
 }
 
 std::string YamlDocument::place(const std::string& path) const { return content_->place(path); }
@@ -238,6 +283,9 @@ void YamlDocument::fill(const OptionNode& root) {
 std::vector<OptionScalar> parse_value(const OptionNode& option, const std::string& text, const std::string& where) {
   if (option.kind == OptionKind::text && !option.is_list) return {text};
   try {
+    if (const auto second = second_document(text))
+      throw_input_error("{}: the value ends before column {}, and something follows; expected {}", where, second->mark.column + 1,
+                        allowed_text(option));
     return parse_node(option, YAML::Load(text), where);
   } catch (const YAML::Exception& error) {
     throw_input_error("{}: {} (column {}); expected {}", where, error.msg, error.mark.column + 1, allowed_text(option));

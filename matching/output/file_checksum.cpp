@@ -40,8 +40,11 @@ void append_checksum(const std::string& path) {
 }
 
 FileChecksum verify_checksum(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
   std::error_code error;
+  // Opening a pipe would wait for its other end.
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw_input_error("{}: is no file; expected one that can be read", path);
+  std::ifstream in(path, std::ios::binary);
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!in || error) throw_input_error("{}: cannot be read; does the file exist, and may you read it?", path);
   constexpr std::size_t n_digits = 16;

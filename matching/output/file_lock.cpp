@@ -18,7 +18,7 @@ namespace {
 bool is_file_at(int file, const std::string& path) {
   struct stat here {
   }, there{};
-  return fstat(file, &here) == 0 && stat(path.c_str(), &there) == 0 && here.st_ino == there.st_ino &&
+  return fstat(file, &here) == 0 && lstat(path.c_str(), &there) == 0 && here.st_ino == there.st_ino &&
          here.st_dev == there.st_dev;
 }
 
@@ -26,10 +26,13 @@ bool is_file_at(int file, const std::string& path) {
 
 FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind) {
   for (;;) {
-    file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    // Following a link would create its target.
+    file_ = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (file_ < 0)
-      throw_environment_error("{}: cannot be written ({}); choose a folder you may write to with -o", path,
-                              std::strerror(errno));
+      throw_environment_error("{}: {}", path,
+                              errno == ELOOP ? "is a link, but the lock of a run must be a file; remove the link"
+                                             : fmt::format("cannot be written ({}); choose a folder you may write to with -o",
+                                                           std::strerror(errno)));
     if (flock(file_, (kind == Kind::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) {
       state_ = errno == EWOULDBLOCK ? State::taken : State::unsupported;
       return;

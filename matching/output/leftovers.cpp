@@ -2,9 +2,10 @@
 
 #include "base/error.h"
 #include "matching/output/file_lock.h"
+#include "matching/output/hidden_names.h"
+#include "matching/output/written_files.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -14,52 +15,34 @@ namespace shellmatch {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr std::string_view lock_ending = ".lock", partial_infix = ".partial-";
-
-std::string partial_prefix(const fs::path& place) { return fmt::format(".{}{}", place.filename().string(), partial_infix); }
-
-// The name of the output folder to which a lock or a hidden folder belongs; empty for any other name.
-std::string name_of_output(std::string_view hidden) {
-  if (!hidden.starts_with('.')) return "";
-  std::size_t end = hidden.rfind(partial_infix);
-  if (end == hidden.npos && hidden.ends_with(lock_ending)) end = hidden.size() - lock_ending.size();
-  return end == hidden.npos || end < 2 ? "" : std::string(hidden.substr(1, end - 1));
-}
-
-}  // namespace
-
-std::string lock_name(const std::string& path) {
-  const fs::path place = path;
-  return (place.parent_path() / fmt::format(".{}{}", place.filename().string(), lock_ending)).string();
-}
-
 bool is_filled(const std::string& path) {
   std::error_code error;
-  return fs::exists(path, error) && !(fs::is_directory(path, error) && fs::is_empty(path, error));
+  if (!fs::exists(path, error)) return false;
+  if (!fs::is_directory(path, error)) return true;
+  const std::string name = fs::path(path).filename().string();
+  return std::ranges::any_of(fs::directory_iterator(path, error), [&](const fs::directory_entry& entry) {
+    return !is_hidden_name(entry.path().filename().string(), name);
+  });
 }
 
-void remove_partial_folders(const std::string& path) {
+void remove_partial_folders(const std::string& path, bool is_replaced) {
   const fs::path place = path;
   std::error_code error;
-  const std::string begin = partial_prefix(place);
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(place.parent_path(), error))
     if (const std::string name = entry.path().filename().string();
-        name.starts_with(begin) && (!name.ends_with(set_aside) || is_filled(place)))
+        is_partial_folder_name(name, place.filename().string()) && (!name.ends_with(set_aside) || is_replaced))
       found.push_back(entry.path());
-  for (const fs::path& partial : found) fs::remove_all(partial, error);
-}
-
-std::string partial_folder_name(const std::string& path) {
-  const fs::path place = path;
-  return (place.parent_path() / fmt::format("{}{}", partial_prefix(place), ::getpid())).string();
+  for (const fs::path& partial : found) {
+    // What was set aside has been an output folder, in which others may have put something.
+    if (partial.native().ends_with(set_aside) && is_filled(partial.string())) remove_written_files(partial.string());
+    else fs::remove_all(partial, error);
+  }
 }
 
 void remove_leftovers(const std::string& path) {
   const FileLock lock(lock_name(path), FileLock::Kind::exclusive);
-  if (lock.state() == FileLock::State::held) remove_partial_folders(path);
+  if (lock.state() == FileLock::State::held) remove_partial_folders(path, is_filled(path));
 }
 
 void remove_leftovers_in(const std::string& parent) {

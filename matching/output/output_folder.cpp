@@ -1,17 +1,19 @@
 #include "matching/output/output_folder.h"
 
 #include "base/error.h"
+#include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/write_file.h"
+#include "matching/output/written_files.h"
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <iterator>
 #include <vector>
 
 namespace shellmatch {
@@ -20,34 +22,40 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Whether an earlier run has written this folder.
-bool looks_like_output(const fs::path& folder) {
-  for (const char* name : {"summary.json", "history.csv", "deformation.vtu"})
-    if (fs::is_regular_file(folder / name)) return true;
-  return false;
+// Whether the folder is the root of a mounted file system, which can be filled but not renamed.
+bool is_mount_point(const fs::path& folder) {
+  struct statx found {};
+  if (::statx(AT_FDCWD, folder.c_str(), 0, STATX_BASIC_STATS, &found) != 0) return false;
+  if ((found.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0) return (found.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+  struct statx above {};
+  return ::statx(AT_FDCWD, folder.parent_path().c_str(), 0, STATX_BASIC_STATS, &above) == 0 &&
+         (found.stx_dev_major != above.stx_dev_major || found.stx_dev_minor != above.stx_dev_minor);
 }
 
-// Whether a command writes a file of this name into its output folder. A study has that of a run in `output`; pictures
-// are PNG.
-bool is_written_by_runs(std::string_view name) {
-  constexpr std::string_view names[] = {"summary.json", "history.csv",   "deformation.vtu", "deformed.ply", "deformed.csv",
-                                        "config.yaml",  "curvature.ply", "curvature.csv",   "result.json",  "log.txt",
-                                        "README.txt",   "state.json",    "output",          "pictures"};
-  constexpr std::string_view of_study = "output/", of_pictures = "pictures/";
-  if (name.starts_with(of_study)) name.remove_prefix(of_study.size());
-  if (name.starts_with(of_pictures)) return name.ends_with(".png") && name.find('/', of_pictures.size()) == name.npos;
-  return std::ranges::find(names, name) != std::end(names);
-}
-
-// The first entry of the folder that no run has written; empty if there is none.
-std::string foreign_thing(const fs::path& folder) {
+// Whether an existing folder has to be filled where it is, because nothing beside it can be renamed to it.
+bool is_filled_in_place(const fs::path& folder) {
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
-    if (std::string name = entry.path().lexically_relative(folder).generic_string(); !is_written_by_runs(name)) return name;
-  return "";
+  return fs::is_directory(folder, error) && (::access(folder.parent_path().c_str(), W_OK) != 0 || is_mount_point(folder));
 }
 
-void check_place(const fs::path& path, bool force) {
+// Moves the entries that belong to no lock or hidden folder of `name`. \return 0, or the system's error
+int move_entries(const fs::path& from, const fs::path& to, const std::string& name, bool list_first,
+                 std::vector<std::string>& moved) {
+  std::error_code error;
+  std::vector<std::string> entries;
+  for (const fs::directory_entry& entry : fs::directory_iterator(from, error))
+    if (std::string file = entry.path().filename().string(); !is_hidden_name(file, name)) entries.push_back(std::move(file));
+  if (error) return error.value();
+  std::ranges::partition(entries, [&](const std::string& file) { return (file == written_files_name) == list_first; });
+  for (const std::string& file : entries) {
+    fs::rename(from / file, to / file, error);
+    if (error) return error.value();
+    moved.push_back(file);
+  }
+  return 0;
+}
+
+void check_place(const fs::path& path, bool force, ChangedFiles changed) {
   if (!is_filled(path)) return;
   if (!fs::is_directory(path))
     throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
@@ -56,19 +64,14 @@ void check_place(const fs::path& path, bool force) {
     throw_input_error(
         "{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
         path.string());
-  if (!looks_like_output(path))
-    throw_input_error(
-        "{}: not replaced, since it holds no summary.json, history.csv or deformation.vtu and so is no "
-        "output folder of an earlier run; choose another with -o",
-        path.string());
-  if (const std::string name = foreign_thing(path); !name.empty())
-    throw_input_error("{}: not replaced, since '{}' in it is of no run; move that elsewhere or choose another folder with -o",
-                      path.string(), name);
+  if (const ForeignThing thing = first_foreign_thing(path.string(), changed))
+    throw_input_error("{}: not replaced, since {}; move that elsewhere, remove the folder yourself, or choose another with -o",
+                      path.string(), foreign_text(thing));
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) {
+OutputFolder::OutputFolder(const std::string& path, bool force, ChangedFiles changed) : force_(force), changed_(changed) {
   if (path.empty()) throw_input_error("the output folder has no name; give one with -o");
   std::error_code error;
   fs::path place =
@@ -76,8 +79,11 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
   if (error) cannot_write(path, error.value());
   if (!place.has_filename()) place = place.parent_path();
   if (!place.has_filename()) throw_input_error("{}: cannot be the output folder; give another with -o", path);
-  check_place(place, force);
+  check_place(place, force_, changed_);
   final_ = place.string();
+  in_place_ = is_filled_in_place(place);
+  // Where the final folder is filled in place, everything that belongs beside it is in it.
+  const fs::path anchor = in_place_ ? place / place.filename() : place;
 
   const fs::path parent = place.parent_path();
   for (fs::path p = parent; !p.empty() && !fs::exists(p, error) && p != p.parent_path(); p = p.parent_path())
@@ -87,15 +93,15 @@ OutputFolder::OutputFolder(const std::string& path, bool force) : force_(force) 
     remove_created_parents();
     cannot_write(parent.string(), error.value());
   }
-  if (::access(parent.c_str(), W_OK) != 0) cannot_write(parent.string(), errno);
-  lock_.emplace(lock_name(place), FileLock::Kind::exclusive);
+  if (::access(anchor.parent_path().c_str(), W_OK) != 0) cannot_write(anchor.parent_path().string(), errno);
+  lock_.emplace(lock_name(anchor.string()), FileLock::Kind::exclusive);
   if (lock_->state() == FileLock::State::taken)
     throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
-  if (lock_->state() == FileLock::State::held) remove_partial_folders(place);
+  if (lock_->state() == FileLock::State::held) remove_partial_folders(anchor.string(), is_filled(final_));
   // Without locks, leftovers may have the name: count up until it is free.
   for (int attempt = 0; partial_.empty(); ++attempt) {
     const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
-    const fs::path hidden = partial_folder_name(final_) + suffix;
+    const fs::path hidden = partial_folder_name(anchor.string()) + suffix;
     if (fs::create_directory(hidden, error)) partial_ = hidden.string();
     if (error || attempt > 1000) {
       remove_created_parents();
@@ -132,6 +138,7 @@ std::string OutputFolder::path_of(std::string_view name) {
 void OutputFolder::commit() {
   SHELLMATCH_CHECK(!committed_, "an output folder is committed once");
   std::error_code error;
+  write_file_list(partial_);
   std::vector<std::string> folders{partial_};
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
     if (entry.is_directory())
@@ -142,34 +149,63 @@ void OutputFolder::commit() {
   if (error) cannot_write(partial_, error.value());
   for (const std::string& folder : folders) synchronise_folder(folder);
 
-  check_place(final_, force_);  // it may have been filled during the run
-  if (is_filled(final_)) {
-    // Exchanges both folders in one step. File systems without this operation need two, between which the old folder is
-    // kept under a hidden name.
-    if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
-      committed_ = true;
-      fs::remove_all(partial_, error);
-      lock_.reset();
-      return;
-    }
-    const std::string old = partial_ + std::string(set_aside);
-    fs::rename(final_, old, error);
+  check_place(final_, force_, changed_);  // it may have been filled during the run
+  if (in_place_) {
+    fill_in_place();
+  } else if (is_filled(final_)) {
+    exchange();
+  } else {
+    fs::rename(partial_, final_, error);  // replaces an empty folder
     if (error) cannot_write(final_, error.value());
-    fs::rename(partial_, final_, error);
-    if (error) {
-      const int cause = error.value();
-      fs::rename(old, final_, error);
-      cannot_write(final_, cause);
-    }
-    committed_ = true;
-    fs::remove_all(old, error);
-    lock_.reset();
-    return;
   }
-  fs::rename(partial_, final_, error);  // replaces an empty folder
-  if (error) cannot_write(final_, error.value());
   committed_ = true;
   lock_.reset();
+}
+
+// Exchanges both folders in one step. File systems without this operation need two, between which the old folder is kept
+// under a hidden name.
+void OutputFolder::exchange() {
+  if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) return remove_earlier(partial_);
+  const std::string old = partial_ + std::string(set_aside);
+  std::error_code error;
+  fs::rename(final_, old, error);
+  if (error) cannot_write(final_, error.value());
+  fs::rename(partial_, final_, error);
+  if (error) {
+    const int cause = error.value();
+    fs::rename(old, final_, error);
+    cannot_write(final_, cause);
+  }
+  remove_earlier(old);
+}
+
+// Moves the files one by one. Where a kill comes between, the files that are in the final folder stand in its list: that of
+// the earlier result goes last, that of this one comes first. If moving fails, everything goes back to where it was.
+void OutputFolder::fill_in_place() {
+  const std::string name = fs::path(final_).filename().string(), old = partial_ + std::string(set_aside);
+  std::error_code error;
+  std::vector<std::string> earlier, now;
+  int cause = 0;
+  if (is_filled(final_)) {
+    fs::create_directory(old, error);
+    cause = error ? error.value() : move_entries(final_, old, name, false, earlier);
+  }
+  if (cause == 0) cause = move_entries(partial_, final_, name, true, now);
+  if (cause != 0) {
+    for (const std::string& file : now) fs::rename(fs::path(final_) / file, fs::path(partial_) / file, error);
+    for (const std::string& file : earlier) fs::rename(fs::path(old) / file, fs::path(final_) / file, error);
+    fs::remove(old, error);
+    cannot_write(final_, cause);
+  }
+  fs::remove(partial_, error);
+  if (!earlier.empty()) remove_earlier(old);
+}
+
+// What came into the folder after it was checked is kept under a name that no run uses.
+void OutputFolder::remove_earlier(const std::string& folder) {
+  remove_written_files(folder);
+  std::error_code error;
+  if (fs::exists(folder, error)) fs::rename(folder, fmt::format("{}.kept-{}", final_, ::getpid()), error);
 }
 
 }  // namespace shellmatch

@@ -3,6 +3,7 @@
 /// The output folder of a run, which is written completely or not at all.
 
 #include "matching/output/file_lock.h"
+#include "matching/output/written_files.h"
 
 #include <optional>
 #include <string>
@@ -10,18 +11,22 @@
 
 namespace shellmatch {
 
-/// Files are written to a hidden folder beside the final one, on the same file system; commit() renames it. A run that
-/// fails leaves the earlier contents unchanged. A run that is killed leaves the hidden folder `.NAME.partial-PID` and a
-/// lock file `.NAME.lock` that nobody holds; the next run for the same output removes both.
+/// Files are written to a hidden folder beside the final one, on the same file system; commit() lists them in files.json
+/// (matching/output/written_files.h) and renames the folder. A run that fails leaves the earlier contents unchanged. A run
+/// that is killed leaves the hidden folder `.NAME.partial-PID` and a lock file `.NAME.lock` that nobody holds; the next run
+/// for the same output removes both.
+///
+/// Where the final folder exists and cannot be renamed, being a mount point or in a folder that may not be written, both are
+/// in it, and commit() moves the files one by one, files.json first.
 class OutputFolder {
  public:
   /// \param path the final folder; missing parents are created
   /// \param force replace a folder that an earlier run wrote; it stays untouched until commit()
-  /// \throws InputError if `path` is a file, or a folder that is not empty and `force` is false, or one that
-  ///   does not look like the output of a run or holds anything else beside it, or if another
-  ///   process is writing to that name;
+  /// \param changed whether a file of the earlier run that has changed since may be replaced
+  /// \throws InputError if `path` is a file, or a folder that is not empty and `force` is false, or one that holds
+  ///   anything that does not stand in its files.json, or if another process is writing to that name;
   ///   EnvironmentError if nothing can be written there
-  OutputFolder(const std::string& path, bool force);
+  OutputFolder(const std::string& path, bool force, ChangedFiles changed = ChangedFiles::are_foreign);
   /// Without commit(), removes the hidden folder and the parents that were created.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -34,15 +39,19 @@ class OutputFolder {
   /// The absolute path of the final folder.
   const std::string& final_path() const { return final_; }
 
-  /// Flushes everything to the disk and renames the folder. \throws EnvironmentError if writing fails; the destructor
+  /// Writes files.json, flushes everything to the disk and renames the folder. \throws EnvironmentError if writing fails; the destructor
   /// then cleans up. InputError if the final folder has been filled in the meantime
   void commit();
 
  private:
   void remove_created_parents() noexcept;
+  void exchange();
+  void fill_in_place();
+  void remove_earlier(const std::string& folder);
 
   std::string final_, partial_, first_created_parent_;
-  bool force_, committed_ = false;
+  bool force_, in_place_ = false, committed_ = false;
+  ChangedFiles changed_;
   std::optional<FileLock> lock_;
 };
 

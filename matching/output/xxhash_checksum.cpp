@@ -46,8 +46,11 @@ std::optional<std::string> stream_checksum(std::istream& in, std::uintmax_t leng
 }
 
 std::string file_checksum(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
   std::error_code error;
+  // Opening a pipe would wait for its other end.
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw_input_error("{}: is no file; expected one that can be read", path);
+  std::ifstream in(path, std::ios::binary);
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   const auto sum = in && !error ? stream_checksum(in, size) : std::nullopt;
   if (!sum) throw_input_error("{}: cannot be read; does the file exist, and may you read it?", path);

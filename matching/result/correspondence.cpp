@@ -1,27 +1,29 @@
 #include "matching/result/correspondence.h"
 
 #include "base/error.h"
+#include "base/printable.h"
+#include "geometry/io/input_file.h"
+#include "geometry/io/read_text.h"
 
-#include <fstream>
 #include <sstream>
 
 namespace shellmatch {
 
 template <int Dim>
 Correspondence<Dim> read_correspondence(const std::string& path, std::size_t n_vertices) {
-  std::ifstream in(path);
-  if (!in) throw_input_error("{}: cannot be read; input.correspondence expects a file with lines 'index x y z'", path);
+  const std::string bytes = InputFile(path).read();
+  LineReader lines(path, bytes);
   Correspondence<Dim> list;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    std::istringstream words(line.substr(0, line.find('#')));
+  while (lines.next()) {
+    const std::string line(lines.line());
+    const std::size_t number = lines.number();
+    std::istringstream words(line);
     long index = 0;
-    if (!(words >> std::ws) || words.eof()) continue;
     Vec<Dim> x;
     bool good = static_cast<bool>(words >> index);
     for (int k = 0; k < Dim; ++k) good = static_cast<bool>(words >> x[k]) && good;
     if (!good || !x.allFinite())
-      throw_input_error("{}:{}: expected the index of a vertex and {} finite coordinates, found '{}'", path, number, Dim, line);
+      throw_input_error("{}:{}: expected the index of a vertex and {} finite coordinates, found '{}'", path, number, Dim, printable(line));
     if (index < 0 || static_cast<std::size_t>(index) >= n_vertices)
       throw_input_error("{}:{}: there is no vertex {}; the reference has {}, counted from 0", path, number, index, n_vertices);
     list.emplace_back(static_cast<Index>(index), x);

@@ -1,5 +1,6 @@
 #include "matching/shape_report/inspection.h"
 
+#include "base/printable.h"
 #include "geometry/surface/placement.h"
 #include "matching/experiment/options.h"
 
@@ -137,7 +138,7 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
 
 std::string inspection_text(const Inspection& r) {
   const bool plane = r.dimension == 2;
-  std::string text = fmt::format("{}: {}\n", r.source, plane ? "a contour in the plane" : "a surface in space");
+  std::string text = fmt::format("{}: {}\n", printable(r.source, max_message_length), plane ? "a contour in the plane" : "a surface in space");
   const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<22}{}\n", name, value); };
   row("in the file", fmt::format("{} vertices, {} {}", r.n_original_vertices, r.n_original_polygons,
                                  plane ? "ring(s)" : "polygons"));
@@ -153,7 +154,7 @@ std::string inspection_text(const Inspection& r) {
     row("radius of curvature", fmt::format("{:.4g}; 95 % are bent less", r.curvature_radius));
   row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
                             r.level_of_curvature, r.level_of_edges));
-  for (const std::string& note : r.notes) row("mended", note);
+  for (const std::string& note : r.notes) row("mended", printable(note, max_message_length));
   return text;
 }
 

@@ -39,6 +39,15 @@ struct RayScene::State {
   }
 };
 
+namespace {
+
+[[noreturn]] void throw_embree_error(RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw_environment_error("not enough memory to draw a picture of surfaces");
+  throw_environment_error("the ray caster cannot work on this machine (Embree error {})", static_cast<int>(error));
+}
+
+}  // namespace
+
 RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::make_unique<State>()) {
   State& s = *state_;
   Box<3> box;
@@ -49,10 +58,9 @@ RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::ma
     s.scale = 2 / box.diagonal();
   }
   s.device = rtcNewDevice(nullptr);
-  if (!s.device)
-    throw_environment_error("the ray caster cannot start on this machine (Embree error {})",
-                            static_cast<int>(rtcGetDeviceError(nullptr)));
+  if (!s.device) throw_embree_error(rtcGetDeviceError(nullptr));
   s.scene = rtcNewScene(s.device);
+  if (!s.scene) throw_embree_error(rtcGetDeviceError(s.device));
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface<3>& surface = *surfaces[i];
@@ -73,6 +81,7 @@ RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::ma
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(s.scene);
+  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) throw_embree_error(error);
 }
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;

@@ -40,7 +40,7 @@ std::uint64_t resident_bytes(int pid, int depth = 0) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
   if (limits.memory_bytes > 0) {
     const rlim_t most = 2 * limits.memory_bytes + (rlim_t{1} << 30);
     const rlimit limit{most, most};

@@ -1,6 +1,7 @@
 #include "studies/execution/run_study.h"
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/replace_file.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
@@ -34,7 +35,7 @@ std::string last_words(const std::string& log) {
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) last = line;
   const std::string prefix = "shellmatch: ";
-  return last.starts_with(prefix) ? last.substr(prefix.size()) : last;
+  return printable(last.starts_with(prefix) ? last.substr(prefix.size()) : last, max_message_length);
 }
 
 // Sets the status of a run whose process exited without an error, from its output.
@@ -58,12 +59,13 @@ void judge_output(const std::string& output, RunResult& result) {
   }
 }
 
-// A run in progress. Destroyed before its end, it kills the process and removes its folder.
+// A run in progress, whose folder takes the place of a result of another configuration at its end. Destroyed before its
+// end, it kills the process and removes its folder.
 class ActiveRun {
  public:
   ActiveRun(const StudyRun& run, const std::string& place, const std::string& program,
             const ProcessLimits& limits, RunResult result)
-      : run_(&run), folder_(place, false), result_(std::move(result)) {
+      : run_(&run), folder_(place, true), result_(std::move(result)) {
     const std::string config = folder_.path_of("config.yaml");
     write_file(config, run.config);
     child_ = std::make_unique<ChildProcess>(
@@ -176,7 +178,8 @@ void StudyFolder::remove_leftovers() const {
   std::vector<fs::path> found;
   for (const std::string& place : {path_, path_ + "/plots"})
     for (const fs::directory_entry& entry : fs::directory_iterator(place, error))
-      if (entry.path().filename().string().starts_with(partial_file_prefix)) found.push_back(entry.path());
+      if (is_partial_file_name(entry.path().filename().string()) && fs::is_regular_file(entry.symlink_status(error)))
+        found.push_back(entry.path());
   for (const fs::path& path : found) fs::remove(path, error);
 }
 
@@ -201,8 +204,6 @@ bool run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
         if (!folder.is_whole()) remove_leftovers(place.string());
         continue;
       }
-      std::error_code error;
-      fs::remove_all(place, error);  // a result of another configuration, or a folder without result
       RunResult result;
       result.fingerprint = run.fingerprint;
       result.limit_seconds = limits.seconds;

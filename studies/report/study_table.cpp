@@ -41,9 +41,17 @@ StudyRow read_row(const StudyRun& run, const StudyFolder& folder) {
   const std::string output = folder.run_folder(run) + "/output";
   if (row.result.status == RunStatus::not_run || !std::filesystem::exists(output + "/summary.json"))
     return row;
-  row.summary = read_summary(output + "/summary.json");
-  row.finest =
-      finest_convergence(read_history(output + "/history.csv"), *row.summary, run.options.cascade.max_level);
+  try {
+    row.summary = read_summary(output + "/summary.json");
+    row.finest =
+        finest_convergence(read_history(output + "/history.csv"), *row.summary, run.options.cascade.max_level);
+  } catch (const InputError& error) {
+    // One damaged result must not hide the others.
+    row.summary.reset();
+    row.result.status = RunStatus::failed;
+    row.result.message = fmt::format("its result cannot be read: {}", error.what());
+    return row;
+  }
   if (!row.finest.empty() && !row.summary->levels.back().energy_minimised.empty())
     row.energy = row.summary->levels.back().energy_minimised.back().second;
   return row;

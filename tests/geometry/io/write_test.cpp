@@ -4,7 +4,10 @@
 #include "geometry/io/write_shape.h"
 #include "tests/geometry/io/files.h"
 
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <random>
 
 namespace shellmatch::testing {
@@ -41,12 +44,18 @@ void expect_same(const OriginalShape<3>& a, const OriginalShape<3>& b) {
   }
 }
 
+std::ptrdiff_t partial_files(const std::string& folder) {
+  return std::count_if(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(), [](const auto& entry) {
+    return is_partial_file_name(entry.path().filename().string());
+  });
+}
+
 TEST(Write, PlyReadsBackToTheBit) {
   const TempFolder folder;
   const OriginalShape<3> shape = rich_cube();
   write_ply(folder.path("a.ply"), shape);
   expect_same(shape, read_mesh(folder.path("a.ply")).original);
-  EXPECT_FALSE(std::filesystem::exists(partial_file_name(folder.path("a.ply"))));
+  EXPECT_EQ(partial_files(folder.path("")), 0);
   OriginalShape<3> points = shape;
   points.polygons.clear();
   write_ply(folder.path("p.ply"), points);
@@ -116,13 +125,26 @@ TEST(Write, WhatCannotBeWrittenLeavesNothing) {
   EXPECT_THROW(write_ply(folder.path("none/a.ply"), cube()), EnvironmentError);
   std::filesystem::create_directory(folder.path("b.ply"));
   EXPECT_THROW(write_ply(folder.path("b.ply"), cube()), EnvironmentError);
-  EXPECT_FALSE(std::filesystem::exists(partial_file_name(folder.path("b.ply"))));
-  ASSERT_TRUE(std::filesystem::exists("/dev/full"));
-  // A full disk: the name beside leads to a device that takes nothing.
-  std::filesystem::create_symlink("/dev/full", partial_file_name(folder.path("c.ply")));
+  EXPECT_EQ(partial_files(folder.path("")), 0);
+  // A disk that is full: no file grows beyond 100 bytes.
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{100, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
   EXPECT_THROW(write_ply(folder.path("c.ply"), cube()), EnvironmentError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(std::filesystem::exists(folder.path("c.ply")));
-  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(partial_file_name(folder.path("c.ply")))));
+  EXPECT_EQ(partial_files(folder.path("")), 0);
+}
+
+// Each file that is being written has a name that nothing had before, so that nothing is written through a link.
+TEST(Write, PartialNamesAreNew) {
+  const TempFolder folder;
+  const std::string path = folder.path(std::string(250, 'a') + ".ply"), first = create_partial_file(path), second = create_partial_file(path);
+  EXPECT_NE(first, second);
+  EXPECT_TRUE(first.ends_with(".ply") && is_partial_file_name(std::filesystem::path(first).filename().string()) && std::filesystem::exists(first) && std::filesystem::exists(second));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "matching/map_file/deformation_file.h"
 #include "base/error.h"
+#include "matching/output/file_checksum.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -170,6 +171,86 @@ TEST(DeformationFileTest, AFileOfAnEarlierVersionSaysSo) {
     EXPECT_NE(message.find("d.vtu: written by an earlier version of this program"), std::string::npos) << message;
     EXPECT_EQ(message.find("damaged"), std::string::npos) << message;
   }
+}
+
+// The file with a piece of its head replaced by one of the same or of another length, and with a right checksum.
+void put_changed(const std::string& path, std::string text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  ASSERT_NE(at, std::string::npos) << before;
+  text.replace(at, before.size(), after);
+  put(path, text.substr(0, text.rfind("\n<!--")));
+  append_checksum(path);
+}
+
+TEST(DeformationFileTest, AHeadThatLiesIsAnInputError) {
+  const TemporaryFolder tmp;
+  write_deformation(tmp / "whole.vtu", some_deformation<3>());
+  const std::string whole = contents_of(tmp / "whole.vtu");
+  put_changed(tmp / "same.vtu", whole, "RangeMin", "rangemin");  // of no meaning here
+  expect_same(some_deformation<3>(), read_deformation<3>(tmp / "same.vtu"));
+  const auto phi = [](const std::string& components) { return "Name=\"phi\" NumberOfComponents=\"" + components + "\""; };
+  const std::string points = whole.substr(whole.find("NumberOfPoints=\""), 36), cells = whole.substr(whole.find("NumberOfCells=\""), 36);
+  struct Case {
+    std::string before, after;
+  };
+  const Case cases[] = {
+      {"Name=\"dimension\"", "Name=\"level\""},
+      {"Name=\"level\"", "Name=\"dimension\""},
+      {"type=\"Int32\" Name=\"dimension\"", "type=\"level\" Name=\"dimension\""},
+      {"header_type=\"UInt64\"", "header_type=\"UInt46\""},
+      {"header_type=\"UInt64\"", "header_type=\"UInt32\""},
+      {"compressor=\"vtkZLibDataCompressor\"", "compressor=\"vtkLZ4DataCompressor\""},
+      {"byte_order=\"LittleEndian\"", "byte_order=\"BigEndian\""},
+      {phi("3"), phi("-1")},
+      {phi("3"), phi("0")},
+      {phi("3"), phi("9223372036854775807")},
+      {phi("3"), phi("1")},
+      {"type=\"Float64\" Name=\"phi\"", "type=\"Float32\" Name=\"phi\""},
+      {"type=\"Float64\" Name=\"phi\"", "type=\"Int64\" Name=\"phi\""},
+      {"Name=\"connectivity\"", "Name=\"offsets\""},
+      {points, "NumberOfPoints=\"1099511627776\""},
+      {points, "NumberOfPoints=\"-5\""},
+      {points, "NumberOfPoints=\"0\""},
+      {cells, "NumberOfCells=\"1099511627776\""},
+      {cells, "NumberOfCells=\"0\""},
+      {"offset=\"0\"", "offset=\"9999999999\""},
+      {"offset=\"0\"", "offset=\"44\""},
+      {"<Points>", "<Point>"},
+      {"<UnstructuredGrid>", "<UnstructuredGrid "},
+      {"</Piece>", "<Piece/>"},
+      {"encoding=\"raw\"", "encoding=\"base64\""},
+      {"format=\"appended\"", "format=\"ascii\""},
+      {"<AppendedData", "<AppendedDatum"}};
+  for (const auto& [before, after] : cases) {
+    SCOPED_TRACE(before + " -> " + after);
+    put_changed(tmp / "changed.vtu", whole, before, after);
+    const std::string message = message_of<InputError>([&] { read_deformation<3>(tmp / "changed.vtu"); });
+    EXPECT_NE(message.find("changed.vtu: damaged"), std::string::npos) << message;
+  }
+}
+
+// With a right checksum, so that nothing but the reader itself stands against them.
+TEST(DeformationFileTest, ChangedBytesWithARightChecksumAreFoundOrDoNotMatter) {
+  const TemporaryFolder tmp;
+  const Deformation<2> d = some_deformation<2>();
+  write_deformation(tmp / "whole.vtu", d);
+  const std::string whole = contents_of(tmp / "whole.vtu"), body = whole.substr(0, whole.rfind("\n<!--"));
+  std::mt19937_64 random(11);
+  int n_found = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string changed = body;
+    for (std::uint64_t n = 1 + random() % 3; n > 0; --n) changed[random() % changed.size()] = static_cast<char>(random());
+    if (trial % 10 == 0) changed.resize(random() % changed.size());
+    put(tmp / "changed.vtu", changed);
+    append_checksum(tmp / "changed.vtu");
+    try {
+      const Deformation<2> read = read_deformation<2>(tmp / "changed.vtu");
+      for (const Vec<2>& x : read.phi) ASSERT_TRUE(x.allFinite());
+    } catch (const InputError&) {
+      ++n_found;
+    }
+  }
+  EXPECT_GT(n_found, 500);
 }
 
 TEST(DeformationFileTest, AFullDiskIsAnEnvironmentError) {

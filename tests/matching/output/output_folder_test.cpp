@@ -1,7 +1,10 @@
 #include "matching/output/output_folder.h"
 
+#include "matching/output/checksum.h"
+#include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/write_file.h"
+#include "matching/output/written_files.h"
 #include "base/error.h"
 #include "tests/matching/output/temporary_folder.h"
 
@@ -16,6 +19,13 @@ using testing::put;
 using testing::TemporaryFolder;
 using Names = std::vector<std::string>;
 
+// An output folder with these files, as a run leaves it.
+void write_output(const std::string& path, const Names& files, const std::string& contents = "old") {
+  OutputFolder out(path, false);
+  for (const std::string& file : files) write_file(out.path_of(file), contents);
+  out.commit();
+}
+
 TEST(OutputFolderTest, NothingIsSeenBeforeCommitAndAllOfItAfterwards) {
   const TemporaryFolder tmp;
   OutputFolder out(tmp / "run", false);
@@ -23,7 +33,7 @@ TEST(OutputFolderTest, NothingIsSeenBeforeCommitAndAllOfItAfterwards) {
   write_file(out.path_of("pictures/level_03.png"), "p");
   EXPECT_FALSE(std::filesystem::exists(tmp / "run"));
   out.commit();
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/pictures", "run/pictures/level_03.png", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/files.json", "run/pictures", "run/pictures/level_03.png", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "{}");
   EXPECT_EQ(out.final_path(), std::filesystem::canonical(tmp / "run").string());
 }
@@ -40,14 +50,12 @@ TEST(OutputFolderTest, WithoutCommitNothingIsLeftNotEvenParents) {
     write_file(out.path_of("x"), "x");
     out.commit();
   }
-  EXPECT_EQ(tmp.entries(), (Names{"a", "a/b", "a/b/run", "a/b/run/x"}));
+  EXPECT_EQ(tmp.entries(), (Names{"a", "a/b", "a/b/run", "a/b/run/files.json", "a/b/run/x"}));
 }
 
 TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
   const TemporaryFolder tmp;
-  std::filesystem::create_directories(tmp / "run");
-  put(tmp / "run/summary.json", "old");
-  put(tmp / "run/deformed.ply", "old");
+  write_output(tmp / "run", {"summary.json", "deformed.ply"});
   const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", false); });
   EXPECT_NE(message.find("not empty"), std::string::npos) << message;
   EXPECT_NE(message.find("--force"), std::string::npos) << message;
@@ -56,14 +64,14 @@ TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
     OutputFolder out(tmp / "run", true);
     write_file(out.path_of("summary.json"), "broken off");
   }
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/deformed.ply", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/deformed.ply", "run/files.json", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
 
   OutputFolder out(tmp / "run", true);
   write_file(out.path_of("summary.json"), "new");
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "old");
   out.commit();
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/files.json", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "new");
 }
 
@@ -82,13 +90,14 @@ TEST(OutputFolderTest, ForceReplacesNothingThatNoRunHasWritten) {
   };
   for (const auto& [file, told] : {Case{"thesis.tex", "thesis.tex"}, Case{"run2/summary.json", "run2"},
                                    Case{"pictures/mine.txt", "pictures/mine.txt"},
-                                   Case{"pictures/more/level_03.png", "pictures/more"}, Case{"output.png", "output.png"}}) {
+                                   Case{"pictures/more/level_03.png", "pictures/more"}, Case{"output.png", "output.png"},
+                                   Case{"pictures/mine.png", "pictures/mine.png"}, Case{"README.txt", "README.txt"},
+                                   Case{"summary.json", "summary.json"}}) {
     const TemporaryFolder tmp;
-    for (const std::string& path : {std::string("summary.json"), std::string("pictures/level_03.png"), file}) {
-      const std::filesystem::path whole = std::filesystem::path(tmp / "run") / path;
-      std::filesystem::create_directories(whole.parent_path());
-      put(whole.string(), "years of work");
-    }
+    write_output(tmp / "run", {"summary.json", "pictures/level_03.png"});
+    const std::filesystem::path whole = std::filesystem::path(tmp / "run") / file;
+    std::filesystem::create_directories(whole.parent_path());
+    put(whole.string(), "years of work");
     const Names before = tmp.entries();
     const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", true); });
     EXPECT_NE(message.find("'" + told + "'"), std::string::npos) << message;
@@ -104,7 +113,7 @@ TEST(OutputFolderTest, EmptyFoldersAreFilledAndFilesAreNot) {
     write_file(out.path_of("a"), "a");
     out.commit();
   }
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/a"}));
+  EXPECT_EQ(tmp.entries(), (Names{"run", "run/a", "run/files.json"}));
   put(tmp / "file", "x");
   EXPECT_THROW(OutputFolder(tmp / "file", true), InputError);
   EXPECT_THROW(OutputFolder("", false), InputError);
@@ -113,8 +122,7 @@ TEST(OutputFolderTest, EmptyFoldersAreFilledAndFilesAreNot) {
 
 TEST(OutputFolderTest, ALinkStaysAndWhatItLeadsToIsReplaced) {
   const TemporaryFolder tmp;
-  std::filesystem::create_directories(tmp / "disk/run");
-  put(tmp / "disk/run/history.csv", "old");
+  write_output(tmp / "disk/run", {"history.csv"});
   std::filesystem::create_directory_symlink(tmp / "disk/run", tmp / "run");
   OutputFolder out(tmp / "run", true);
   write_file(out.path_of("history.csv"), "new");
@@ -160,9 +168,63 @@ TEST(OutputFolderTest, LeftoversOfKilledRunsGoAndThoseOfLivingOnesStay) {
     EXPECT_THROW(OutputFolder(tmp / "run", false), InputError);
     living.commit();
   }
-  EXPECT_EQ(tmp.entries(), (Names{".run.partial-2.old", ".runner.partial-1", "run", "run/a"}));
+  EXPECT_EQ(tmp.entries(), (Names{".run.partial-2.old", ".runner.partial-1", "run", "run/a", "run/files.json"}));
   remove_leftovers(tmp / "run");
-  EXPECT_EQ(tmp.entries(), (Names{".runner.partial-1", "run", "run/a"}));
+  EXPECT_EQ(tmp.entries(), (Names{".runner.partial-1", "run", "run/a", "run/files.json"}));
+}
+
+TEST(OutputFolderTest, HiddenNamesWithoutANumberAreOfNoRun) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_directories(tmp / ".run.partial-notes");
+  put(tmp / ".run.partial-notes/thesis", "years of work");
+  { OutputFolder out(tmp / "run", false); }
+  EXPECT_EQ(tmp.entries(), (Names{".run.partial-notes", ".run.partial-notes/thesis"}));
+}
+
+// What was set aside in a replacement that was killed has been an output folder, into which anybody may have put something.
+TEST(OutputFolderTest, OfAResultThatWasSetAsideOnlyFilesOfTheRunGo) {
+  const TemporaryFolder tmp;
+  write_output(tmp / "run", {"summary.json"});
+  write_output(tmp / ".run.partial-1.old", {"summary.json", "pictures/a.png"});
+  put(tmp / ".run.partial-1.old/thesis", "years of work");
+  remove_leftovers(tmp / "run");
+  EXPECT_EQ(tmp.entries(), (Names{".run.partial-1.old", ".run.partial-1.old/thesis", "run", "run/files.json", "run/summary.json"}));
+}
+
+TEST(OutputFolderTest, TheListNamesEveryFileWithItsChecksum) {
+  const TemporaryFolder tmp;
+  write_output(tmp / "run", {"summary.json", "pictures/a.png"});
+  const auto list = read_file_list(tmp / "run");
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->size(), 2u);
+  EXPECT_EQ((*list)[0].name, "pictures/a.png");
+  EXPECT_EQ((*list)[1].checksum, file_checksum(tmp / "run/summary.json"));
+  EXPECT_FALSE(first_foreign_thing(tmp / "run"));
+  std::filesystem::remove(tmp / "run/pictures/a.png");
+  EXPECT_FALSE(first_foreign_thing(tmp / "run")) << "what is missing is no obstacle";
+  put(tmp / "run/summary.json", "mine");
+  EXPECT_TRUE(first_foreign_thing(tmp / "run").has_changed);
+  EXPECT_FALSE(first_foreign_thing(tmp / "run", ChangedFiles::are_written));
+  // A link of a listed name is none of the run's files.
+  std::filesystem::remove(tmp / "run/summary.json");
+  std::filesystem::create_symlink("/etc/hostname", tmp / "run/summary.json");
+  EXPECT_EQ(first_foreign_thing(tmp / "run").name, "summary.json");
+  remove_written_files(tmp / "run");
+  EXPECT_TRUE(std::filesystem::is_symlink(tmp / "run/summary.json"));
+  for (const char* damaged : {"", "{}", "{\"format\": 2, \"files\": []}", "[1]"}) {
+    put(tmp / "run/files.json", damaged);
+    EXPECT_TRUE(first_foreign_thing(tmp / "run").no_list) << damaged;
+  }
+}
+
+TEST(OutputFolderTest, LongNamesHaveShortHiddenOnes) {
+  const std::string longest(255, 'a'), other = longest.substr(0, 254) + "b";
+  for (const std::string& name : {lock_name("/x/" + longest), partial_folder_name("/x/" + longest)})
+    EXPECT_LE(std::filesystem::path(name).filename().string().size(), 240u);
+  EXPECT_NE(lock_name("/x/" + longest), lock_name("/x/" + other));
+  EXPECT_EQ(lock_name("/x/run"), "/x/.run.lock");
+  EXPECT_TRUE(is_hidden_name(std::filesystem::path(partial_folder_name("/x/" + longest)).filename().string() + "-1.old", longest));
+  EXPECT_FALSE(is_hidden_name(".run.partial-", "run"));
 }
 
 TEST(OutputFolderTest, LeftoversGoForAllNamesInAFolder) {

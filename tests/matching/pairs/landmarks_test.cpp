@@ -166,7 +166,7 @@ TEST(Landmarks, CheckGradientExaminesThem) {
 TEST(Landmarks, ARunIsNotResumedWithOthers) {
   const Shape<2> shape = with_limb(from);
   const auto identity = [&](const std::vector<Landmark<2>>& marks) {
-    return run_identity<2>(options_to(5), shape.surface, shape.surface, marks).landmarks;
+    return run_identity<2>(options_to(5), shape.original, shape.original, marks).landmarks;
   };
   auto moved = landmarks();
   moved[3].on_template[1] += 1e-9;

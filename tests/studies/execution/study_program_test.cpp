@@ -91,10 +91,10 @@ solvers: [newton, lbfgs]
     fs::create_directories(folder_ / "out/runs/.leaf-lbfgs-r1.partial-1/output");
     write("out/runs/.gone-r1.lock", "");
     fs::create_directories(folder_ / "out/runs/.gone-r2.partial-1");
-    write("out/.partial-1-table.csv", "half");
-    write("out/plots/.partial-1-final_gap.png", "half");
+    write("out/.partial-0123456789abcdef.csv", "half");
+    write("out/plots/.partial-0123456789abcdef.png", "half");
   };
-  const Names left{".partial-1-table.csv", "plots/.partial-1-final_gap.png", "runs/.gone-r1.lock",
+  const Names left{".partial-0123456789abcdef.csv", "plots/.partial-0123456789abcdef.png", "runs/.gone-r1.lock",
                    "runs/.gone-r2.partial-1", "runs/.leaf-lbfgs-r1.lock", "runs/.leaf-lbfgs-r1.partial-1",
                    "runs/.leaf-newton-r1.lock"};
   leave();

@@ -1,0 +1,146 @@
+// Everything in the file is checked: it may have been written, or changed, by anybody.
+#include "base/error.h"
+#include "geometry/io/input_file.h"
+#include "grid/octree/rebuild_grid.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/map_file/vtu_file.h"
+#include "matching/output/file_checksum.h"
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+// Numbers of VTK's cells: squares and cubes along the axes.
+constexpr std::uint8_t vtk_pixel = 8, vtk_voxel = 11;
+
+std::string file_in(const std::string& path) {
+  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / deformation_file_name).string()
+                                             : path;
+}
+
+// The bytes of a file that is whole.
+std::string checked_bytes(const std::string& path) {
+  const FileChecksum checksum = verify_checksum(path);
+  if (checksum == FileChecksum::earlier)
+    throw_input_error("{}: written by an earlier version of this program, whose checksums this one does not verify; match the shapes again", path);
+  if (checksum != FileChecksum::matches)
+    throw_input_error("{}: damaged, cut off, or no deformation that this program wrote (the checksum at its end is missing or "
+                      "wrong); give the deformation.vtu of an output folder, or the folder", path);
+  return InputFile(path).read();
+}
+
+int dimension_of(const VtuFile& file) {
+  const int value = file.values<std::int32_t>("FieldData", "dimension", 1, 1)[0];
+  if (value != 2 && value != 3) file.damaged("the dimension is neither 2 nor 3");
+  return value;
+}
+
+// Level and lower corner of the cells in the file, checked to lie on the lattice.
+template <int Dim>
+std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<double>& positions) {
+  const std::int64_t n = file.n_cells();
+  if (n == 0) file.damaged("it has no cells");
+  const auto levels = file.values<std::int32_t>("CellData", "level", 1, n);
+  const auto types = file.values<std::uint8_t>("Cells", "types", 1, n);
+  const auto ends = file.values<std::int64_t>("Cells", "offsets", 1, n);
+  const auto corners = file.values<std::int64_t>("Cells", "connectivity", 1, n * n_corners<Dim>);
+  std::vector<LeafPlace<Dim>> places(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (types[i] != (Dim == 2 ? vtk_pixel : vtk_voxel) || ends[i] != static_cast<std::int64_t>((i + 1) * n_corners<Dim>))
+      file.damaged("a cell is neither a square nor a cube");
+    for (std::size_t c = 0; c < n_corners<Dim>; ++c)
+      if (const std::int64_t point = corners[i * n_corners<Dim> + c]; point < 0 || point >= file.n_points())
+        file.damaged("a cell without points");
+    LeafPlace<Dim>& place = places[i];
+    place.level = levels[i];
+    if (place.level < 0 || place.level > Octree<Dim>::max_level) file.damaged("a cell's level is out of range");
+    for (int k = 0; k < Dim; ++k) {
+      const double corner = std::ldexp(positions[3 * static_cast<std::size_t>(corners[i * n_corners<Dim>]) + k], place.level);
+      if (!(corner >= 0 && corner < std::ldexp(1.0, place.level) && corner == std::floor(corner)))
+        file.damaged("a cell is off the lattice");
+      place.corner[k] = static_cast<std::int32_t>(corner);
+    }
+  }
+  return places;
+}
+
+std::vector<double> facts(const VtuFile& file, const char* name, int n) { return file.values<double>("FieldData", name, n, 1); }
+
+// The identity where the file has none.
+template <int Dim>
+Similarity<Dim> pose_of(const VtuFile& file) {
+  Similarity<Dim> pose;
+  if (!file.has("FieldData", "pose_scale")) return pose;
+  pose.scale = facts(file, "pose_scale", 1)[0];
+  const std::vector<double> rotation = facts(file, "pose_rotation", Dim * Dim), offset = facts(file, "pose_offset", Dim);
+  for (int i = 0; i < Dim; ++i) {
+    pose.offset[i] = offset[i];
+    for (int j = 0; j < Dim; ++j) pose.rotation(i, j) = rotation[i * Dim + j];
+  }
+  const double error = (pose.rotation.transpose() * pose.rotation - Mat<Dim>::Identity()).norm();
+  if (!(pose.scale > 0 && error < 1e-9)) file.damaged("the pose");
+  return pose;
+}
+
+}  // namespace
+
+template <int Dim>
+Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
+  const VtuFile file(path, std::move(bytes));
+  if (const int found = dimension_of(file); found != Dim)
+    throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found,
+                      Dim);
+  const std::int64_t n = file.n_points();
+  const std::vector<double> positions = file.values<double>("Points", "Points", 3, n);
+  const std::vector<double> phi = file.values<double>("PointData", "phi", 3, n);
+  const double scale = facts(file, "placement_scale", 1)[0];
+  const std::vector<double> offset = facts(file, "placement_offset", Dim);
+  if (!(scale > 0)) file.damaged("placement_scale");
+  const Similarity<Dim> pose = pose_of<Dim>(file);
+
+  std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(file, positions));
+  if (!grid) file.damaged("the cells are no balanced tree");
+  if (n != grid->n_nodes()) file.damaged("the number of nodes");
+  Deformation<Dim> result{std::move(*grid), std::vector<Vec<Dim>>(static_cast<std::size_t>(n)), {}};
+  std::vector<char> is_set(static_cast<std::size_t>(n), 0);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    typename Octree<Dim>::Coord coord;
+    for (int k = 0; k < Dim; ++k) {
+      const double x = std::ldexp(positions[3 * i + k], Octree<Dim>::max_level);
+      if (!(x >= 0 && x <= std::ldexp(1.0, Octree<Dim>::max_level) && x == std::floor(x)))
+        file.damaged("a node is off the lattice");
+      coord[k] = static_cast<std::int32_t>(x);
+    }
+    const Index node = result.grid.find_node(coord);
+    if (node == no_index || is_set[node]) file.damaged("a node is nobody's corner, or is there twice");
+    is_set[node] = 1;
+    for (int k = 0; k < Dim; ++k) result.phi[node][k] = phi[3 * i + k];
+  }
+  result.placement.scale = scale;
+  for (int k = 0; k < Dim; ++k) result.placement.offset[k] = offset[k];
+  result.pose = pose;
+  return result;
+}
+
+template <int Dim>
+Deformation<Dim> read_deformation(const std::string& path_or_folder) {
+  const std::string path = file_in(path_or_folder);
+  return parse_deformation<Dim>(path, checked_bytes(path));
+}
+
+int deformation_dimension(const std::string& path_or_folder) {
+  const std::string path = file_in(path_or_folder);
+  return dimension_of(VtuFile(path, checked_bytes(path)));
+}
+
+template Deformation<2> parse_deformation<2>(const std::string&, std::string);
+template Deformation<3> parse_deformation<3>(const std::string&, std::string);
+template Deformation<2> read_deformation<2>(const std::string&);
+template Deformation<3> read_deformation<3>(const std::string&);
+
+}  // namespace shellmatch

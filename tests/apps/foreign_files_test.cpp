@@ -1,0 +1,261 @@
+// A run replaces and removes what a run wrote, and nothing else.
+
+#include "tests/apps/cli_harness.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+
+namespace shellmatch {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::contents_of;
+using testing::put;
+using testing::TemporaryFolder;
+using Words = std::vector<std::string>;
+
+Words match(const std::string& out, const Words& more = {}, const std::string& levels = "3:4") {
+  Words words{"match", "generate:circle", "generate:ellipse", "-o", out, "--levels", levels};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+bool contains_name(const Words& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+
+// The files of a folder with their contents.
+std::vector<std::pair<std::string, std::string>> files_in(const TemporaryFolder& folder) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const std::string& name : folder.entries())
+    if (fs::is_regular_file(folder / name)) files.emplace_back(name, contents_of(folder / name));
+  return files;
+}
+
+TEST(ForeignFiles, AFolderThatOnlyLooksLikeACheckpointStays) {
+  const TemporaryFolder tmp;
+  fs::create_directories(tmp / "o.unfinished");
+  put(tmp / "o.unfinished/state.json", "{}");
+  put(tmp / "o.unfinished/thesis", "years of work");
+  const ProgramResult result = run_program(match(tmp / "o", {"--set", "resume.min_seconds=0"}));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "o.unfinished") && has(result.err, "of no run")) << result.err;
+  EXPECT_EQ(contents_of(tmp / "o.unfinished/thesis"), "years of work");
+  EXPECT_EQ(contents_of(tmp / "o.unfinished/state.json"), "{}");
+}
+
+TEST(ForeignFiles, WhatIsPutIntoACheckpointStaysWhenTheRunIsDone) {
+  const TemporaryFolder tmp;
+  Program first(match(tmp / "o", {"--set", "resume.min_seconds=0"}, "3:6"));
+  ASSERT_TRUE(first.wait_for_stderr("level 5/6"));
+  first.send_signal(SIGINT);
+  ASSERT_EQ(first.wait().exit_code, 130);
+  put(tmp / "o.unfinished/notes", "years of work");
+  put(tmp / "points.csv", "0.1,0.2\n");
+  ASSERT_EQ(run_program({"apply", tmp / "o.unfinished", tmp / "points.csv", "-o", tmp / "o.unfinished/moved.csv"}).exit_code, 0);
+  const ProgramResult result = run_program(match(tmp / "o", {"--set", "resume.min_seconds=0"}, "3:6"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "going on after level")) << result.err;
+  const Words names = tmp.entries();
+  EXPECT_TRUE(contains_name(names, "o.unfinished/notes") && contains_name(names, "o.unfinished/moved.csv"));
+  EXPECT_FALSE(contains_name(names, "o.unfinished/state.json") || contains_name(names, "o.unfinished/deformation.vtu"));
+  EXPECT_TRUE(contains_name(names, "o/summary.json"));
+}
+
+TEST(ForeignFiles, LevelsOfAnotherConfigurationStayUntilALevelIsKept) {
+  const TemporaryFolder tmp;
+  Program first(match(tmp / "o", {"--set", "resume.min_seconds=0"}, "3:6"));
+  ASSERT_TRUE(first.wait_for_stderr("level 5/6"));
+  first.send_signal(SIGINT);
+  ASSERT_EQ(first.wait().exit_code, 130);
+  const auto before = contents_of(tmp / "o.unfinished/deformation.vtu");
+  const ProgramResult other = run_program(match(tmp / "o", {"--set", "resume.min_seconds=1000"}));
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_TRUE(has(other.err, "the configuration has changed")) << other.err;
+  EXPECT_EQ(contents_of(tmp / "o.unfinished/deformation.vtu"), before);
+}
+
+TEST(ForeignFiles, ForceReplacesNoFileOfTheUser) {
+  struct Case {
+    std::string file, contents;
+  };
+  for (const Case& c : {Case{"pictures/mine.png", "mine"}, Case{"README.txt", "mine"}, Case{"log.txt", "mine"},
+                        Case{"config.yaml", "threads: 1  # edited\n"}}) {
+    SCOPED_TRACE(c.file);
+    const TemporaryFolder tmp;
+    ASSERT_EQ(run_program(match(tmp / "o", {"-q"})).exit_code, 0);
+    put(tmp / ("o/" + c.file), c.contents);
+    const auto before = files_in(tmp);
+    const ProgramResult result = run_program(match(tmp / "o", {"--force", "-q"}));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_TRUE(has(result.err, "'" + c.file + "'")) << result.err;
+    EXPECT_EQ(files_in(tmp), before);
+    fs::remove(tmp / ("o/" + c.file));
+    EXPECT_EQ(run_program(match(tmp / "o", {"--force", "-q"})).exit_code, 0);
+  }
+}
+
+constexpr const char* study_text =
+    "version: 1\nproblems: {{leaf: {{set: {{input: {{reference: 'generate:circle', template: 'generate:ellipse'}}, "
+    "cascade: {{min_level: 3, max_level: 3, nu: {}}}}}}}}}\nsolvers: [newton, lbfgs]\n";
+
+TEST(ForeignFiles, AChangedStudyRemovesNoFileOfTheUser) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml", fmt::format(study_text, 0.001));
+  ASSERT_EQ(run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"}).exit_code, 0);
+  put(tmp / "o/runs/leaf-newton-r1/thesis", "years of work");
+  put(tmp / "s.yaml", fmt::format(study_text, 0.002));
+  const ProgramResult result = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"});
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_TRUE(has(result.err, "'thesis'")) << result.err;
+  EXPECT_EQ(contents_of(tmp / "o/runs/leaf-newton-r1/thesis"), "years of work");
+  fs::remove(tmp / "o/runs/leaf-newton-r1/thesis");
+  EXPECT_EQ(run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"}).exit_code, 0);
+}
+
+TEST(ForeignFiles, OneDamagedSummaryDoesNotHideTheOthers) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml", fmt::format(study_text, 0.001));
+  ASSERT_EQ(run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"}).exit_code, 0);
+  put(tmp / "o/runs/leaf-newton-r1/output/summary.json", "{\"version\": ");
+  const ProgramResult result = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "--collect", "-q"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string report = contents_of(tmp / "o/summary.md");
+  EXPECT_TRUE(has(report, "1 failed, 1 finished") && has(report, "its result cannot be read")) << report;
+}
+
+TEST(ForeignFiles, AFileBesideIsNotWrittenThrough) {
+  const TemporaryFolder tmp;
+  put(tmp / "precious", "years of work");
+  for (const char* name : {"o.csv.part", ".o.csv.part"}) fs::create_symlink(tmp / "precious", tmp / name);
+  // A link that leads nowhere is a name that is taken.
+  fs::create_symlink(tmp / "nowhere", tmp / "link.csv");
+  EXPECT_EQ(run_program({"generate", "circle", "-o", tmp / "link.csv"}).exit_code, 2);
+  EXPECT_TRUE(fs::is_symlink(tmp / "link.csv"));
+  EXPECT_EQ(run_program({"generate", "circle", "-o", tmp / "o.csv"}).exit_code, 0);
+  EXPECT_EQ(contents_of(tmp / "precious"), "years of work");
+}
+
+TEST(ForeignFiles, ALockThatIsALinkCreatesNothing) {
+  const TemporaryFolder tmp;
+  fs::create_symlink(tmp / "created", tmp / ".o.lock");
+  const ProgramResult result = run_program(match(tmp / "o", {"-q"}));
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_TRUE(has(result.err, "is a link")) << result.err;
+  EXPECT_FALSE(fs::exists(tmp / "created"));
+}
+
+TEST(ForeignFiles, NamesMayBeAsLongAsTheFileSystemTakes) {
+  const TemporaryFolder tmp;
+  const std::string name(240, 'a');
+  const ProgramResult matched = run_program(match(tmp / name, {"-q", "--set", "resume.min_seconds=0"}));
+  EXPECT_EQ(matched.exit_code, 0) << matched.err;
+  const ProgramResult generated = run_program({"generate", "circle", "-o", tmp / (name + ".csv")});
+  EXPECT_EQ(generated.exit_code, 0) << generated.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(tmp / ""), fs::directory_iterator()), 2);
+}
+
+TEST(ForeignFiles, AParentThatIsNotThereIsPassedOver) {
+  const TemporaryFolder tmp;
+  const ProgramResult result = run_program(match(tmp / "nope/../o", {"-q"}));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_TRUE(fs::exists(tmp / "o/summary.json"));
+  EXPECT_FALSE(fs::exists(tmp / "nope"));
+}
+
+// In a process of its own, because limits and rights cannot be taken back.
+ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return {};
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!prepare()) _exit(99);
+    const ProgramResult result = run_program(words);
+    if (write(pipe_ends[1], result.err.data(), std::min<std::size_t>(result.err.size(), 60000)) < 0) _exit(98);
+    _exit(result.exit_code);
+  }
+  close(pipe_ends[1]);
+  ProgramResult result;
+  char buffer[4096];
+  for (ssize_t n = 0; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;) result.err.append(buffer, static_cast<std::size_t>(n));
+  close(pipe_ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
+  const TemporaryFolder tmp;
+  const auto limit_to = [](rlim_t bytes) {
+    return [bytes] {
+      const rlimit limit{bytes, bytes};
+      return setrlimit(RLIMIT_FSIZE, &limit) == 0;
+    };
+  };
+  const ProgramResult result = run_in_child(match(tmp / "o", {"-q"}), limit_to(8000));
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_TRUE(has(result.err, "cannot be written")) << result.err;
+  EXPECT_EQ(tmp.entries(), Words{});
+  // Pictures are larger than the result: without them it is written all the same.
+  const ProgramResult without = run_in_child(match(tmp / "o"), limit_to(64000));
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_TRUE(has(without.err, "pictures/result.png is missing")) << without.err;
+  const Words names = tmp.entries();
+  EXPECT_TRUE(contains_name(names, "o/summary.json"));
+  EXPECT_FALSE(contains_name(names, "o/pictures/result.png"));
+}
+
+TEST(ForeignFiles, AMountPointIsFilledInPlace) {
+  const TemporaryFolder tmp;
+  fs::create_directories(tmp / "disk");
+  const auto mounted = [&] {
+    return unshare(CLONE_NEWNS) == 0 && mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+           mount("none", (tmp / "disk").c_str(), "tmpfs", 0, nullptr) == 0;
+  };
+  if (run_in_child({"--version"}, mounted).exit_code == 99) GTEST_SKIP() << "file systems may not be mounted here";
+  const ProgramResult result = run_in_child(match(tmp / "disk"), [&] {
+    if (!mounted()) return false;
+    // A second run finds the first one's result, replaces it by --force, and leaves nothing hidden.
+    return run_program(match(tmp / "disk", {"-q"})).exit_code == 0 && run_program(match(tmp / "disk", {"-q"})).exit_code == 2 &&
+           run_program(match(tmp / "disk", {"-q", "--force"})).exit_code == 0 && fs::exists(tmp / "disk/summary.json") &&
+           !fs::exists(tmp / "disk/.disk.lock") &&
+           std::ranges::none_of(fs::directory_iterator(tmp / "disk"), [](const fs::directory_entry& entry) {
+             return entry.path().filename().string().starts_with('.');
+           });
+  });
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+}
+
+TEST(ForeignFiles, AFolderInAParentThatMayNotBeWrittenIsFilledInPlace) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs the right to take another identity";
+  const TemporaryFolder tmp;
+  fs::create_directories(tmp / "shared/mine");
+  fs::permissions(tmp / "shared", fs::perms(0755));
+  for (fs::path p = tmp / ""; p != p.parent_path(); p = p.parent_path())
+    if (struct stat s {}; stat(p.c_str(), &s) != 0 || (s.st_mode & S_IXOTH) == 0) GTEST_SKIP() << p << " is closed to others";
+  ASSERT_EQ(chown((tmp / "shared/mine").c_str(), 65534, 65534), 0);
+  const ProgramResult result =
+      run_in_child(match(tmp / "shared/mine"), [] { return setresgid(65534, 65534, 65534) == 0 && setresuid(65534, 65534, 65534) == 0; });
+  if (result.exit_code == 127) GTEST_SKIP() << "the program is closed to others";
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "levels are not kept")) << result.err;
+  EXPECT_TRUE(fs::exists(tmp / "shared/mine/summary.json"));
+  EXPECT_FALSE(fs::exists(tmp / "shared/mine/.mine.lock"));
+}
+
+}  // namespace
+}  // namespace shellmatch
