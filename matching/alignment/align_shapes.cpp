@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
+#include "matching/alignment/narrow_gaps.h"
 #include "matching/alignment/search_starts.h"
 
 #include <Eigen/LU>
@@ -100,7 +101,14 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   observer.stage("alignment");
   Alignment<Dim> result = mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
                                                        : search(shapes, landmarks, options, observer);
-  result.summary->mode = enum_name(mode);
+  AlignmentSummary& s = *result.summary;
+  s.mode = enum_name(mode);
+  s.reference_gaps = narrow_gap_share(shapes.reference.surface);
+  s.template_gaps = narrow_gap_share(shapes.template_shape.surface);
+  if (has_clearly_more_gaps(s.reference_gaps, s.template_gaps))
+    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the map from template to "
+                              "reference may be more exact; exchange the shapes, and carry the reference with `shellmatch apply --inverse`",
+                              100 * s.reference_gaps, 100 * s.template_gaps));
   return result;
 }
 

@@ -11,4 +11,13 @@ namespace shellmatch {
 template <int Dim>
 double narrow_gap_share(const SignedDistance<Dim>& shape, double height);
 
+/// At three hundredths of the diagonal, the side of a cell at level 5. \pre the surface bounds a body
+template <int Dim>
+double narrow_gap_share(const Surface<Dim>& surface) {
+  return narrow_gap_share(SignedDistance<Dim>(surface), 0.03 * bounding_box(surface.vertices).diagonal());
+}
+
+/// Whether to match the other way round: the gaps of the reference are clearly more than those of the template.
+inline bool has_clearly_more_gaps(double reference, double target) { return reference > 1.3 * target + 0.03; }
+
 }  // namespace shellmatch

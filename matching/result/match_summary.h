@@ -73,6 +73,8 @@ struct AlignmentSummary {
   int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
   int n_pairs = 0;              ///< used in the energy or for the pose
   bool doubtful = false;
+  /// Shares of the shapes' areas (lengths) with another part close above (matching/alignment/narrow_gaps.h).
+  double reference_gaps = 0, template_gaps = 0;
 };
 
 /// Figures that differ between runs of the same experiment.
