@@ -59,11 +59,13 @@ The same names serve as inputs elsewhere, as in `shellmatch match generate:hand 
 inline constexpr const char* apply = "Move something else by a deformation that was found: a mesh, a contour or points.";
 
 inline constexpr const char* apply_footer = R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
-outside the domain move with the nearest point of the domain.
+outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
+those of the reference.
 
 Examples:
   shellmatch apply out other.ply -o moved.ply
-  shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv)";
+  shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv
+  shellmatch apply out on_template.ply -o on_reference.ply --inverse)";
 
 inline constexpr const char* inspect = "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
 
