@@ -43,15 +43,15 @@ class Run {
   MatchResult<Dim> match(bool restart) {
     inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, inputs_.shapes.reference.original.vertices,
                                             inputs_.shapes.template_shape.original.vertices);
+    const InputOptions& input = options_.input;
+    inputs_.truth = input.correspondence.empty()
+                      ? generated_correspondence<Dim>(input.reference, input.template_file)
+                      : read_correspondence<Dim>(input.correspondence, inputs_.shapes.reference.original.vertices.size());
     inputs_.alignment = align(inputs_.shapes, inputs_.landmarks);
     inputs_.placement = inputs_.shapes.place(options_, inputs_.alignment.pose);
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
-    const InputOptions& input = options_.input;
-    inputs_.truth = input.correspondence.empty()
-                      ? generated_correspondence<Dim>(input.reference, input.template_file)
-                      : read_correspondence<Dim>(input.correspondence, reference.original.vertices.size());
     if (options_.resume.enabled) {
       open_checkpoints(run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
       if (checkpoints_ && !restart) inputs_.before = read_checkpoint();
