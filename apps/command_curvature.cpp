@@ -3,11 +3,13 @@
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"
 #include "apps/interrupt.h"
+#include "apps/progress.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/surface/placement.h"
 #include "matching/shape_report/curvature_report.h"
+#include "matching/write_result.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/output/output_folder.h"
 #include "matching/output/write_file.h"
@@ -61,11 +63,13 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
   write_file(folder.path_of("summary.json"), curvature_json(comparison, subject));
   write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
   write_curvature_mesh(comparison, folder.path_of(Dim == 2 ? "curvature.csv" : "curvature.ply"));
-  write_curvature_scatter(comparison, folder.path_of("pictures/scatter.png"));
+  Progress progress(command.settings.verbosity, options.cascade.max_level);
+  draw(folder, "pictures/scatter.png", progress, [&](const std::string& path) { write_curvature_scatter(comparison, path); });
   const std::string name =
       is_generated_source(shape.source) ? shape.source : std::filesystem::path(shape.source).filename().string();
-  write_curvature_picture(comparison, fmt::format("{}, level {}", name, options.cascade.max_level),
-                          folder.path_of("pictures/curvature.png"));
+  draw(folder, "pictures/curvature.png", progress, [&](const std::string& path) {
+    write_curvature_picture(comparison, fmt::format("{}, level {}", name, options.cascade.max_level), path);
+  });
   folder.commit();
   if (!quiet) std::cout << curvature_text(comparison, subject);
 }

@@ -128,6 +128,13 @@ YamlValue copy_of(const YAML::Node& node, const std::string& name, int& budget, 
 
 }  // namespace
 
+YamlValue::YamlValue() = default;
+YamlValue::YamlValue(const YamlValue&) = default;
+YamlValue::YamlValue(YamlValue&&) noexcept = default;
+YamlValue& YamlValue::operator=(const YamlValue&) = default;
+YamlValue& YamlValue::operator=(YamlValue&&) noexcept = default;
+YamlValue::~YamlValue() = default;
+
 std::string YamlValue::flow_text() const {
   if (kind == Kind::nothing) return "";
   if (kind == Kind::scalar) return quoted ? scalar_text(text, OptionKind::text) : text;

@@ -13,6 +13,14 @@ namespace shellmatch {
 
 /// A value of a YAML document without type.
 struct YamlValue {
+  // Defined where the type is complete, which clang asks for in a type that holds pairs of itself.
+  YamlValue();
+  YamlValue(const YamlValue&);
+  YamlValue(YamlValue&&) noexcept;
+  YamlValue& operator=(const YamlValue&);
+  YamlValue& operator=(YamlValue&&) noexcept;
+  ~YamlValue();
+
   enum class Kind { nothing, scalar, list, map };
   Kind kind = Kind::nothing;
   std::string text;     ///< text of a scalar

@@ -219,6 +219,23 @@ TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
   EXPECT_FALSE(contains_name(names, "o/pictures/result.png"));
 }
 
+// With so little memory the ray caster of the pictures cannot begin, or cannot go on.
+TEST(ForeignFiles, WantOfMemoryIsToldAsSuch) {
+  const TemporaryFolder tmp;
+  std::string told;
+  for (const rlim_t megabytes : {230, 260}) {
+    const ProgramResult result =
+        run_in_child({"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / std::to_string(megabytes), "--levels", "2:2"}, [&] {
+          const rlimit limit{megabytes << 20, megabytes << 20};
+          return setrlimit(RLIMIT_AS, &limit) == 0;
+        });
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << megabytes << " MB: " << result.exit_code << " " << result.err;
+    EXPECT_FALSE(has(result.err, "Embree error")) << result.err;
+    told += result.err;
+  }
+  EXPECT_TRUE(has(told, "not enough memory")) << told;
+}
+
 TEST(ForeignFiles, AMountPointIsFilledInPlace) {
   const TemporaryFolder tmp;
   fs::create_directories(tmp / "disk");

@@ -8,7 +8,6 @@
 #include "matching/output/history_file.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/run_matching.h"
-#include "matching/write_result.h"
 #include "matching/output/summary.h"
 #include "matching/output/written_files.h"
 #include "tests/matching/output/temporary_folder.h"
@@ -244,22 +243,6 @@ TEST(Resume, TheShapeThatHasChangedIsNamed) {
   put(tmp / "reference.csv", ellipse(1.1));
   const std::string others = run(o, tmp / "out2").notes;
   EXPECT_NE(others.find("the reference is another one"), std::string::npos) << others;
-}
-
-TEST(Resume, APictureThatCannotBeDrawnDoesNotEndTheRun) {
-  const TemporaryFolder tmp;
-  OutputFolder folder(tmp / "out", false);
-  Watcher watcher;
-  draw(folder, "pictures/a.png", watcher, [](const std::string& path) {
-    put(path, "a part");
-    throw EnvironmentError("no ink");
-  });
-  draw(folder, "pictures/b.png", watcher, [](const std::string&) { throw std::bad_alloc(); });
-  draw(folder, "pictures/c.png", watcher, [](const std::string& path) { put(path, "all"); });
-  EXPECT_EQ(watcher.notes, "pictures/a.png is missing: no ink\npictures/b.png is missing: not enough memory\n");
-  EXPECT_THROW(draw(folder, "pictures/d.png", watcher, [](const std::string&) { throw Stopped("now"); }), Stopped);
-  folder.commit();
-  EXPECT_EQ(tmp.entries(), (std::vector<std::string>{"out", "out/files.json", "out/pictures", "out/pictures/c.png"}));
 }
 
 TEST(Resume, DamagedStatesBeginAnewWithOneWarning) {

@@ -6,6 +6,8 @@
 #include "matching/output/write_file.h"
 #include "matching/output/written_files.h"
 #include "base/error.h"
+#include "base/stop.h"
+#include "matching/write_result.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -281,6 +283,25 @@ TEST(OutputFolderTest, AFullDiskIsAnEnvironmentErrorThatSaysSo) {
   const std::string message =
       message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
   EXPECT_NE(message.find("make room"), std::string::npos) << message;
+}
+
+TEST(OutputFolderTest, APictureThatCannotBeDrawnIsToldAndRemoved) {
+  const TemporaryFolder tmp;
+  OutputFolder folder(tmp / "out", false);
+  struct Watcher final : Observer {
+    std::string notes;
+    void note(const std::string& text) override { notes += text + "\n"; }
+  } watcher;
+  draw(folder, "pictures/a.png", watcher, [](const std::string& path) {
+    put(path, "a part");
+    throw EnvironmentError("no ink");
+  });
+  draw(folder, "pictures/b.png", watcher, [](const std::string&) { throw std::bad_alloc(); });
+  draw(folder, "pictures/c.png", watcher, [](const std::string& path) { put(path, "all"); });
+  EXPECT_EQ(watcher.notes, "pictures/a.png is missing: no ink\npictures/b.png is missing: not enough memory\n");
+  EXPECT_THROW(draw(folder, "pictures/d.png", watcher, [](const std::string&) { throw Stopped("now"); }), Stopped);
+  folder.commit();
+  EXPECT_EQ(tmp.entries(), (Names{"out", "out/files.json", "out/pictures", "out/pictures/c.png"}));
 }
 
 }  // namespace

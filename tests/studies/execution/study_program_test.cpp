@@ -237,7 +237,7 @@ solvers: [newton]
     std::vector<std::string> entries;
     for (const auto& entry : fs::directory_iterator(run)) entries.push_back(entry.path().filename().string());
     std::sort(entries.begin(), entries.end());
-    EXPECT_EQ(entries, (std::vector<std::string>{"config.yaml", "log.txt", "result.json"}));
+    EXPECT_EQ(entries, (std::vector<std::string>{"config.yaml", "files.json", "log.txt", "result.json"}));
     std::ifstream log(run / "log.txt");
     std::string first;
     std::getline(log, first);
