@@ -1,7 +1,8 @@
 #include "alignment/functional_map/map_score.h"
 
+#include "base/svd.h"
+
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,10 @@ Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<s
 
 Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Mat<3> covariance = to * from.transpose();
-  const Eigen::JacobiSVD<Mat<3>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Svd<Mat<3>> svd = jacobi_svd(covariance);
   Vec<3> signs = Vec<3>::Ones();
-  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  signs[2] = (svd.u * svd.v.transpose()).determinant() < 0 ? -1 : 1;
+  return svd.u * signs.asDiagonal() * svd.v.transpose();
 }
 
 }  // namespace

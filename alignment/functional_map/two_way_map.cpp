@@ -1,7 +1,8 @@
 #include "alignment/functional_map/two_way_map.h"
 
+#include "base/svd.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <numeric>
@@ -75,10 +76,8 @@ PairedFunctions paired_functions(const ShapePairSpectra& pair, const VertexMatch
 Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto [rows, n] = paired_functions(pair, matches, k);
   const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
-  // Square matrices of at most 40 rows, as here, need neither a preconditioner nor divide and conquer, whose code takes a
-  // minute to compile.
-  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  const Svd<Eigen::MatrixXd> svd = jacobi_svd(products);
+  return svd.u * svd.v.transpose();
 }
 
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {

@@ -1,9 +1,9 @@
 #include "alignment/pose/fit_pose.h"
 
 #include "base/error.h"
+#include "base/svd.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -37,14 +37,14 @@ std::optional<Pose> least_squares(Pairs pairs, std::span<const double> weights, 
     spread += weights[i] * a.squaredNorm();
     spread_to += weights[i] * b.squaredNorm();
   }
-  const Eigen::JacobiSVD<Mat<3>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Svd<Mat<3>> svd = jacobi_svd(covariance);
   // Two independent directions determine a rotation.
-  if (!(svd.singularValues()[1] > 1e-9 * std::sqrt(spread * spread_to))) return std::nullopt;
+  if (!(svd.values[1] > 1e-9 * std::sqrt(spread * spread_to))) return std::nullopt;
   Vec<3> signs = Vec<3>::Ones();
-  if (handedness * (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs[2] = -1;
+  if (handedness * (svd.u * svd.v.transpose()).determinant() < 0) signs[2] = -1;
   Pose pose;
-  pose.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  pose.scale = kind == PoseKind::rigid ? 1 : svd.singularValues().dot(signs) / spread;
+  pose.rotation = svd.u * signs.asDiagonal() * svd.v.transpose();
+  pose.scale = kind == PoseKind::rigid ? 1 : svd.values.dot(signs) / spread;
   if (!(pose.scale > 0)) return std::nullopt;
   pose.translation = to - pose.scale * (pose.rotation * from);
   return pose;

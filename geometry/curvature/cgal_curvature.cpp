@@ -2,12 +2,14 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/curvature/least_squares.h"
 
-// The least-squares problem of the fit is solved by Eigen.
+// CGAL diagonalises the matrices of the fit with Eigen.
 #ifndef CGAL_EIGEN3_ENABLED
 #define CGAL_EIGEN3_ENABLED
 #endif
-#include <CGAL/Eigen_svd.h>
+#include <CGAL/Eigen_matrix.h>
+#include <CGAL/Eigen_vector.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -20,7 +22,17 @@ namespace shellmatch {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using JetFit = CGAL::Monge_via_jet_fitting<Kernel, Kernel, CGAL::Eigen_svd>;
+
+/// CGAL's concept SvdTraits, as CGAL::Eigen_svd models it, with the decomposition compiled in a file of its own.
+struct LeastSquaresSvd {
+  using FT = double;
+  using Vector = CGAL::Eigen_vector<double>;
+  using Matrix = CGAL::Eigen_matrix<double>;
+  /// Replaces b by the solution of m x = b and returns the condition number of m.
+  static double solve(const Matrix& m, Vector& b) { return solve_least_squares(m.eigen_object(), b.eigen_object()); }
+};
+
+using JetFit = CGAL::Monge_via_jet_fitting<Kernel, Kernel, LeastSquaresSvd>;
 
 Vec<3> to_vec(const Kernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
