@@ -12,6 +12,7 @@ namespace {
 
 // Triangulations of one surface differ by less.
 constexpr double score_noise = 0.005;
+constexpr double identity_angle = 0.175;  // 10 degrees
 constexpr std::size_t n_few_samples = 150, n_samples = 600;
 
 struct SearchedMotion {
@@ -57,9 +58,8 @@ std::vector<RigidMotion> rigid_starts(const NormalizedSurface& first, const Norm
   return starts;
 }
 
-/// The best motions and the one as the surfaces lie, no two alike.
-std::vector<SearchedMotion> distinct_motions(std::vector<SearchedMotion> motions, std::size_t n_most) {
-  constexpr double alike = 0.09;  // 5 degrees
+/// The best motions and the one as the surfaces lie, all by more than `alike` radians apart.
+std::vector<SearchedMotion> distinct_motions(std::vector<SearchedMotion> motions, std::size_t n_most, double alike) {
   std::stable_sort(motions.begin(), motions.end(),
                    [](const SearchedMotion& a, const SearchedMotion& b) { return a.score.total() < b.score.total(); });
   std::vector<SearchedMotion> distinct;
@@ -82,14 +82,15 @@ std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const
     motions[i].motion = iterated_points(few, starts[i], 6);
     motions[i].score = rigid_score(few, motions[i].motion);
   }, 4);
-  motions = distinct_motions(std::move(motions), 2 * n_most);
+  // Not yet converged: what is nearer than the starts are to each other may lead to the same pose.
+  motions = distinct_motions(std::move(motions), 3 * n_most, 0.4);
   parallel_for(motions.size(), [&](std::size_t i) {
     motions[i].motion = iterated_points(many, motions[i].motion, 40);
     motions[i].score = rigid_score(many, motions[i].motion);
   }, 1);
   // Near-spheres would drift: the surfaces as they lie are judged as they lie.
   motions.push_back({{}, rigid_score(many, {}), true});
-  return distinct_motions(std::move(motions), n_most);
+  return distinct_motions(std::move(motions), n_most, identity_angle);
 }
 
 std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, const NormalizedSurface& second,

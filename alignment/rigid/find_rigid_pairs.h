@@ -13,7 +13,7 @@ namespace shellmatch {
 struct RigidCandidate {
   double score = 0;          ///< RigidScore::total(); 0 is best
   RigidScore score_parts;
-  bool is_identity = false;  ///< the surfaces as they lie, their centres on each other, or within 5 degrees of that
+  bool is_identity = false;  ///< the surfaces as they lie, their centres on each other, or within 10 degrees of that
   bool is_mirrored = false;  ///< found for the mirrored reference
   bool is_symmetry = false;  ///< differs from the first candidate by a symmetry of the template alone
   Pose pose;                 ///< a similarity that makes both the same size; residual: median distance of the pairs after it
