@@ -23,14 +23,23 @@ template <int N, class Body>
   }(std::make_integer_sequence<int, N>{});
 }
 
-/// The passive inputs of a functor of `Term`: those of the point, the term's own options, and what `further` has.
+/// The passive inputs of a functor of `Term`: those of the point, the term's own options, and the frames t1, t2 if it reads
+/// these. With constant indices throughout, the compiler keeps them in registers.
 template <class Functor, class Term>
-std::array<Pack, Functor::n_passive> passive_inputs(const PointArrays<Term::dim>& p, const double* own,
-                                                    std::initializer_list<const Pack*> further = {}) {
+[[gnu::always_inline]] inline std::array<Pack, Functor::n_passive> passive_inputs(const PointArrays<Term::dim>& p,
+                                                                                  const double* own,
+                                                                                  const TangentBasis<Term::dim>* t1 = nullptr,
+                                                                                  const TangentBasis<Term::dim>* t2 = nullptr) {
+  constexpr int dim = Term::dim, n_point = PointArrays<dim>::n_passive, n_own = static_cast<int>(Term::own.size());
+  constexpr int n_basis = (dim - 1) * dim, n_without_frames = n_point + n_own;
   std::array<Pack, Functor::n_passive> passive;
-  auto to = std::copy(p.passive.begin(), p.passive.end(), passive.begin());
-  for (std::size_t i = 0; i < Term::own.size(); ++i) *to++ = Pack{} + own[i];
-  for (const Pack* vectors : further) to = std::copy_n(vectors, (Term::dim - 1) * Term::dim, to);
+  unrolled<n_point>([&](auto i) { passive[i] = p.passive[i]; });
+  unrolled<n_own>([&](auto i) { passive[n_point + i] = Pack{} + own[i]; });
+  if constexpr (Functor::n_passive > n_without_frames)
+    unrolled<n_basis>([&](auto i) {
+      passive[n_without_frames + i] = (*t1)[i / dim][i % dim];
+      passive[n_without_frames + n_basis + i] = (*t2)[i / dim][i % dim];
+    });
   return passive;
 }
 
@@ -79,8 +88,7 @@ template <class Code, int Dim, int Output>
 [[gnu::always_inline]] inline std::array<Pack, Dim> by_position(const Pack* derivative, const PointArrays<Dim>& p) {
   std::array<Pack, Dim> sum{};
   unrolled<PointArrays<Dim>::n_target>([&](auto i) {
-    if constexpr (Code::depends(Output, i))
-      for (int a = 0; a < Dim; ++a) sum[a] += derivative[i] * p.derivative[a][i];
+    if constexpr (Code::depends(Output, i)) unrolled<Dim>([&](auto a) { sum[a] += derivative[i] * p.derivative[a][i]; });
   });
   return sum;
 }
@@ -103,28 +111,36 @@ void add_in_tangent(const BandModelPoint<Term::dim>& at, double weight, const do
   constexpr int n = Code::n_outputs;
   const auto passive = [&] {
     if constexpr (Term::is_tangential)
-      return passive_inputs<Functor, Term>(at.arrays, own, {at.t1[0].data(), at.t2[0].data()});
+      return passive_inputs<Functor, Term>(at.arrays, own, &at.t1, &at.t2);
     else
       return passive_inputs<Functor, Term>(at.arrays, own);
   }();
+  std::array<Pack, Functor::n_active> active;
+  unrolled<Functor::n_active>([&](auto i) { active[i] = at.arrays.active[i]; });
+  if constexpr (Term::is_tangential)
+    unrolled<dim * dim>([&](auto i) {
+      constexpr int k = i / dim, s = i % dim;
+      Pack sum{};
+      unrolled<dim>([&](auto l) {
+        if constexpr (s < m) sum += at.arrays.active[n_dphi + k * dim + l] * at.t1[s][l];
+        else sum += at.arrays.active[n_dphi + k * dim + l] * at.arrays.passive[1 + l];  // n1
+      });
+      active[n_dphi + i] = sum;
+    });
   std::array<Pack, n> argument;
   std::array<Pack, n * Functor::n_active> derivative;
-  Code::jacobian(at.arrays.active.data(), passive.data(), argument.data(), derivative.data());
+  Code::jacobian(active.data(), passive.data(), argument.data(), derivative.data());
   std::array<std::array<Pack, n_variables>, n> j{};
   unrolled<n>([&](auto e) {
     const Pack* row = derivative.data() + e * Functor::n_active;
     if constexpr (Term::is_tangential) {
-      // X_ij moves Dphi by t2_i t1_j^T.
-      std::array<std::array<Pack, dim>, m> along{};  // (row of Dphi) t1_j
-      for (int s = 0; s < m; ++s)
-        for (int k = 0; k < dim; ++k)
-          for (int l = 0; l < dim; ++l) along[s][k] += row[n_dphi + k * dim + l] * at.t1[s][l];
-      for (int r = 0; r < m; ++r)
-        for (int s = 0; s < m; ++s)
-          for (int k = 0; k < dim; ++k) j[e][r * m + s] += at.t2[r][k] * along[s][k];
+      // X_rs moves Dphi by t2_r t1_s^T, and thus column s of Dphi Q by t2_r.
+      unrolled<m * m>([&](auto x) {
+        unrolled<dim>([&](auto k) { j[e][x] += at.t2[x / m][k] * row[n_dphi + k * dim + x % m]; });
+      });
     }
     const auto by_phi = by_position<Code, dim, e>(row, at.arrays);
-    for (int a = 0; a < dim; ++a) j[e][m * m + a] = by_phi[a];
+    unrolled<dim>([&](auto a) { j[e][m * m + a] = by_phi[a]; });
   });
   const Material<double> c{at.arrays.passive[PointArrays<dim>::n_reference][0],
                            at.arrays.passive[PointArrays<dim>::n_reference + 1][0], own};

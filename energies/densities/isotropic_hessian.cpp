@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shellmatch {
@@ -41,14 +42,17 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
     first[i] = psi.g[i][lane];
     for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j)[lane];
   }
-  Eigen::Matrix<double, Dim * Dim, Dim* Dim> h = Eigen::Matrix<double, Dim * Dim, Dim * Dim>::Zero();
+  constexpr int n = Dim * Dim;
+  Eigen::Matrix<double, n, n> h = Eigen::Matrix<double, n, n>::Zero();
   const auto add = [&](const Mat<Dim>& mode, double value) {
     if (!(value > 0)) return;
     const Mat<Dim> q = a.u * mode * a.v.transpose();
-    Eigen::Matrix<double, Dim * Dim, 1> flat;
-    for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j) flat[i * Dim + j] = q(i, j);
-    h += value * flat * flat.transpose();
+    std::array<double, n> flat, scaled;
+    for (int i = 0; i < n; ++i) flat[i] = q(i / Dim, i % Dim), scaled[i] = value * flat[i];
+    // Eigen would form the product in a matrix of its own and add that, out of line.
+    double* entry = h.data();
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) *entry++ += scaled[i] * flat[j];
   };
   for (int i = 0; i < Dim; ++i)
     for (int j = i + 1; j < Dim; ++j) {

@@ -20,7 +20,9 @@
 /// Optional members:
 ///
 ///     static constexpr bool is_tangential = true   the argument is P2 X P1 for some X, to which n2 n1^T is added (that is
-///                                                  not part of argument()): Newton's model is then made in tangent frames
+///                                                  not part of argument()): Newton's model is then made in tangent frames.
+///                                                  It has no direction of its own in the reference: argument(y, Dphi Q,
+///                                                  Q^T x) = argument(y, Dphi, x) Q for orthogonal Q, which turns n1 and r1
 ///     static constexpr bool reads_shape_operators  r1 and root are S1 and S2 themselves
 ///     static constexpr std::array<TermOption, n> own  options of its own; values in material.own, in this order
 
