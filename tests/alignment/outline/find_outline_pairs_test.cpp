@@ -65,6 +65,7 @@ TEST(FindOutlinePairs, AMovedLeafIsFoundPointByPoint) {
     EXPECT_LT(greatest_error(found, other, motion), 0.004) << angle;
     EXPECT_LT(found.candidates[0].score, 0.02);
     EXPECT_GT(found.margin, 5);
+    EXPECT_TRUE(std::isfinite(found.margin));
     EXPECT_NEAR(found.candidates[0].pose.scale, 40, 0.04);
     EXPECT_LT((found.candidates[0].pose.rotation - motion.rotation).norm(), 1e-3);
     EXPECT_EQ(found.candidates[0].is_identity, angle == 17.0);

@@ -64,6 +64,7 @@ TEST(FindRigidPairs, ATurnedBlobIsFoundWhateverTheTurn) {
     EXPECT_GE(found.pairs().size(), 290u);
     EXPECT_LT(found.candidates[0].pose.residual, 0.02 * 7);
     EXPECT_GT(found.margin, 2);
+    EXPECT_TRUE(std::isfinite(found.margin));
   }
 }
 
