@@ -85,6 +85,27 @@ void keep_best(std::vector<MapCandidate>& candidates, std::size_t n) {
   candidates.resize(std::min(candidates.size(), n));
 }
 
+/// From a first map on n_merged functions to one on n_scored, with the rotated surfaces, and its score.
+void refine_coarsely(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
+  candidate.matches = match_rotated(pair, candidate.c, rotation);
+  candidate.c.resize(0, 0);
+  upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
+  candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
+}
+
+/// The first map that the surfaces suggest after a rotation, by their smoothed coordinates alone.
+void start_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
+  candidate.matches = match_rotated(pair, {}, rotation);
+  upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
+}
+
+/// The best distinct ones by their coarse scores.
+void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
+  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
+  candidates = distinct(pair, std::move(candidates), 0.05);
+  keep_best(candidates, static_cast<std::size_t>(n));
+}
+
 }  // namespace
 
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
@@ -94,29 +115,30 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   candidates[0].is_identity = true;
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
+    if (candidate.is_identity) return start_rotated(pair, Mat<3>::Identity(), candidate);
+    candidate.c = starts[i - 1];
     std::vector<int> steps;
-    int first = n_merged;
-    if (candidate.is_identity) {
-      candidate.matches = match_rotated(pair, candidate.c, Mat<3>::Identity());
-    } else {
-      candidate.c = starts[i - 1];
-      first = static_cast<int>(candidate.c.rows());
-    }
-    for (int k = first; k <= n_merged; ++k) steps.push_back(k);
+    for (int k = static_cast<int>(candidate.c.rows()); k <= n_merged; ++k) steps.push_back(k);
     upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
   }, 1);
   candidates = distinct(pair, std::move(candidates), 0.05);
+  const int n_smoothed = std::min(n_smooth, pair.n_functions);
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
-    const Mat<3> rotation = candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, std::min(n_smooth, pair.n_functions));
-    candidate.matches = match_rotated(pair, candidate.c, rotation);
-    candidate.c.resize(0, 0);
-    upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
-    candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
+    refine_coarsely(pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
+                    candidate);
   }, 1);
-  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
-  candidates = distinct(pair, std::move(candidates), 0.05);
-  keep_best(candidates, static_cast<std::size_t>(options.refined));
+  choose_best(pair, candidates, options.refined);
+  // What the surfaces suggest as they lie is often better than what any signs of eigenfunctions lead to. Turned surfaces suggest
+  // the same once they are turned back.
+  const std::size_t n_first = candidates.size();
+  candidates.resize(2 * n_first);
+  parallel_for(n_first, [&](std::size_t i) {
+    const Mat<3> rotation = proper_rotation(pair, candidates[i].matches, n_smoothed);
+    start_rotated(pair, rotation, candidates[n_first + i]);
+    refine_coarsely(pair, rotation, candidates[n_first + i]);
+  }, 1);
+  choose_best(pair, candidates, options.refined);
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     // Least squares allow what orthogonal maps do not, and begin with fewer functions again to make use of it.
