@@ -60,14 +60,6 @@ Arguments parse(const std::vector<std::string>& words) {
   return arguments;
 }
 
-Surface<3> read_surface(const std::string& path) {
-  const OriginalShape<3> original = read_points_or_mesh_3d(path);
-  Surface<3> surface{original.vertices, {}};
-  for (const auto& polygon : original.polygons)
-    for (std::size_t k = 2; k < polygon.size(); ++k) surface.facets.push_back({polygon[0], polygon[k - 1], polygon[k]});
-  return surface;
-}
-
 std::vector<Index> read_ids(const std::string& path) {
   std::ifstream in(path);
   std::vector<Index> ids;
@@ -214,7 +206,7 @@ int main(int argc, char** argv) try {
                        "[--threads N] [--functions N] [--mirror]\n");
     return 2;
   }
-  const Surface<3> reference = read_surface(arguments.files[0]), template_surface = read_surface(arguments.files[1]);
+  const Surface<3> reference = read_triangles(arguments.files[0]), template_surface = read_triangles(arguments.files[1]);
   TrueCorrespondence truth(reference, template_surface, arguments.ids);
   if (arguments.n_rotations > 0) {
     print_rotations(reference, template_surface, arguments, truth);

@@ -6,6 +6,7 @@
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
 #include "geometry/repair/make_shape.h"
+#include "geometry/repair/repair_steps.h"
 
 #include <utility>
 
@@ -105,6 +106,12 @@ OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std
       return std::move(mesh.shape);
     }
   }
+}
+
+Surface<3> read_triangles(const std::string& path) {
+  OriginalShape<3> original = read_points_or_mesh_3d(path);
+  Triangles triangles = triangulate(original);
+  return {std::move(original.vertices), std::move(triangles)};
 }
 
 OriginalShape<2> read_points_or_outline_2d(const std::string& path, std::vector<std::string>* notes) {

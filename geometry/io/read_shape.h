@@ -24,7 +24,11 @@ Shape<3> read_mesh(const std::string& path);
 /// above.
 Shape<2> read_outline(const std::string& path);
 
-/// One of the two, by the ending of the file name.
+/// A mesh as it stands in the file, its polygons divided into triangles: nothing is welded, dropped or turned; points have no
+/// triangles. \throws InputError where it cannot be read.
+Surface<3> read_triangles(const std::string& path);
+
+/// An outline or a mesh, by the ending of the file name.
 AnyShape read_shape(const std::string& path);
 
 /// 2 or 3 by the ending of the file name; 0 where it is neither's.

@@ -30,37 +30,38 @@ template <int Dim>
 struct Outcome {
   StartSearch<Dim> search;
   StartChoice choice;
-  bool has_pairs = false, is_doubtful = true;
-
-  Outcome(const ShapePair<Dim>& shapes, StartSearch<Dim> found, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer)
-      : search(std::move(found)), choice(choose_start(shapes, search.starts, search.margin, landmarks, options, observer)) {
-    has_pairs = best().n_pairs >= min_pairs;
-    is_doubtful = !has_pairs || !(best().score <= options.align.doubtful_score && choice.margin >= options.align.doubtful_margin);
-  }
   Start<Dim>& best() { return search.starts[choice.index]; }
 };
 
 template <int Dim>
-Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer) {
-  Outcome<Dim> outcome(shapes, search_starts(shapes, options.align), landmarks, options, observer);
+Outcome<Dim> outcome_of(StartSearch<Dim> search, const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                        const ExperimentOptions& options, Observer& observer) {
+  const StartChoice choice = choose_start(shapes, search.starts, search.margin, landmarks, options, observer);
+  return {std::move(search), choice};
+}
+
+template <int Dim>
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                               const ExperimentOptions& options, Observer& observer) {
+  Outcome<Dim> outcome = outcome_of(search_starts(shapes, options.align), shapes, landmarks, options, observer);
   if constexpr (Dim == 3) {
-    // Spectra of round shapes tell their sides not apart; distances may. Where the spectra themselves differ, they may not.
-    const bool is_featureless = outcome.is_doubtful && outcome.has_pairs && outcome.best().score <= options.align.doubtful_score;
-    if (is_featureless) {
-      Outcome<3> poses(shapes, search_poses(shapes, options.align), landmarks, options, observer);
-      if (!poses.is_doubtful) return poses;
+    // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
+    if (outcome.choice.is_doubtful && outcome.best().n_pairs >= min_pairs && outcome.best().score <= options.align.doubtful_score) {
+      Outcome<3> poses = outcome_of(search_poses(shapes, options.align), shapes, landmarks, options, observer);
+      if (!poses.choice.is_doubtful) return poses;
     }
   }
   return outcome;
 }
 
 template <int Dim>
-Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer) {
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+                      Observer& observer) {
   Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, observer);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
-  const bool is_used =
-      outcome.has_pairs && !(options.align.mode == AlignMode::automatic && (outcome.is_doubtful || choice.as_it_lies));
+  const bool is_trusted = options.align.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
+  const bool is_used = best.n_pairs >= min_pairs && is_trusted;
   Alignment<Dim> result;
   if (is_used) result = std::move(best.alignment);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
@@ -68,11 +69,11 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(best.n_pairs) : 0;
-  s.doubtful = outcome.is_doubtful;
+  s.doubtful = choice.is_doubtful;
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by the energy reached", choice.n_tried);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
-  observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", outcome.is_doubtful ? "doubtful: " : "",
+  observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
                             pose_text(result.pose)));
   return result;
@@ -106,8 +107,8 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   s.reference_gaps = narrow_gap_share(shapes.reference.surface);
   s.template_gaps = narrow_gap_share(shapes.template_shape.surface);
   if (has_clearly_more_gaps(s.reference_gaps, s.template_gaps))
-    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the map from template to "
-                              "reference may be more exact; exchange the shapes, and carry the reference with `shellmatch apply --inverse`",
+    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the map "
+                              "from template to reference may be more exact; exchange the shapes, and carry the reference with `shellmatch apply --inverse`",
                               100 * s.reference_gaps, 100 * s.template_gaps));
   return result;
 }

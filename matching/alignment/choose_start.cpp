@@ -30,7 +30,10 @@ class Choosing {
       if (starts_[i].score < options_.align.clear_margin * starts_[0].score && starts_[i].n_pairs >= min_pairs)
         close.push_back(i);
     if (close.size() > 1 && options_.align.weight > 0) among(close, choice);
-    if (!starts_[choice.index].is_identity && starts_[choice.index].n_pairs >= min_pairs)
+    const Start<Dim>& best = starts_[choice.index];
+    const AlignOptions& o = options_.align;
+    choice.is_doubtful = !(best.n_pairs >= min_pairs && best.score <= o.doubtful_score && choice.margin >= o.doubtful_margin);
+    if (o.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity)
       choice.as_it_lies = !is_clearly_better_than_none(trial(choice.index));
     return choice;
   }

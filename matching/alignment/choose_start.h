@@ -30,12 +30,14 @@ struct StartChoice {
   /// scores for the others; infinite without others.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
+  bool is_doubtful = true;  ///< too few pairs, options.align.doubtful_score or doubtful_margin
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
 /// Tries the starts whose scores are less than options.align.clear_margin times the best, if there are several. The start
-/// as the shapes lie is preferred by options.align.search.identity_preference. If another is chosen, the shapes as they
-/// lie are tried without pairs, too, and win unless it is better than that by half in energy or in coverage.
+/// as the shapes lie is preferred by options.align.search.identity_preference. If another is chosen and not
+/// doubtful, the shapes as they lie are tried without pairs, too, with align.mode auto, and win unless it is better than that by half
+/// in energy or in coverage.
 /// \param starts ascending by score, at least one \param margin of the first by score alone \param landmarks pull in the trials, too
 template <int Dim>
 StartChoice choose_start(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,

@@ -3,12 +3,12 @@
 #include "base/error.h"
 #include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
+#include "matching/output/mount_point.h"
 #include "matching/output/write_file.h"
 #include "matching/output/written_files.h"
 
 #include <fcntl.h>
 #include <stdio.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,16 +21,6 @@ namespace shellmatch {
 namespace fs = std::filesystem;
 
 namespace {
-
-// Whether the folder is the root of a mounted file system, which can be filled but not renamed.
-bool is_mount_point(const fs::path& folder) {
-  struct statx found {};
-  if (::statx(AT_FDCWD, folder.c_str(), 0, STATX_BASIC_STATS, &found) != 0) return false;
-  if ((found.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0) return (found.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
-  struct statx above {};
-  return ::statx(AT_FDCWD, folder.parent_path().c_str(), 0, STATX_BASIC_STATS, &above) == 0 &&
-         (found.stx_dev_major != above.stx_dev_major || found.stx_dev_minor != above.stx_dev_minor);
-}
 
 // Whether an existing folder has to be filled where it is, because nothing beside it can be renamed to it.
 bool is_filled_in_place(const fs::path& folder) {

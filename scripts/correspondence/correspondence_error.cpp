@@ -71,14 +71,6 @@ Arguments parse(const std::vector<std::string>& words) {
   return arguments;
 }
 
-Surface<3> read_surface(const std::string& path) {
-  const OriginalShape<3> original = read_points_or_mesh_3d(path);
-  Surface<3> surface{original.vertices, {}};
-  for (const auto& polygon : original.polygons)
-    for (std::size_t k = 2; k < polygon.size(); ++k) surface.facets.push_back({polygon[0], polygon[k - 1], polygon[k]});
-  return surface;
-}
-
 /// Vertices of a mesh with n, counted from `first` in the file.
 std::vector<Index> read_indices(const std::string& path, Index first, std::size_t n) {
   std::ifstream in(path);
@@ -112,7 +104,7 @@ std::vector<T> at(const std::vector<T>& all, const std::vector<Index>& places) {
 
 std::vector<double> errors_of(const Arguments& arguments) {
   const std::string& result = arguments.files[2];
-  const Surface<3> reference = read_surface(arguments.files[0]), target = read_surface(arguments.files[1]);
+  const Surface<3> reference = read_triangles(arguments.files[0]), target = read_triangles(arguments.files[1]);
   const std::size_t n = reference.vertices.size();
   std::vector<Index> from, belong;
   if (arguments.ids.empty()) {
@@ -134,7 +126,7 @@ std::vector<double> errors_of(const Arguments& arguments) {
       is_map ? read_indices(result, arguments.first_index, target.vertices.size()) : std::vector<Index>();
   const std::vector<Vec<3>> moved = is_map                ? at(target.vertices, map)
                                     : result == "identity" ? reference.vertices
-                                                           : read_surface(result).vertices;
+                                                           : read_triangles(result).vertices;
   if (moved.size() != n) throw_input_error("{} is for {} vertices; the reference has {}", result, moved.size(), n);
 
   if (arguments.euclidean) return euclidean_errors(target.vertices, at(moved, from), belong);

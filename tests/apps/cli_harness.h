@@ -37,6 +37,8 @@ class Program {
   ProgramResult result_;
 };
 
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// Starts the program and waits for its end.
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
                           std::chrono::milliseconds limit = std::chrono::seconds(60));

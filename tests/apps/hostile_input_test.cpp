@@ -41,8 +41,6 @@ std::string refusal(const Words& words, std::chrono::seconds limit = std::chrono
   return result.err;
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 std::string circle(double radius, int n, int n_written) {
   std::string text;
   for (int i = 0; i < n_written; ++i)

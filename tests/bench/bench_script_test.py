@@ -13,7 +13,6 @@ import shutil
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 import types
 import unittest
@@ -21,7 +20,7 @@ import xml.etree.ElementTree
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root / "bench"))
+sys.path[:0] = [str(root / "bench"), str(root / "tests/support")]
 
 import comparison  # noqa: E402
 import machine  # noqa: E402
@@ -30,6 +29,7 @@ import paired  # noqa: E402
 import plotting  # noqa: E402
 import roofline  # noqa: E402
 import scaling  # noqa: E402
+from script_test import ScriptTest  # noqa: E402
 
 build = None  # the build tree under test
 tiny = ["--pairs", "leaf", "--levels", "3:4", "--only", "cascades"]
@@ -47,19 +47,9 @@ def command_of(pid):
         return ""
 
 
-class Folder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class Folder(ScriptTest):
     def refused(self, result, code, *words):
-        """Ended with this code and one message that has these words, on stderr alone."""
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stderr.count("bench: "), 1, result.stderr)
-        self.assertNotIn("Traceback", result.stderr)
-        for word in words:
-            self.assertIn(word, result.stderr)
+        self.assert_refused(result, "bench", code, words)
 
 
 class Script(Folder):

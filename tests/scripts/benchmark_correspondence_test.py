@@ -13,15 +13,15 @@ import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(root / "scripts"), str(root / "bench")]
+sys.path[:0] = [str(root / "scripts"), str(root / "bench"), str(root / "tests/support")]
 
 from correspondence import tables  # noqa: E402
+from script_test import ScriptTest  # noqa: E402
 
 build = None  # the build tree under test
 
@@ -59,11 +59,9 @@ def off(vertices, facets):
                       *(f"3 {a} {b} {c}" for a, b, c in facets)]) + "\n"
 
 
-class Benchmark(unittest.TestCase):
+class Benchmark(ScriptTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.tool = self.folder / "tool"
         self.tool.write_text(tool)
         self.tool.chmod(0o755)
@@ -82,13 +80,7 @@ class Benchmark(unittest.TestCase):
         return result.stdout
 
     def refused(self, words, *parts, code=2):
-        """Ended with one message that has these parts, on stderr alone."""
-        result = self.run_script(*words)
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertEqual(result.stderr.count("benchmark-correspondence: "), 1, result.stderr)
-        self.assertNotIn("Traceback", result.stderr)
-        for part in parts:
-            self.assertIn(part, result.stderr)
+        self.assert_refused(self.run_script(*words), "benchmark-correspondence", code, parts)
 
     def rows(self):
         with open(self.folder / "out/table.csv", newline="") as file:

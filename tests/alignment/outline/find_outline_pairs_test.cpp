@@ -179,7 +179,7 @@ TEST(FindOutlinePairs, WhatHasNoClosedCurveIsRefused) {
 
 TEST(FindOutlinePairs, TurnedHandsFindTheirFingers) {
   const auto folder = test::data_folder() / "hands2d_basel";
-  if (!exists(folder)) GTEST_SKIP() << folder << " is not there";
+  if (!exists(folder)) GTEST_SKIP() << "no folder " << folder << "; set SHELLMATCH_DATA to the data folder";
   for (const auto& [a, b] : {std::pair("00", "03"), {"05", "10"}}) {
     const auto read = [&](const char* number) {
       return read_outline(folder / ("hand" + std::string(number) + "_registered.csv"));
@@ -205,7 +205,7 @@ TEST(FindOutlinePairs, TurnedHandsFindTheirFingers) {
 
 TEST(FindOutlinePairs, TurnedLeavesFindTheirStalk) {
   const auto folder = test::data_folder() / "leaves2d_vitis";
-  if (!exists(folder)) GTEST_SKIP() << folder << " is not there";
+  if (!exists(folder)) GTEST_SKIP() << "no folder " << folder << "; set SHELLMATCH_DATA to the data folder";
   for (const auto& [a, b] : {std::pair("000_CHARDONNAY", "000_ALICANTEBOUSCHET"),
                              {"020_leaf3_588154a", "234_5BB"},
                              {"000_CHARDONNAY", "057_leaf4_588233a"},
