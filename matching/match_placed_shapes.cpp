@@ -5,6 +5,7 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/verdict.h"
 
 #include <string>
 #include <utility>
@@ -77,6 +78,7 @@ class Matching {
         deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), template_distance_);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
+    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
     if (inputs_.finished)
       inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
   }
