@@ -40,6 +40,7 @@ struct LevelResult {
   int iterations = 0;                ///< sum over the level's minimisations
   long value_evaluations = 0, gradient_evaluations = 0;
   double seconds = 0;
+  double memory_estimate = 0, memory_peak = 0;  ///< resident bytes: as expected before the level, and the run's peak after it
 };
 
 /// Grid and nodal positions at the end of a level.
