@@ -46,7 +46,7 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
                      "fit moves both shapes into the unit domain together, as-is leaves them where they are")
       ->type_name("fit|as-is");
   command.add_option("--align", settings.align,
-                     "auto finds pose and pairs of points of surfaces before the matching (docs/alignment.md)")
+                     "auto finds the pose and pairs of points before the matching (docs/alignment.md)")
       ->type_name("none|auto|rigid|similarity|landmarks");
   command.add_option("--landmarks", settings.landmarks, "CSV file of points that correspond (docs/landmarks.md)")
       ->type_name("FILE");

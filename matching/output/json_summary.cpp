@@ -77,6 +77,7 @@ requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
 static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
   member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
+  member("as_it_lies", s.as_it_lies);
   member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
 }
 

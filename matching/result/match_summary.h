@@ -72,7 +72,8 @@ struct AlignmentSummary {
   std::optional<double> score, margin;  ///< of the map found (docs/alignment.md); no margin without a second map
   int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
   int n_pairs = 0;              ///< used in the energy or for the pose
-  bool doubtful = false;
+  bool doubtful = false;        ///< with align.mode auto nothing is used then
+  bool as_it_lies = false;      ///< nor here: not clearly better than the shapes as they lie
   /// Shares of the shapes' areas (lengths) with another part close above (matching/alignment/narrow_gaps.h).
   double reference_gaps = 0, template_gaps = 0;
 };
