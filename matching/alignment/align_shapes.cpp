@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
-#include "matching/alignment/narrow_gaps.h"
 #include "matching/alignment/search_starts.h"
 
 #include <Eigen/LU>
@@ -92,24 +91,21 @@ Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const A
 
 }  // namespace
 
+AlignMode align_mode(const ExperimentOptions& options) {
+  const AlignMode mode = options.align.mode;
+  return mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is ? AlignMode::none : mode;
+}
+
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                             const ExperimentOptions& options, Observer& observer) {
-  const AlignMode mode = options.align.mode;
-  // Who takes coordinates as they are means that the shapes lie as they belong.
-  if (mode == AlignMode::none || (mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is)) return {};
+  const AlignMode mode = align_mode(options);
+  if (mode == AlignMode::none) return {};
   observer.stage("alignment");
   Alignment<Dim> result = mode == AlignMode::landmarks
                               ? by_landmarks(landmarks, options.align, observer)
                               : search(shapes, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
-  AlignmentSummary& s = *result.summary;
-  s.mode = enum_name(mode);
-  s.reference_gaps = narrow_gap_share(shapes.reference.surface);
-  s.template_gaps = narrow_gap_share(shapes.template_shape.surface);
-  if (has_clearly_more_gaps(s.reference_gaps, s.template_gaps))
-    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the map "
-                              "from template to reference may be more exact; exchange the shapes, and carry the reference with `shellmatch apply --inverse`",
-                              100 * s.reference_gaps, 100 * s.template_gaps));
+  result.summary->mode = enum_name(mode);
   return result;
 }
 

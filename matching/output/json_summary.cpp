@@ -78,7 +78,12 @@ static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
   member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
   member("as_it_lies", s.as_it_lies);
-  member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
+}
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, DirectionSummary>
+static void describe(S& s, Member&& member) {
+  member("backward", s.backward), member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
 }
 
 template <class S, class Member>
@@ -96,7 +101,7 @@ static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
   member("interrupted", s.interrupted), member("reference", s.reference),
       member("template", s.template_shape);
-  member("placement", s.placement), member("alignment", s.alignment), member("distance_before", s.distance_before),
+  member("placement", s.placement), member("direction", s.direction), member("alignment", s.alignment), member("distance_before", s.distance_before),
       member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);

@@ -74,7 +74,12 @@ struct AlignmentSummary {
   int n_pairs = 0;              ///< used in the energy or for the pose
   bool doubtful = false;        ///< with align.mode auto nothing is used then
   bool as_it_lies = false;      ///< nor here: not clearly better than the shapes as they lie
-  /// Shares of the shapes' areas (lengths) with another part close above (matching/alignment/narrow_gaps.h).
+};
+
+/// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above
+/// (matching/alignment/narrow_gaps.h).
+struct DirectionSummary {
+  bool backward = false;
   double reference_gaps = 0, template_gaps = 0;
 };
 
@@ -107,6 +112,7 @@ struct MatchSummary {
   bool interrupted = false;  ///< stopped before the last level was finished
   ShapeSummary reference, template_shape;
   PlacementSummary placement;
+  std::optional<DirectionSummary> direction;
   std::optional<AlignmentSummary> alignment;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;
