@@ -1,6 +1,7 @@
 // `apply`: moves a mesh, a contour or points by the deformation of a run.
 
 #include "apps/commands.h"
+#include "apps/process/interrupt.h"
 #include "apps/output_file.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -69,6 +70,7 @@ void apply(const ApplyCommand& command) {
 }  // namespace
 
 void execute(const ApplyCommand& command) {
+  catch_interrupts();
   const int dimension = deformation_dimension(command.deformation);
   check_output_file(command.output, dimension, command.force);
   if (dimension == 2) apply<2>(command);

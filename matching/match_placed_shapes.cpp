@@ -19,6 +19,11 @@ ShapeSummary shape_summary(const auto& shape) {
   return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes};
 }
 
+void add_level_figure(std::optional<std::vector<double>>& list, double entry) {
+  if (!list) list.emplace();
+  list->push_back(entry);
+}
+
 /// One matching, from the shapes in the unit domain to the result.
 template <int Dim>
 class Matching {
@@ -79,6 +84,8 @@ class Matching {
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
+    add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
+    add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
       inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
   }

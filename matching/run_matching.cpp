@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
+#include "matching/cascade/level_memory.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
@@ -11,9 +12,12 @@
 #include "matching/match_placed_shapes.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/pictures/level_picture.h"
+#include "matching/progress/process_info.h"
 #include "matching/write_result.h"
 #include "matching/output/summary.h"
 
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -34,8 +38,13 @@ class Run {
   MatchResult<Dim> go(bool restart) {
     try {
       return match(restart);
-    } catch (const Stopped&) {
-      throw Stopped(stopped_text());
+    } catch (const LevelTooLarge& stopped) {
+      throw Stopped(fmt::format("{}: {}", stopped.what(), stopped_text()), stopped.cause());
+    } catch (const Stopped& stopped) {
+      throw Stopped(stopped_text(), stopped.cause());
+    } catch (const std::bad_alloc&) {
+      if (memory_limit_bytes() > 0) throw Stopped(stopped_text(), StopCause::memory_limit);
+      throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", stopped_text());
     }
   }
 
@@ -142,6 +151,10 @@ class Run {
       note_failed_checkpoint(end.level.start.level, error.what());
     } catch (const EnvironmentError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+      note_failed_checkpoint(end.level.start.level, error.what());
+    } catch (const std::bad_alloc&) {
+      note_failed_checkpoint(end.level.start.level, "not enough memory");
     }
     last_checkpoint_ = clock_.seconds();
     clock_.phases["keeping"] += last_checkpoint_ - begin;

@@ -93,6 +93,7 @@ static void describe(S& s, Member&& member) {
   member("compiler", s.compiler), member("threads", s.threads), member("seconds", s.seconds);
   member("phase_seconds", s.phase_seconds), member("level_seconds", s.level_seconds);
   member("peak_memory_bytes", s.peak_memory_bytes), member("resumed_after", s.resumed_after);
+  member("level_memory_estimates", s.level_memory_estimates), member("level_memory_peaks", s.level_memory_peaks);
 }
 
 template <class S, class Member>

@@ -93,7 +93,9 @@ struct RunFigures {
   std::vector<double> level_seconds;  ///< one entry for each level
   std::uint64_t peak_memory_bytes = 0;
   /// The levels after which a stopped run was resumed; the times are then sums over all parts.
-  std::optional<std::vector<int>> resumed_after;
+  std::optional<std::vector<int>> resumed_after = {};
+  /// One entry for each level, in resident bytes: as expected before it, and the run's peak after it.
+  std::optional<std::vector<double>> level_memory_estimates = {}, level_memory_peaks = {};
 };
 
 /// One check of derivatives during a run.

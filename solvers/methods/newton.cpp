@@ -113,7 +113,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     while (regularisation.regularise(*model, x, d)) linear.solve_again(g, d);
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
-      run.finish(StopReason::no_descent);
+      run.finish(StopReason::no_descent, model->what_of_model_is_not_finite(x));
       break;
     }
     line.lay(x, d, value, size.slope);
