@@ -1,6 +1,7 @@
 // `apply`: moves a mesh, a contour or points by the deformation of a run.
 
 #include "apps/commands.h"
+#include "apps/process/interrupt.h"
 #include "apps/output_file.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -41,11 +42,10 @@ void move(const Deformation<Dim>& deformation, std::vector<Vec<Dim>>& points) {
 }
 
 template <int Dim>
-void move_back(const Deformation<Dim>& deformation, const std::string& file, std::vector<Vec<Dim>>& points) {
-  const InverseDeformation<Dim> inverse(deformation);
+void move_back(const PointMap<Dim>& map, const std::string& file, std::vector<Vec<Dim>>& points) {
   std::vector<char> is_lost(points.size());
   parallel_for(points.size(), [&](std::size_t v) {
-    if (const auto x = inverse(points[v])) points[v] = *x;
+    if (const auto x = map(points[v])) points[v] = *x;
     else is_lost[v] = 1;
   });
   const auto first = std::find(is_lost.begin(), is_lost.end(), 1);
@@ -61,7 +61,8 @@ void apply(const ApplyCommand& command) {
   OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
   for (const std::string& note : notes) std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr);
 
-  if (command.inverse) move_back(deformation, command.file, shape.vertices);
+  const PointMap<Dim> map(deformation, command.inverse ? Toward::reference : Toward::template_shape);
+  if (map.is_inverse()) move_back(map, command.file, shape.vertices);
   else move(deformation, shape.vertices);
   write_output_file(command.output, shape);
 }
@@ -69,6 +70,7 @@ void apply(const ApplyCommand& command) {
 }  // namespace
 
 void execute(const ApplyCommand& command) {
+  catch_interrupts();
   const int dimension = deformation_dimension(command.deformation);
   check_output_file(command.output, dimension, command.force);
   if (dimension == 2) apply<2>(command);

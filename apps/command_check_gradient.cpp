@@ -2,7 +2,7 @@
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"
-#include "apps/interrupt.h"
+#include "apps/process/interrupt.h"
 #include "apps/output_file.h"
 #include "apps/progress.h"
 #include "base/error.h"
@@ -34,7 +34,7 @@ void execute(const CheckGradientCommand& command) {
   if (!command.json.empty()) check_report_file(command.json, command.settings.force);
   const ExperimentOptions options = read_run_options(command.config, command.settings);
 
-  stop_loops_on_interrupts();
+  catch_interrupts();
   Progress progress(command.settings.verbosity, options.cascade.max_level);
   GradientReport report = run_gradient_check(options, request, progress);
   report.source = command.config;

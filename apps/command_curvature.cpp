@@ -2,7 +2,7 @@
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"
-#include "apps/interrupt.h"
+#include "apps/process/interrupt.h"
 #include "apps/progress.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -77,7 +77,7 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
 }  // namespace
 
 void execute(const CurvatureCommand& command) {
-  stop_loops_on_interrupts();
+  catch_interrupts();
   std::vector<Override> overrides = {{"input.reference", command.shape, "SHAPE"},
                                      {"input.template", command.shape, "SHAPE"}};
   for (Override& change : overrides_of(command.settings)) overrides.push_back(std::move(change));

@@ -1,6 +1,7 @@
 // `generate`: writes one of the built-in shapes to a file, or lists them.
 
 #include "apps/commands.h"
+#include "apps/process/interrupt.h"
 #include "apps/output_file.h"
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"
@@ -72,6 +73,7 @@ void execute(const GenerateCommand& command) {
   if (command.list && name.empty()) return list_all();
   const GeneratorInfo info = info_of(name);
   if (command.list) return list_one(info);
+  catch_interrupts();
   check_output_file(command.output, info.dimension, command.force);
   const double edge_length = command.edge_length.empty() ? 0 : to_number(command.edge_length, "--edge-length");
   const auto shape = generate_shape(name, variant, edge_length, parameters_of(command));

@@ -1,6 +1,7 @@
 #include "apps/command_line.h"
 
 #include "apps/help_text.h"
+#include "apps/versions_text.h"
 #include "base/error.h"
 #include "base/options.h"
 
@@ -22,8 +23,10 @@ struct Commands {
   InspectCommand inspect;
   CurvatureCommand curvature;
   CheckGradientCommand check_gradient;
+  SelfTestCommand self_test;
   ConfigCommand config;
   StudyCommand study;
+  Limits limits;  ///< of whichever it is
 };
 
 void set_verbosity(Verbosity& present, Verbosity verbosity) {
@@ -43,7 +46,7 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
                      "fit moves both shapes into the unit domain together, as-is leaves them where they are")
       ->type_name("fit|as-is");
   command.add_option("--align", settings.align,
-                     "auto finds pose and pairs of points of surfaces before the matching (docs/alignment.md)")
+                     "auto finds the pose and pairs of points before the matching (docs/alignment.md)")
       ->type_name("none|auto|rigid|similarity|landmarks");
   command.add_option("--landmarks", settings.landmarks, "CSV file of points that correspond (docs/landmarks.md)")
       ->type_name("FILE");
@@ -80,6 +83,13 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, cons
   return command;
 }
 
+// Every command has these.
+void add_limits(CLI::App& command, Limits& limits) {
+  command.add_option("--max-seconds", limits.seconds, "stop in order after this time (exit code 4)")->type_name("SECONDS");
+  command.add_option("--max-memory", limits.memory, "stop in order before more is used (exit code 4); a study's runs together")
+      ->type_name("800MB|4GB");
+}
+
 void describe_study(CLI::App& app, StudyCommand& study) {
   CLI::App* command = add_command(app, "study", help_text::study, help_text::study_footer);
   command->add_option("STUDY", study.study, "the YAML file")->required()->type_name("");
@@ -101,7 +111,8 @@ void describe_study(CLI::App& app, StudyCommand& study) {
 void describe(CLI::App& app, Commands& commands) {
   app.footer(help_text::program_footer);
   app.get_formatter()->column_width(34);
-  app.set_version_flag("--version", "shellmatch " SHELLMATCH_VERSION, "print the version");
+  CLI::Option* version = app.set_version_flag("--version", "shellmatch " SHELLMATCH_VERSION, "print the version");
+  app.add_flag_function("-v,--verbose", [](std::int64_t) {}, "with --version: versions and licences of all that is linked, too")->needs(version);
   app.require_subcommand(1);
 
   CLI::App* match = add_command(app, "match", help_text::match,
@@ -159,9 +170,15 @@ void describe(CLI::App& app, Commands& commands) {
   check->add_option("--json", checked.json, "write all figures to this file")->type_name("FILE");
   add_experiment_settings(*check, checked.settings, "replace the file of --json if it exists", "every phase");
 
+  CLI::App* self_test = add_command(app, "self-test", help_text::self_test, help_text::self_test_footer);
+  self_test->add_option("--threads", commands.self_test.threads, "0 uses all of the machine")->type_name("N");
+  add_verbosity(*self_test, commands.self_test.verbosity, "each group as it begins");
+
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
   config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
   config->add_flag("--markdown", commands.config.markdown, "as a Markdown table instead");
+
+  for (CLI::App* command : app.get_subcommands({})) add_limits(*command, commands.limits);
 }
 
 std::vector<std::string> names_of_commands(const CLI::App& app) {
@@ -209,25 +226,8 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
   throw_input_error("{} (see {})", complaint, help);
 }
 
-}  // namespace
-
-Command parse_command_line(const std::vector<std::string>& words) {
-  Commands commands;
-  CLI::App app{help_text::program, "shellmatch"};
-  describe(app, commands);
-  try {
-    // CLI11 expects the words in reverse order.
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::CallForHelp&) {
-    return PrintCommand{app.help()};
-  } catch (const CLI::CallForVersion&) {
-    return PrintCommand{"shellmatch " SHELLMATCH_VERSION "\n"};
-  } catch (const CLI::ParseError& error) {
-    std::string complaint = error.what();
-    std::replace(complaint.begin(), complaint.end(), '\n', ' ');
-    explain(app, words, complaint);
-  }
-  const std::string name = app.get_subcommands().front()->get_name();
+// The command of this name, with what it needs.
+Command named_command(const std::string& name, const Commands& commands) {
   const auto require_output = [&](const std::string& output, const char* what) {
     if (output.empty()) throw_input_error("{}: say where to write: -o {} (see shellmatch {} --help)", name, what, name);
   };
@@ -253,7 +253,30 @@ Command parse_command_line(const std::vector<std::string>& words) {
     return commands.curvature;
   }
   if (name == "check-gradient") return commands.check_gradient;
+  if (name == "self-test") return commands.self_test;
   return commands.config;
+}
+
+}  // namespace
+
+Invocation parse_command_line(const std::vector<std::string>& words) {
+  Commands commands;
+  CLI::App app{help_text::program, "shellmatch"};
+  describe(app, commands);
+  try {
+    // CLI11 expects the words in reverse order.
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    return {PrintCommand{app.help()}, {}};
+  } catch (const CLI::CallForVersion&) {
+    const bool is_verbose = std::ranges::any_of(words, [](const std::string& w) { return w == "-v" || w == "--verbose"; });
+    return {PrintCommand{is_verbose ? versions_text() : "shellmatch " SHELLMATCH_VERSION "\n"}, {}};
+  } catch (const CLI::ParseError& error) {
+    std::string complaint = error.what();
+    std::replace(complaint.begin(), complaint.end(), '\n', ' ');
+    explain(app, words, complaint);
+  }
+  return {named_command(app.get_subcommands().front()->get_name(), commands), commands.limits};
 }
 
 }  // namespace shellmatch

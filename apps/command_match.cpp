@@ -2,7 +2,7 @@
 
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"
-#include "apps/interrupt.h"
+#include "apps/process/interrupt.h"
 #include "apps/progress.h"
 #include "base/error.h"
 #include "matching/experiment/yaml_options.h"
@@ -16,7 +16,7 @@ namespace shellmatch {
 namespace {
 
 void match(const ExperimentOptions& options, const std::string& output, const RunSettings& settings) {
-  stop_loops_on_interrupts();
+  catch_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
   const AnyMatchResult result =
       run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);

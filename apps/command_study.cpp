@@ -1,11 +1,13 @@
 // `study`: performs the runs that a file describes, and evaluates them.
 
 #include "apps/commands.h"
-#include "apps/interrupt.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/limits.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/replace_file.h"
 #include "base/stop.h"
+#include "matching/progress/process_info.h"
 #include "studies/report/collect.h"
 
 #include <unistd.h>
@@ -29,7 +31,7 @@ class StudyProgress final : public StudyObserver {
     say(fmt::format("{}: {} after {:.1f} s{}{}", run.name, status_name(result.status), result.seconds,
                     result.message.empty() ? "" : ": ", result.message));
   }
-  bool stop_requested() override { return interrupt_requested(); }
+  bool stop_requested() override { return stop_cause() != StopCause::none; }
   void say(const std::string& text) const {
     if (!quiet_) std::fputs(fmt::format("shellmatch: {}\n", printable(text, max_message_length)).c_str(), stderr);
   }
@@ -73,11 +75,24 @@ std::string checked_program(const std::string& program) {
   return path;
 }
 
+// All runs at a time share the memory that the user has given.
+void keep_memory_of_runs(RunLimits& limits, int jobs) {
+  const double share = static_cast<double>(memory_limit_bytes()) / 1e6 / jobs;
+  if (share > 0 && (limits.memory_mb == 0 || limits.memory_mb > share)) limits.memory_mb = share;
+}
+
 std::string contents_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
+}
+
+// A study.yaml in a folder without runs is not the copy that a study has made.
+void check_study_file(const std::string& folder, const std::string& text) {
+  const std::filesystem::path place = folder, file = place / "study.yaml";
+  if (std::filesystem::exists(file) && !std::filesystem::exists(place / "runs") && contents_of(file.string()) != text)
+    throw_input_error("{}: is another study's file, and no study has run there; choose another folder with -o", file.string());
 }
 
 void list(const Study& study, const std::vector<StudyRun>& runs, bool verbose) {
@@ -95,20 +110,22 @@ void list(const Study& study, const std::vector<StudyRun>& runs, bool verbose) {
 void execute(const StudyCommand& command) {
   std::vector<Override> overrides;
   for (const std::string& assignment : command.assignments) overrides.push_back(parse_override(assignment));
-  const Study study = read_study(command.study, std::move(overrides));
+  Study study = read_study(command.study, std::move(overrides));
   const std::vector<StudyRun> all = runs_of(study), runs = chosen(all, command.only);
   const StudySettings settings{checked_program(command.program), number_of_jobs(command.jobs), command.retry};
+  keep_memory_of_runs(study.options.limits, settings.jobs);
   if (command.list) return list(study, runs, command.verbosity == Verbosity::verbose);
 
   const std::string output =
       command.output.empty() ? "out/" + std::filesystem::path(command.study).stem().string() : command.output;
+  const std::string text = contents_of(command.study);
+  check_study_file(output, text);
   const StudyFolder folder(output, command.only.empty());
-  replace_file(folder.path() + "/study.yaml", contents_of(command.study));
+  replace_file(folder.path() + "/study.yaml", text);
   catch_interrupts();
   StudyProgress progress(command.verbosity == Verbosity::quiet);
   if (!command.collect && !run_study(study, runs, folder, settings, progress))
-    throw Stopped(fmt::format(
-        "stopped on request; the same command goes on where it was (results so far: {})", output));
+    throw Stopped(fmt::format("stopped; the same command goes on where it was (results so far: {})", output), stop_cause());
   if (command.only.empty()) {
     collect_study(study, all, folder);
     progress.say(fmt::format("written: {}/summary.md", output));

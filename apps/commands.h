@@ -65,6 +65,11 @@ struct CheckGradientCommand {
   RunSettings settings;                        ///< without output and levels
 };
 
+struct SelfTestCommand {
+  std::string threads;
+  Verbosity verbosity = Verbosity::normal;
+};
+
 struct ConfigCommand {
   std::string profile;
   bool markdown = false;
@@ -85,7 +90,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, ConfigCommand, StudyCommand, PrintCommand>;
+                             CheckGradientCommand, SelfTestCommand, ConfigCommand, StudyCommand, PrintCommand>;
 
 /// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -101,6 +106,7 @@ void execute(const ApplyCommand& command);
 void execute(const InspectCommand& command);
 void execute(const CurvatureCommand& command);
 void execute(const CheckGradientCommand& command);
+void execute(const SelfTestCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const StudyCommand& command);
 void execute(const PrintCommand& command);

@@ -16,7 +16,8 @@ inline constexpr const char* program_footer = R"(Examples:
 `shellmatch COMMAND --help` tells more about each command.
 
 Exit codes: 0 done; 1 a check did not pass; 2 the command line or an input cannot be used; 3 the machine does not give what is
-needed (memory, disk, permission); 70 an error of the program; 130 stopped by Ctrl-C, 143 by SIGTERM.)";
+needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 70 an error of the program; 130 stopped by Ctrl-C,
+143 by SIGTERM, 129 by the end of its terminal.)";
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
@@ -95,6 +96,15 @@ Examples:
   shellmatch check-gradient configs/hand.yaml
   shellmatch check-gradient configs/hand.yaml --level 6 --state out/hand --json check.json
   shellmatch check-gradient configs/leaf.yaml --state random:0.05:7 --set energy.volume=full)";
+
+inline constexpr const char* self_test =
+    "Check what this program computes on this machine against what is known: closed forms, gradients, certificates of folds, small matches.";
+
+inline constexpr const char* self_test_footer = R"(A table of figures and bounds; exit code 1 where one exceeds its bound. It writes no files.
+
+Examples:
+  shellmatch self-test
+  shellmatch self-test --threads 1)";
 
 inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
 

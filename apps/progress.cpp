@@ -66,6 +66,11 @@ void Progress::stage(const std::string& name) {
   else if (verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));
 }
 
+void Progress::trial_iterated() {
+  stop_if_wanted();
+  if (terminal_ && now() - last_rewrite_ > 0.1) rewrite(fmt::format("alignment: starts are tried, {:.0f} s so far", now()));
+}
+
 void Progress::minimisation_started(const LevelStart& start) {
   stop_if_wanted();
   time_left_.started(start.level, start.substep, start.n_substeps, start.n_nodes, now());

@@ -21,6 +21,7 @@ class Progress final : public Observer {
 
   void note(const std::string& text) override;
   void stage(const std::string& name) override;
+  void trial_iterated() override;
   void minimisation_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
   /// Ends the rewritten line. Call it before other output.

@@ -25,24 +25,26 @@ constexpr std::size_t n_random_digits = 16;
                           std::strerror(error));
 }
 
-// The bytes go to the disk through one descriptor, whose errors are those of the system.
-void write_bytes(const std::string& partial, const std::string& path, std::string_view bytes) {
-  const int file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC);
-  if (file < 0) fail(path, errno);
+}  // namespace
+
+int write_bytes(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const int error = errno;
-      ::close(file);
-      fail(path, error);
-    }
+    if (n < 0) return errno;
     bytes.remove_prefix(static_cast<std::size_t>(n));
   }
-  if (::close(file) != 0) fail(path, errno);
+  return 0;
 }
 
-}  // namespace
+int synchronise(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  // With delayed allocation, a full disk may be reported only here.
+  const int error = ::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+  ::close(descriptor);
+  return error;
+}
 
 bool is_partial_file_name(std::string_view name) {
   if (!name.starts_with(partial_file_prefix)) return false;
@@ -74,6 +76,8 @@ void replace_file(const std::string& path, const std::function<void(const std::s
   std::error_code error, ignored;
   try {
     write(partial);
+    // Otherwise the new name could be on the disk before the contents are.
+    if (const int cause = synchronise(partial); cause != 0) fail(path, cause);
     fs::rename(partial, path, error);
     if (error) fail(path, error.value());
   } catch (...) {
@@ -83,7 +87,12 @@ void replace_file(const std::string& path, const std::function<void(const std::s
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {
-  replace_file(path, [&](const std::string& partial) { write_bytes(partial, path, bytes); });
+  replace_file(path, [&](const std::string& partial) {
+    const int file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC);
+    int cause = file < 0 ? errno : write_bytes(file, bytes);
+    if (file >= 0 && ::close(file) != 0 && cause == 0) cause = errno;
+    if (cause != 0) fail(path, cause);
+  });
 }
 
 }  // namespace shellmatch

@@ -1,12 +1,19 @@
 #pragma once
 /// \file
-/// Replaces files so that a reader sees the old contents or the new, never a part.
+/// Replaces files so that a reader sees the old contents or the new, never a part, also after a power cut.
 
 #include <functional>
 #include <string>
 #include <string_view>
 
 namespace shellmatch {
+
+/// Writes all bytes through a file descriptor. \return 0, or the system's error number
+int write_bytes(int descriptor, std::string_view bytes);
+
+/// Waits until the file's contents, or the folder's entries, are on the disk. File systems that cannot say so count as done.
+/// \return 0, or the system's error number
+int synchronise(const std::string& path);
 
 /// Whether a file of this name has been left by a process that was killed while it wrote: `.partial-RANDOM.EXTENSION`.
 bool is_partial_file_name(std::string_view name);

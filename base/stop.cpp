@@ -5,14 +5,15 @@
 namespace shellmatch {
 
 namespace {
-std::atomic<bool (*)()> question = nullptr;
+std::atomic<StopCause (*)()> asked = nullptr;
 }
 
-void stop_loops_when(bool (*wanted)()) { question = wanted; }
+void stop_loops_when(StopCause (*question)()) { asked = question; }
 
 void stop_if_wanted() {
-  bool (*const wanted)() = question.load(std::memory_order_relaxed);
-  if (wanted != nullptr && wanted()) throw Stopped("stopped on request; nothing was written");
+  StopCause (*const question)() = asked.load(std::memory_order_relaxed);
+  if (question == nullptr) return;
+  if (const StopCause cause = question(); cause != StopCause::none) throw Stopped("stopped; nothing was written", cause);
 }
 
 }  // namespace shellmatch

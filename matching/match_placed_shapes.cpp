@@ -5,6 +5,7 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/verdict.h"
 
 #include <string>
 #include <utility>
@@ -18,6 +19,11 @@ ShapeSummary shape_summary(const auto& shape) {
   return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes};
 }
 
+void add_level_figure(std::optional<std::vector<double>>& list, double entry) {
+  if (!list) list.emplace();
+  list->push_back(entry);
+}
+
 /// One matching, from the shapes in the unit domain to the result.
 template <int Dim>
 class Matching {
@@ -27,13 +33,14 @@ class Matching {
         options_(options),
         recorder_(recorder),
         clock_(clock),
-        d1_(reference_.surface),
-        d2_(template_.surface) {}
+        d1_(is_backward_ ? template_.surface : reference_.surface),
+        d2_(is_backward_ ? reference_.surface : template_.surface) {}
 
   MatchResult<Dim> go() {
-    summary_.distance_before = two_sided_distance(reference_.surface, d2_);
+    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
-    for (PairSet<Dim>& set : known_pairs(inputs_.landmarks, inputs_.alignment, options_, inputs_.placement, d1_, d2_))
+    for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks, inputs_.prepared.alignment,
+                                              options_, inputs_.prepared.placement, d1_, d2_))
       pairs.push_back(std::move(set));
     for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
     if (options_.coverage.levels > 0) recorder_.history.term_names.emplace_back("coverage");
@@ -71,28 +78,36 @@ class Matching {
   void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
-    const Surface<Dim> deformed = deformed_surface(reference_.surface, state.grid, state.phi);
+    const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
     s.distance = two_sided_distance(
-        deformed_surface(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), d2_);
+        deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), template_distance_);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
+    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
+    add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
+    add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
-      inputs_.finished({level, state, inputs_.shapes, inputs_.placement, inputs_.alignment.pose, deformed, d2_, summary_so_far(), recorder_.history});
+      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
+  }
+
+  Surface<Dim> deformed_reference(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
+    return is_backward_ ? surface_before(reference, grid, phi) : deformed_surface(reference, grid, phi);
   }
 
   // The result without summary and history.
   MatchResult<Dim> measured(CascadeResult<Dim> result) {
-    Surface<Dim> deformed = deformed_surface(reference_.surface, result.grid, result.phi);
+    Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
-    add_distortion(summary_, reference_.surface, deformed, d2_);
-    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.placement, inputs_.alignment.pose};
-    OriginalShape<Dim> moved = deformed_original(reference_.original, map, d2_);
+    add_distortion(summary_, reference_.surface, deformed, template_distance_);
+    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.prepared.placement,
+                         inputs_.prepared.alignment.pose, is_backward_};
+    OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
       summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
       summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
     }
-    std::vector<double> distance = distances_to(deformed.vertices, d2_);
+    std::vector<double> distance = distances_to(deformed.vertices, template_distance_);
     return {std::move(map),
             std::move(moved),
             {},
@@ -109,9 +124,10 @@ class Matching {
     s.dimension = Dim;
     s.reference = shape_summary(reference_);
     s.template_shape = shape_summary(template_);
-    s.placement = {std::string(enum_name(options_.input.placement)), inputs_.placement.scale,
-                   {inputs_.placement.offset.begin(), inputs_.placement.offset.end()}};
-    s.alignment = inputs_.alignment.summary;
+    s.placement = {std::string(enum_name(options_.input.placement)), inputs_.prepared.placement.scale,
+                   {inputs_.prepared.placement.offset.begin(), inputs_.prepared.placement.offset.end()}};
+    s.direction = inputs_.prepared.direction;
+    s.alignment = inputs_.prepared.alignment.summary;
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     clock_.state(s.run);
     return s;
@@ -122,7 +138,9 @@ class Matching {
   const ExperimentOptions& options_;
   Recorder& recorder_;
   RunClock& clock_;
-  SignedDistance<Dim> d1_, d2_;
+  const bool is_backward_ = inputs_.prepared.is_backward();
+  SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
+  const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;
   MatchSummary summary_;
 };
 

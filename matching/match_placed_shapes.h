@@ -4,7 +4,7 @@
 /// for the end of every level.
 
 #include "geometry/distance/signed_distance.h"
-#include "matching/alignment/align_shapes.h"
+#include "matching/alignment/prepare_pair.h"
 #include "matching/cascade/cascade.h"
 #include "matching/result/correspondence.h"
 #include "matching/experiment/shape_pair.h"
@@ -25,9 +25,8 @@ struct LevelEnd {
   const LevelResult& level;
   const LevelState<Dim>& state;                  ///< grid and phi
   const ShapePair<Dim>& shapes;                  ///< those of the inputs
-  const Similarity<Dim>& placement;
-  const Similarity<Dim>& pose;                   ///< of the reference, before the placement
-  const Surface<Dim>& deformed;                  ///< reference's surface moved by phi, unit domain
+  const PreparedPair<Dim>& prepared;
+  const Surface<Dim>& deformed;                  ///< the deformed reference's surface, unit domain
   const SignedDistance<Dim>& template_distance;  ///< unit domain
   const MatchSummary& summary;                   ///< of the levels finished so far
   const History& history;
@@ -37,8 +36,7 @@ struct LevelEnd {
 template <int Dim>
 struct MatchInputs {
   ShapePair<Dim> shapes;      ///< surfaces in the unit domain, originals in the user's coordinates
-  Similarity<Dim> placement;  ///< similarity that has moved them there
-  Alignment<Dim> alignment;   ///< its pose has moved the reference before that
+  PreparedPair<Dim> prepared; ///< how they have come there
   Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
   std::vector<Landmark<Dim>> landmarks;  ///< in the user's coordinates; may be empty
   std::vector<PairSet<Dim>> pairs;       ///< further terms of point pairs, in the unit domain

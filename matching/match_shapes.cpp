@@ -20,8 +20,7 @@ MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& tem
   MatchInputs<Dim> inputs;
   inputs.shapes = {reference, template_shape};
   inputs.landmarks = landmarks;
-  inputs.alignment = align_shapes(inputs.shapes, landmarks, options, observer);
-  inputs.placement = inputs.shapes.place(options, inputs.alignment.pose);
+  inputs.prepared = prepare_pair(inputs.shapes, landmarks, options, observer);
   check_size<Dim>(refined_measures(inputs.shapes.reference.surface, inputs.shapes.template_shape.surface, options),
                   options.cascade.min_level, options.cascade.max_level, "");
   return match_placed_shapes(std::move(inputs), options, recorder, clock);

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
+#include "matching/cascade/level_memory.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
@@ -11,9 +12,12 @@
 #include "matching/match_placed_shapes.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/pictures/level_picture.h"
+#include "matching/progress/process_info.h"
 #include "matching/write_result.h"
 #include "matching/output/summary.h"
 
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -34,8 +38,13 @@ class Run {
   MatchResult<Dim> go(bool restart) {
     try {
       return match(restart);
-    } catch (const Stopped&) {
-      throw Stopped(stopped_text());
+    } catch (const LevelTooLarge& stopped) {
+      throw Stopped(fmt::format("{}: {}", stopped.what(), stopped_text()), stopped.cause());
+    } catch (const Stopped& stopped) {
+      throw Stopped(stopped_text(), stopped.cause());
+    } catch (const std::bad_alloc&) {
+      if (memory_limit_bytes() > 0) throw Stopped(stopped_text(), StopCause::memory_limit);
+      throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", stopped_text());
     }
   }
 
@@ -47,8 +56,7 @@ class Run {
     inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, inputs_.shapes.reference.original.vertices.size());
-    inputs_.alignment = align(inputs_.shapes, inputs_.landmarks);
-    inputs_.placement = inputs_.shapes.place(options_, inputs_.alignment.pose);
+    prepare();
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
@@ -65,10 +73,10 @@ class Run {
     return result;
   }
 
-  Alignment<Dim> align(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks) {
+  void prepare() {
     PhaseClock phase(clock_.phases);
-    if (options_.align.mode != AlignMode::none) phase.start("alignment");
-    return align_shapes(shapes, landmarks, options_, recorder_);
+    if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic) phase.start("alignment");
+    inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_);
   }
 
   void write(MatchResult<Dim>& result) {
@@ -137,12 +145,16 @@ class Run {
     s.distance = s.levels.back().distance;
     clock_.state(s.run);
     try {
-      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.placement, end.pose, end.history, s}, folder_.path_of("pictures"));
+      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.placement, end.prepared.alignment.pose, end.prepared.is_backward(), end.history, s}, folder_.path_of("pictures"));
       checkpoint_level_ = end.level.start.level;
     } catch (const InputError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());
     } catch (const EnvironmentError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+      note_failed_checkpoint(end.level.start.level, error.what());
+    } catch (const std::bad_alloc&) {
+      note_failed_checkpoint(end.level.start.level, "not enough memory");
     }
     last_checkpoint_ = clock_.seconds();
     clock_.phases["keeping"] += last_checkpoint_ - begin;
@@ -178,8 +190,10 @@ class Run {
     p.title = fmt::format("level {}", level);
     p.distance = distances_to(end.deformed.vertices, end.template_distance);
     if constexpr (Dim == 2) {
-      p.grid = &end.state.grid;
-      p.phi = &end.state.phi;
+      if (!end.prepared.is_backward()) {
+        p.grid = &end.state.grid;
+        p.phi = &end.state.phi;
+      }
     }
     write_level_picture(p, path);
   }

@@ -20,8 +20,8 @@ struct EarlierRuns {
 /// options.resume it writes a checkpoint after finished levels, and resumes from that of an earlier run of the same
 /// experiment (matching/checkpoint/checkpoints.h).
 /// \return the result that was written, of the dimension of the shapes
-/// \throws InputError as match_shapes, and for files that cannot be read; EnvironmentError; and Stopped (base/stop.h) on request; its text names the level that was
-/// reached and the folder of the checkpoint
+/// \throws InputError as match_shapes, and for files that cannot be read; EnvironmentError; and Stopped (base/stop.h) on request
+/// or at a limit of the user; its text names the level that was reached and the folder of the checkpoint
 AnyMatchResult run_matching(const ExperimentOptions& options, const std::string& output_folder,
                             const EarlierRuns& earlier, Observer& observer);
 

@@ -28,8 +28,11 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
   picture.deformed = &s.deformed;
   picture.distance = s.distance;
   if constexpr (Dim == 2) {
-    picture.grid = &result.map.grid;
-    picture.phi = &result.map.phi;
+    // The grid shows how phi deforms the reference; backward it deforms the template.
+    if (!result.map.is_backward) {
+      picture.grid = &result.map.grid;
+      picture.phi = &result.map.phi;
+    }
   }
   draw(folder, "pictures/result.png", observer, [&](const std::string& path) { write_level_picture(picture, path); });
   if constexpr (Dim == 3)
@@ -66,8 +69,8 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
   if constexpr (Dim == 3) write_ply(folder.path_of("deformed.ply"), result.deformed);
   else write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
   write_deformation(folder.path_of(deformation_file_name), result.map,
-                    nodal_fields(result.reference_fields, result.template_fields, options),
-                    cell_fields(result.map.grid, result.map.phi, result.reference_fields.distance,
+                    nodal_fields(result.moving_fields, result.target_fields, options),
+                    cell_fields(result.map.grid, result.map.phi, result.moving_fields.distance,
                                 result.summary.levels.back().sigma));
   write_history(result.history, folder.path_of("history.csv"));
   write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));

@@ -29,7 +29,7 @@ Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double
 bool MinimizationRun::start(std::span<const double> x, std::span<double> gradient) {
   const Evaluation at = evaluate(x, gradient);
   if (!at.feasible) {
-    finish(StopReason::cannot_evaluate_start);
+    finish(StopReason::cannot_evaluate_start, explained(monitor_.message(StopReason::cannot_evaluate_start), x));
     return false;
   }
   summary_.initial_value = summary_.final_value = at.value;
@@ -43,6 +43,11 @@ bool MinimizationRun::start(std::span<const double> x, std::span<double> gradien
   const bool go_on = report(std::move(record));
   if (size() == 0 && summary_.reason == StopReason::gradient_norm) summary_.message = "there are no unknowns";
   return go_on;
+}
+
+std::string MinimizationRun::explained(std::string message, std::span<const double> x) {
+  const std::string what = objective_.what_is_not_finite(x);
+  return what.empty() ? message : message + ": " + what;
 }
 
 bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms) {

@@ -59,6 +59,8 @@ class MinimizationRun {
 
  private:
   bool report(IterationRecord record);
+  /// The message with what is not finite at x, if that is known.
+  std::string explained(std::string message, std::span<const double> x);
 
   Objective& objective_;
   const IterationCallback& callback_;

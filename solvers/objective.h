@@ -52,6 +52,10 @@ class Objective {
   /// choice.
   virtual Eigen::SparseMatrix<double> metric_matrix(Metric /*metric*/) const { return {}; }
 
+  /// Which part of the value or the gradient is infinite or NaN at x, in words for a message; empty where all is finite or
+  /// nothing is known. It may take long: solvers ask where they cannot go on for that reason.
+  virtual std::string what_is_not_finite(std::span<const double> /*x*/) { return {}; }
+
   /// L2 norm of the L2 gradient (Euclidean if there is no mass) for the Euclidean `gradient` that evaluate()
   /// returned last. The records contain it for every method and metric.
   virtual double l2_gradient_norm(std::span<const double> gradient) const;
@@ -74,6 +78,9 @@ class SecondOrderObjective : public Objective {
   virtual void apply_second_derivative(std::span<const double> x, std::span<double> y) const = 0;
   /// z = B^{-1} r, where B is symmetric positive definite and spectrally close to H.
   virtual void precondition(std::span<const double> r, std::span<double> z) const = 0;
+
+  /// The same as what_is_not_finite() of H at x.
+  virtual std::string what_of_model_is_not_finite(std::span<const double> /*x*/) { return {}; }
 
   /// Number of regions that can be damped; 0: none.
   virtual std::size_t n_regions() const { return 0; }

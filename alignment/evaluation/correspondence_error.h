@@ -20,6 +20,7 @@ std::vector<double> geodesic_errors(const Surface<3>& template_surface, std::spa
                                     std::span<const Index> belong);
 
 /// Distances from ends[i] to vertex belong[i] of the template, in diagonals of its bounding box.
+/// \throws InputError where the template has no extent
 std::vector<double> euclidean_errors(std::span<const Vec<3>> template_vertices, std::span<const Vec<3>> ends,
                                      std::span<const Index> belong);
 

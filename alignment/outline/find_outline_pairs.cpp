@@ -1,6 +1,7 @@
 #include "alignment/outline/find_outline_pairs.h"
 
 #include "alignment/outline/planar_pose.h"
+#include "alignment/pairs/order_candidates.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"
@@ -167,7 +168,9 @@ std::vector<OutlineCandidate> candidates_between(const Surface<2>& reference, co
     candidate.pairs = dense_pairs(maps[k], first, first_dense, second_dense, static_cast<std::size_t>(options.pairs));
     if (is_mirrored)
       for (auto& pair : candidate.pairs) pair.on_reference.y() *= -1;
-    if (candidate.pairs.size() >= 2) candidate.pose = fit_planar_pose(candidate.pairs, PoseKind::similarity, is_mirrored);
+    // Fewer determine no pose.
+    if (candidate.pairs.size() < 2) candidate.pairs.clear();
+    else candidate.pose = fit_planar_pose(candidate.pairs, PoseKind::similarity, is_mirrored ? Mirroring::always : Mirroring::never);
   }, 1);
   return candidates;
 }
@@ -200,23 +203,11 @@ OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& t
       candidates.push_back(std::move(candidate));
     }
   if (candidates.empty()) candidates.emplace_back().score = infinity;
-  std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
-  const double limit = options.identity_preference * candidates.front().score + score_noise;
-  const auto rank = [&](const OutlineCandidate& c) {
-    if (c.score > limit) return infinity;
-    return c.is_identity ? -1.0 : std::abs(angle_of(c.pose)) + (c.is_mirrored ? 10 : 0);
-  };
-  const auto chosen =
-      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  std::rotate(candidates.begin(), chosen, chosen + 1);
-
+  order_candidates(candidates, {options.identity_preference, score_noise}, [](const OutlineCandidate& c) { return angle_of(c.pose); });
   const FacetTree<2> tree(template_outline);
-  result.margin = infinity;
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    candidates[i].is_symmetry = differ_by_symmetry(template_outline, tree, candidates[0].pose, candidates[i].pose);
-    if (!candidates[i].is_symmetry)
-      result.margin = std::min(result.margin, candidates[i].score / std::max(candidates[0].score, score_noise));
-  }
+  result.margin = margin_of_first(candidates, score_noise, [&](const OutlineCandidate& a, const OutlineCandidate& b) {
+    return differ_by_symmetry(template_outline, tree, a.pose, b.pose);
+  });
   return result;
 }
 

@@ -6,8 +6,10 @@
 
 namespace shellmatch {
 
+namespace {
+
 // With points as complex numbers about their means, sum w |z x - y|^2 is least for z = sum w conj(x) y / sum w |x|^2.
-Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, bool mirror) {
+Similarity<2> least_squares(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, bool mirror) {
   const auto turned_over = [&](const Vec<2>& x) { return mirror ? Vec<2>(x.x(), -x.y()) : x; };
   double sum = 0;
   Vec<2> from = Vec<2>::Zero(), to = from;
@@ -40,6 +42,21 @@ Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, P
   if (mirror) mean.y() *= -1;
   pose.offset = to - pose.scale * (pose.rotation * mean);
   return pose;
+}
+
+double squared_residual(std::span<const CorrespondingPointsIn<2>> pairs, const Similarity<2>& pose) {
+  double sum = 0;
+  for (const auto& pair : pairs) sum += pair.weight * (pose(pair.on_reference) - pair.on_template).squaredNorm();
+  return sum;
+}
+
+}  // namespace
+
+Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, Mirroring mirroring) {
+  if (mirroring != Mirroring::allowed) return least_squares(pairs, kind, mirroring == Mirroring::always);
+  const Similarity<2> proper = least_squares(pairs, kind, false), mirrored = least_squares(pairs, kind, true);
+  const bool gains = squared_residual(pairs, mirrored) < mirrored_gain * mirrored_gain * squared_residual(pairs, proper);
+  return gains ? mirrored : proper;
 }
 
 }  // namespace shellmatch

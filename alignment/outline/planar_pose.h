@@ -10,8 +10,8 @@
 
 namespace shellmatch {
 
-/// Of weighted least squares, in closed form. A rigid motion has scale 1. \param mirror of determinant -1
+/// Of weighted least squares, in closed form. A rigid motion has scale 1. The residual is the root mean square distance.
 /// \throws InputError with fewer than two pairs of a weight, and where the points of either side coincide
-Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, bool mirror = false);
+Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, Mirroring mirroring = Mirroring::never);
 
 }  // namespace shellmatch

@@ -4,6 +4,10 @@
 
 #include "base/types.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace shellmatch {
 
 template <int Dim>
@@ -13,5 +17,15 @@ struct CorrespondingPointsIn {
 };
 
 using CorrespondingPoints = CorrespondingPointsIn<3>;
+
+/// Median distance from map(on_reference) to on_template, weights left out. \pre there are pairs
+template <int Dim>
+double median_distance(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const auto& map) {
+  std::vector<double> distances;
+  for (const auto& pair : pairs) distances.push_back((map(pair.on_reference) - pair.on_template).norm());
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
 
 }  // namespace shellmatch

@@ -51,7 +51,7 @@ std::optional<Pose> least_squares(Pairs pairs, std::span<const double> weights, 
 }
 
 /// Median over the pairs, each counted by its weight.
-double median_distance(Pairs pairs, const Pose& pose) {
+double weighted_median(Pairs pairs, const Pose& pose) {
   std::vector<std::pair<double, double>> distances;
   double sum = 0;
   for (const CorrespondingPoints& p : pairs) {
@@ -70,7 +70,7 @@ Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
   std::vector<double> weights(pairs.size());
   for (int sweep = 0; sweep < 20; ++sweep) {
     // 1.48 times the median estimates the standard deviation, and 4.685 of these is Tukey's usual limit.
-    const double limit = std::max(4.685 * 1.4826 * median_distance(pairs, pose), 1e-12 * pose.translation.norm() + 1e-300);
+    const double limit = std::max(4.685 * 1.4826 * weighted_median(pairs, pose), 1e-12 * pose.translation.norm() + 1e-300);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const double share = (pose(pairs[i].on_reference) - pairs[i].on_template).norm() / limit;
       weights[i] = share < 1 ? pairs[i].weight * std::pow(1 - share * share, 2) : 0;
@@ -79,7 +79,7 @@ Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
     if (!next) break;
     pose = *next;
   }
-  pose.residual = median_distance(pairs, pose);
+  pose.residual = weighted_median(pairs, pose);
   return pose;
 }
 
@@ -89,7 +89,7 @@ std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
   for (const CorrespondingPoints& p : pairs) weights.push_back(p.weight);
   std::optional<Pose> best = least_squares(pairs, weights, kind, handedness);
   if (!best) return best;
-  best->residual = median_distance(pairs, *best);
+  best->residual = weighted_median(pairs, *best);
   std::mt19937 random(1);
   for (int trial = 0; trial < n_trials; ++trial) {
     // The generator's numbers are the same everywhere, while the library's distributions are not.
@@ -97,7 +97,7 @@ std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
     for (CorrespondingPoints& p : triple) p = pairs[random() % pairs.size()];
     std::optional<Pose> pose = least_squares(triple, std::array{1.0, 1.0, 1.0}, kind, handedness);
     if (!pose) continue;
-    pose->residual = median_distance(pairs, *pose);
+    pose->residual = weighted_median(pairs, *pose);
     if (pose->residual < best->residual) best = pose;
   }
   return improved(pairs, *best, kind, handedness);
@@ -107,13 +107,12 @@ std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
 
 bool Pose::is_mirrored() const { return rotation.determinant() < 0; }
 
-Pose fit_pose(Pairs pairs, PoseKind kind, bool allow_mirror) {
+Pose fit_pose(Pairs pairs, PoseKind kind, Mirroring mirroring) {
   if (pairs.size() < 3) throw_input_error("a pose needs at least three pairs of points; there are {}", pairs.size());
-  std::optional<Pose> pose = best_pose(pairs, kind, 1);
-  if (allow_mirror)
-    if (const std::optional<Pose> mirrored = best_pose(pairs, kind, -1);
-        mirrored && (!pose || mirrored->residual < 2.0 / 3 * pose->residual))
-      pose = mirrored;
+  std::optional<Pose> pose, mirrored;
+  if (mirroring != Mirroring::always) pose = best_pose(pairs, kind, 1);
+  if (mirroring != Mirroring::never) mirrored = best_pose(pairs, kind, -1);
+  if (mirrored && (!pose || mirrored->residual < mirrored_gain * pose->residual)) pose = mirrored;
   if (!pose) throw_input_error("a pose needs pairs of points that do not lie on one line");
   return *pose;
 }

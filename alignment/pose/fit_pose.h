@@ -11,7 +11,7 @@ namespace shellmatch {
 
 /// x -> scale * rotation * x + translation, from the reference to the template.
 struct Pose {
-  Mat<3> rotation = Mat<3>::Identity();  ///< orthogonal; its determinant is -1 where a mirror is allowed and fits better
+  Mat<3> rotation = Mat<3>::Identity();  ///< orthogonal; its determinant is -1 where the pose is mirrored
   double scale = 1;
   Vec<3> translation = Vec<3>::Zero();
   double residual = 0;  ///< median distance of the pairs after it, in the unit of the template
@@ -24,10 +24,13 @@ struct Pose {
 
 enum class PoseKind { rigid, similarity };
 
+/// Whether a pose reverses orientation. With `allowed` it does where its residual is below two thirds of that of the best proper one.
+enum class Mirroring { never, allowed, always };
+constexpr double mirrored_gain = 2.0 / 3;
+
 /// The pose of least median of squares over fixed random triples of pairs (Rousseeuw, J. Am. Stat. Assoc. 79, 1984),
-/// improved by reweighted least squares with Tukey's biweight. Up to two fifths of the pairs may be anywhere. A mirrored
-/// pose is returned only with `allow_mirror`, and where its residual is below two thirds of that of the best proper one.
+/// improved by reweighted least squares with Tukey's biweight. Up to two fifths of the pairs may be anywhere.
 /// \throws InputError with fewer than three pairs, and where the points of either side lie on a line
-Pose fit_pose(std::span<const CorrespondingPoints> pairs, PoseKind kind, bool allow_mirror = false);
+Pose fit_pose(std::span<const CorrespondingPoints> pairs, PoseKind kind, Mirroring mirroring = Mirroring::never);
 
 }  // namespace shellmatch

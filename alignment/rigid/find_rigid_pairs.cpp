@@ -1,5 +1,6 @@
 #include "alignment/rigid/find_rigid_pairs.h"
 
+#include "alignment/pairs/order_candidates.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -107,15 +108,6 @@ std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, c
   return pairs;
 }
 
-double median_distance_after(const std::vector<CorrespondingPoints>& pairs, const Pose& pose) {
-  if (pairs.empty()) return 0;
-  std::vector<double> distances;
-  for (const CorrespondingPoints& p : pairs) distances.push_back((pose(p.on_reference) - p.on_template).norm());
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
 std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const NormalizedSurface& second,
                                              const AlignmentOptions& options, bool is_mirrored) {
   const Vec<3> sides(is_mirrored ? -1 : 1, 1, 1);
@@ -138,7 +130,7 @@ std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const 
     candidate.pose.scale = second.radius() / first.radius();
     candidate.pose.translation =
         second.centre() + second.radius() * found.motion.offset - candidate.pose.scale * (found.motion.rotation * first.centre());
-    candidate.pose.residual = median_distance_after(candidate.pairs, candidate.pose);
+    if (!candidate.pairs.empty()) candidate.pose.residual = median_distance(candidate.pairs, candidate.pose);
   }
   return candidates;
 }
@@ -168,21 +160,12 @@ RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& templ
       candidate.score = candidate.score * options.identity_preference + score_noise;
       candidates.push_back(std::move(candidate));
     }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
-  const double limit = options.identity_preference * candidates.front().score + score_noise;
-  const auto rank = [&](const RigidCandidate& c) {
-    if (c.score > limit) return infinity;
-    return c.is_identity ? -1.0 : c.is_mirrored ? 10.0 : angle_of(c.pose.rotation);
-  };
-  const auto chosen =
-      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  std::rotate(candidates.begin(), chosen, chosen + 1);
-  result.margin = infinity;
-  for (std::size_t i = 1; i < candidates.size(); ++i) {
-    candidates[i].is_symmetry = differ_by_symmetry(second, candidates[0].pose, candidates[i].pose);
-    if (!candidates[i].is_symmetry)
-      result.margin = std::min(result.margin, candidates[i].score / std::max(candidates[0].score, score_noise));
-  }
+  order_candidates(candidates, {options.identity_preference, score_noise}, [](const RigidCandidate& c) {
+    return angle_of(c.is_mirrored ? Mat<3>(-c.pose.rotation) : c.pose.rotation);
+  });
+  result.margin = margin_of_first(candidates, score_noise, [&](const RigidCandidate& a, const RigidCandidate& b) {
+    return differ_by_symmetry(second, a.pose, b.pose);
+  });
   return result;
 }
 

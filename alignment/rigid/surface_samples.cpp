@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shellmatch {
 
@@ -69,11 +68,6 @@ std::vector<SurfacePoint> NormalizedSurface::samples(std::size_t n) const {
 SurfacePoint NormalizedSurface::nearest(const Vec<3>& x) const {
   const Index f = tree_->nearest(x);
   return {closest_point_on_facet<3>(surface_, f, x).point, facet_normal(surface_, f).stableNormalized()};
-}
-
-double isoperimetric_quotient(const Surface<3>& surface) {
-  const double volume = enclosed_measure(surface);
-  return 36 * std::numbers::pi * volume * volume / std::pow(area_of(surface), 3);
 }
 
 }  // namespace shellmatch

@@ -38,8 +38,4 @@ class NormalizedSurface {
   std::optional<FacetTree<3>> tree_;
 };
 
-/// 36 pi V^2 / A^3 of volume and area: 1 for a sphere, less for everything else; 0.8 for a spheroid with axes 2 : 1 : 1,
-/// below 0.4 for bodies with limbs. \throws InputError where the surface has no area
-double isoperimetric_quotient(const Surface<3>& surface);
-
 }  // namespace shellmatch

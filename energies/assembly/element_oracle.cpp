@@ -39,12 +39,23 @@ double ElementOracle<Dim>::value(const TermValues& weights, std::size_t e, const
   return std::isfinite(sum) ? sum : std::numeric_limits<double>::quiet_NaN();
 }
 
+namespace {
+
+/// The degrees of freedom as variables.
+template <int Dim>
+auto variables_of(const typename ElementOracle<Dim>::Dofs& dofs) {
+  std::array<typename CompiledTerm<Dim>::Jet, ElementOracle<Dim>::n_dofs> jets;
+  for (int i = 0; i < ElementOracle<Dim>::n_dofs; ++i) jets[i] = typename CompiledTerm<Dim>::Jet(dofs[i], i);
+  return jets;
+}
+
+}  // namespace
+
 template <int Dim>
 double ElementOracle<Dim>::gradient(const TermValues& weights, std::size_t e, const Dofs& dofs, Dofs& gradient) const {
   using Jet = typename CompiledTerm<Dim>::Jet;
   const ElementFields<Dim>& fields = fields_of(e);
-  std::array<Jet, n_dofs> jets;
-  for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(dofs[i], i);
+  const auto jets = variables_of<Dim>(dofs);
   Jet sum(0.0);
   for (std::size_t t = 0; t < energy_->terms().size(); ++t)
     if (const auto& [term, own, material] = energy_->terms()[t]; weights[t] > 0)
@@ -54,6 +65,25 @@ double ElementOracle<Dim>::gradient(const TermValues& weights, std::size_t e, co
   });
   for (int i = 0; i < n_dofs; ++i) gradient[i] = sum.v[i];
   return std::isfinite(sum.a) ? sum.a : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <int Dim>
+std::optional<double> ElementOracle<Dim>::gradient_at_point(std::size_t t, double weight, std::size_t e, const Dofs& dofs,
+                                                            std::size_t q, Dofs& gradient) const {
+  if (t >= energy_->terms().size()) return std::nullopt;
+  const auto& [term, own, material] = energy_->terms()[t];
+  if (std::holds_alternative<CornerCode<Dim>>(term.code)) return std::nullopt;
+  // The element with this point alone.
+  ElementFields<Dim> fields = fields_of(e);
+  const bool is_of_band = std::holds_alternative<BandCode<Dim>>(term.code);
+  if (is_of_band && (fields.band.empty() || !(fields.band[q].weight > 0))) return std::nullopt;
+  ShapeTable<Dim> one = *fields.shape;
+  one.points = {fields.shape->points[q]};
+  fields.shape = &one;
+  if (!fields.band.empty()) fields.band = {fields.band[q]};
+  const auto sum = term.element_derivative(fields, variables_of<Dim>(dofs).data(), weight, material);
+  for (int i = 0; i < n_dofs; ++i) gradient[i] = sum.v[i];
+  return sum.a;
 }
 
 template <int Dim>

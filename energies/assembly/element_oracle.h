@@ -7,6 +7,7 @@
 #include "energies/assembly/matching_energy.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,11 @@ class ElementOracle {
   double value(const TermValues& weights, std::size_t e, const Dofs& dofs) const;
   /// The same with its derivative by the entries of `dofs`.
   double gradient(const TermValues& weights, std::size_t e, const Dofs& dofs, Dofs& gradient) const;
+
+  /// The share of quadrature point q in the value of one term with this weight on element e, and its derivative; nothing
+  /// where the term does not act at that point, or acts at none.
+  std::optional<double> gradient_at_point(std::size_t term, double weight, std::size_t e, const Dofs& dofs, std::size_t q,
+                                          Dofs& gradient) const;
 
   /// Numbers of the element's quadrature points in the band, where the target is evaluated.
   std::vector<int> band_points(std::size_t e) const;

@@ -9,6 +9,7 @@
 /// single elements: it resists changes of the step within the element, and no common motion of its nodes.
 
 #include "energies/assembly/matching_energy.h"
+#include "energies/assembly/not_finite.h"
 #include "energies/sparse/element_matrices.h"
 #include "energies/sparse/node_matrix.h"
 
@@ -35,6 +36,10 @@ class EnergyHessian {
   /// Computes the model at phi. \pre the energy can be evaluated there.
   /// \param damping  factor on the Laplacian's matrix by element; empty: none
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights, std::span<const float> damping = {});
+
+  /// The first term, and the first element of it, whose part of the model at phi is infinite or NaN in single precision;
+  /// nothing where all are finite. Slow: asked only where the model is known not to be finite.
+  std::optional<NotFinite<Dim>> find_not_finite(std::span<const Vec<Dim>> phi, const TermValues& weights) const;
 
   /// Elements on which the step d (by the unknowns) from phi, where the model was assembled, would use up the fold
   /// margin: the smallest Bernstein coefficient of det Dphi would fall below a fifth of what it is, and below 0.2. With
@@ -68,6 +73,7 @@ class EnergyHessian {
   void add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                       ElementMatrices<Dim>& matrices) const;
   void add_damping(const Chunk& cells, std::span<const float> damping, ElementMatrices<Dim>& matrices) const;
+  std::optional<Vec<Dim>> model_point(std::size_t term, std::size_t e, std::span<const Vec<Dim>> phi) const;
   void measure_margins(const Chunk& cells, std::span<const Vec<Dim>> phi);
   void invert_block(std::size_t unknown);
 

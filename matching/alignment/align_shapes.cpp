@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
-#include "matching/alignment/narrow_gaps.h"
 #include "matching/alignment/search_starts.h"
 
 #include <Eigen/LU>
@@ -34,20 +33,18 @@ struct Outcome {
 };
 
 template <int Dim>
-Outcome<Dim> outcome_of(StartSearch<Dim> search, const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                        const ExperimentOptions& options, Observer& observer) {
-  const StartChoice choice = choose_start(shapes, search.starts, search.margin, landmarks, options, observer);
+Outcome<Dim> choice_among(StartSearch<Dim> search, const AlignOptions& options, Trials<Dim>& trials) {
+  const StartChoice choice = choose_start(search, options, trials);
   return {std::move(search), choice};
 }
 
 template <int Dim>
-Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                               const ExperimentOptions& options, Observer& observer) {
-  Outcome<Dim> outcome = outcome_of(search_starts(shapes, options.align), shapes, landmarks, options, observer);
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const AlignOptions& options, Trials<Dim>& trials) {
+  Outcome<Dim> outcome = choice_among(search_starts(shapes, options), options, trials);
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
-    if (outcome.choice.is_doubtful && outcome.best().n_pairs >= min_pairs && outcome.best().score <= options.align.doubtful_score) {
-      Outcome<3> poses = outcome_of(search_poses(shapes, options.align), shapes, landmarks, options, observer);
+    if (outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
+      Outcome<3> poses = choice_among(search_poses(shapes, options), options, trials);
       if (!poses.choice.is_doubtful) return poses;
     }
   }
@@ -55,13 +52,12 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
 }
 
 template <int Dim>
-Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                      Observer& observer) {
-  Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, observer);
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const AlignOptions& options, Trials<Dim> trials, Observer& observer) {
+  Outcome<Dim> outcome = search_and_choose(shapes, options, trials);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
-  const bool is_trusted = options.align.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
-  const bool is_used = best.n_pairs >= min_pairs && is_trusted;
+  const bool is_trusted = options.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
+  const bool is_used = best.is_usable() && is_trusted;
   Alignment<Dim> result;
   if (is_used) result = std::move(best.alignment);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
@@ -70,6 +66,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(best.n_pairs) : 0;
   s.doubtful = choice.is_doubtful;
+  s.as_it_lies = choice.as_it_lies;
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by the energy reached", choice.n_tried);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
@@ -85,31 +82,30 @@ Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const A
   std::vector<CorrespondingPointsIn<Dim>> pairs;
   for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, 1});
   Alignment<Dim> result;
-  result.pose = choose_pose<Dim>(pairs, options, false);
+  result.pose = choose_pose<Dim>(pairs, options, options.search.mirror ? Mirroring::allowed : Mirroring::never);
   result.summary = summary_of(result.pose);
+  result.summary->n_pairs = static_cast<int>(landmarks.size());
   observer.note(fmt::format("alignment by {} landmarks; {}", landmarks.size(), pose_text(result.pose)));
   return result;
 }
 
 }  // namespace
 
+AlignMode align_mode(const ExperimentOptions& options) {
+  const AlignMode mode = options.align.mode;
+  return mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is ? AlignMode::none : mode;
+}
+
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                             const ExperimentOptions& options, Observer& observer) {
-  const AlignMode mode = options.align.mode;
-  // Who takes coordinates as they are means that the shapes lie as they belong.
-  if (mode == AlignMode::none || (mode == AlignMode::automatic && options.input.placement == PlacementKind::as_is)) return {};
+  const AlignMode mode = align_mode(options);
+  if (mode == AlignMode::none) return {};
   observer.stage("alignment");
-  Alignment<Dim> result = mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
-                                                       : search(shapes, landmarks, options, observer);
-  AlignmentSummary& s = *result.summary;
-  s.mode = enum_name(mode);
-  s.reference_gaps = narrow_gap_share(shapes.reference.surface);
-  s.template_gaps = narrow_gap_share(shapes.template_shape.surface);
-  if (has_clearly_more_gaps(s.reference_gaps, s.template_gaps))
-    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the map "
-                              "from template to reference may be more exact; exchange the shapes, and carry the reference with `shellmatch apply --inverse`",
-                              100 * s.reference_gaps, 100 * s.template_gaps));
+  Alignment<Dim> result = mode == AlignMode::landmarks
+                              ? by_landmarks(landmarks, options.align, observer)
+                              : search(shapes, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
+  result.summary->mode = enum_name(mode);
   return result;
 }
 

@@ -11,6 +11,10 @@
 
 namespace shellmatch {
 
+/// options.align.mode, or none with `auto` where input.placement is as-is: who takes coordinates as they are means that the shapes lie
+/// as they belong.
+AlignMode align_mode(const ExperimentOptions& options);
+
 /// Aligns shapes as `options.align` asks for and tells the observer in one line what was chosen, and why.
 /// \param shapes in the user's coordinates \param landmarks for the mode `landmarks`
 /// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a line (in one

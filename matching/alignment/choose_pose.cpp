@@ -1,7 +1,6 @@
 #include "matching/alignment/choose_pose.h"
 
 #include "alignment/outline/planar_pose.h"
-#include "alignment/pose/fit_pose.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -14,21 +13,12 @@ namespace shellmatch {
 
 namespace {
 
-Similarity<3> fitted_pose(const std::vector<CorrespondingPoints>& pairs, PoseKind kind, const AlignOptions& options, bool) {
-  return fit_pose(pairs, kind, options.search.mirror).similarity();
+Similarity<3> fitted_pose(const std::vector<CorrespondingPoints>& pairs, PoseKind kind, Mirroring mirroring) {
+  return fit_pose(pairs, kind, mirroring).similarity();
 }
 
-Similarity<2> fitted_pose(const std::vector<CorrespondingPointsIn<2>>& pairs, PoseKind kind, const AlignOptions&, bool is_mirrored) {
-  return fit_planar_pose(pairs, kind, is_mirrored);
-}
-
-template <int Dim>
-double median_distance(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const Similarity<Dim>& pose) {
-  std::vector<double> distances;
-  for (const auto& pair : pairs) distances.push_back((pose(pair.on_reference) - pair.on_template).norm());
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+Similarity<2> fitted_pose(const std::vector<CorrespondingPointsIn<2>>& pairs, PoseKind kind, Mirroring mirroring) {
+  return fit_planar_pose(pairs, kind, mirroring);
 }
 
 // Sizes that differ by less are those of two individuals: the elastic energy is to decide about them.
@@ -40,8 +30,7 @@ template <int Dim>
 double angle_in_degrees(const Mat<Dim>& rotation) {
   double angle = 0;
   if constexpr (Dim == 2) {
-    // A mirror image of the plane is one at a line: it has no angle.
-    if (rotation.determinant() > 0) angle = std::abs(std::atan2(rotation(1, 0), rotation(0, 0)));
+    angle = std::abs(std::atan2(rotation(1, 0), rotation(0, 0)));
   } else {
     const double handed = rotation.determinant() < 0 ? -1 : 1;
     angle = std::acos(std::clamp((handed * rotation.trace() - 1) / 2, -1.0, 1.0));
@@ -58,20 +47,20 @@ std::string pose_text(const Similarity<Dim>& pose) {
 }
 
 template <int Dim>
-Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, bool is_mirrored) {
-  if (options.mode == AlignMode::rigid) return fitted_pose(pairs, PoseKind::rigid, options, is_mirrored);
-  const Similarity<Dim> similar = fitted_pose(pairs, PoseKind::similarity, options, is_mirrored);
+Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, Mirroring mirroring) {
+  if (options.mode == AlignMode::rigid) return fitted_pose(pairs, PoseKind::rigid, mirroring);
+  const Similarity<Dim> similar = fitted_pose(pairs, PoseKind::similarity, mirroring);
   if (options.mode != AlignMode::automatic) return similar;
   const bool same_size = similar.scale < similar_size && similar.scale > 1 / similar_size;
-  const Similarity<Dim> pose = same_size ? fitted_pose(pairs, PoseKind::rigid, options, is_mirrored) : similar;
-  const bool gains = median_distance<Dim>(pairs, {}) > options.pose_gain * median_distance<Dim>(pairs, pose);
+  const Similarity<Dim> pose = same_size ? fitted_pose(pairs, PoseKind::rigid, mirroring) : similar;
+  const bool gains = median_distance(pairs, Similarity<Dim>{}) > options.pose_gain * median_distance(pairs, pose);
   return gains ? pose : Similarity<Dim>{};
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                               \
   template std::string pose_text<Dim>(const Similarity<Dim>&);                                                          \
-  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, bool)
+  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, Mirroring)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

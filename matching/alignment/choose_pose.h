@@ -3,6 +3,7 @@
 /// The motion of the reference that pairs of points suggest.
 
 #include "alignment/pairs/corresponding_points.h"
+#include "alignment/pose/fit_pose.h"
 #include "geometry/surface/placement.h"
 #include "matching/experiment/align_options.h"
 
@@ -13,12 +14,12 @@ namespace shellmatch {
 
 /// The pose that `options.mode` asks for. With `auto` it is a rigid motion, or a similarity where the sizes differ by more
 /// than a quarter, and the identity unless that brings the pairs nearer by options.pose_gain. With `landmarks`, a similarity.
-/// \param is_mirrored the pairs were found for the mirrored reference, in the plane
 /// \throws InputError where the points determine no pose
 template <int Dim>
-Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, bool is_mirrored);
+Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, Mirroring mirroring);
 
-/// Of the rotation, in degrees, at most 180; that of the rotation after the mirror image where it is mirrored.
+/// Of the rotation, in degrees, at most 180. Where it is mirrored, of the rotation after a reflection: in space at the origin,
+/// in the plane at the x axis.
 template <int Dim>
 double angle_in_degrees(const Mat<Dim>& rotation);
 

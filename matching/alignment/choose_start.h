@@ -3,10 +3,7 @@
 /// The choice among starts of a cascade. Scores of pairs alone cannot tell arms from legs, or left from right, where these look
 /// alike; the energy that a deformation needs to carry one shape onto the other can.
 
-#include "matching/alignment/alignment.h"
-#include "matching/experiment/options.h"
-#include "matching/experiment/shape_pair.h"
-#include "matching/progress/observer.h"
+#include "matching/alignment/trial.h"
 
 #include <cstddef>
 #include <vector>
@@ -19,10 +16,18 @@ struct Start {
   std::size_t n_pairs = 0;    ///< found, though they may have no weight
   double score = 0;           ///< of the pairs, 0 is best; comparable within one search
   bool is_identity = false;   ///< began with the shapes as they lie
+
+  /// Fewer pairs are no ground for anything.
+  bool is_usable() const { return n_pairs >= 10; }
 };
 
-/// Fewer pairs are no ground for anything.
-constexpr std::size_t min_pairs = 10;
+/// What a search found.
+template <int Dim>
+struct StartSearch {
+  /// At least one. The first is the best by score, or as good and preferred, as the shapes as they lie are.
+  std::vector<Start<Dim>> starts;
+  double margin = 0;  ///< least score of the others over that of the first
+};
 
 struct StartChoice {
   std::size_t index = 0;
@@ -30,17 +35,15 @@ struct StartChoice {
   /// scores for the others; infinite without others.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
-  bool is_doubtful = true;  ///< too few pairs, options.align.doubtful_score or doubtful_margin
+  bool is_doubtful = true;  ///< not usable, options.align.doubtful_score or doubtful_margin
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
-/// Tries the starts whose scores are less than options.align.clear_margin times the best, if there are several. The start
-/// as the shapes lie is preferred by options.align.search.identity_preference. If another is chosen and not
-/// doubtful, the shapes as they lie are tried without pairs, too, with align.mode auto, and win unless it is better than that by half
-/// in energy or in coverage.
-/// \param starts ascending by score, at least one \param margin of the first by score alone \param landmarks pull in the trials, too
+/// Of the usable starts, tries the first and those whose scores are less than align.clear_margin times the least, if these are
+/// several. The start as the shapes lie is preferred by align.search.identity_preference. If another is chosen and not doubtful,
+/// the shapes as they lie are tried without pairs, too, with align.mode auto, and win unless it is better than that by half in
+/// energy or in the distance of the template.
 template <int Dim>
-StartChoice choose_start(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
-                         const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer);
+StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials);
 
 }  // namespace shellmatch

@@ -6,8 +6,8 @@
 
 namespace shellmatch {
 
-/// Share of the area (length) above which, at this height, another part of the shape is nearer: gaps between limbs, and folds
-/// of less than that reach. In [0, 1]. \param height > 0, in the shape's coordinates
+/// Share of the area (length) above which, at this height, another part of the shape is nearer than 0.7 of it: gaps between limbs,
+/// and folds, up to 1.7 heights wide. In [0, 1]. \param height > 0, in the shape's coordinates
 template <int Dim>
 double narrow_gap_share(const SignedDistance<Dim>& shape, double height);
 

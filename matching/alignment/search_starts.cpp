@@ -19,6 +19,8 @@ constexpr double isometric_score = 0.6;
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
+double spread_at(double score) { return std::max(1.0, std::pow(score / isometric_score, 3)); }
+
 template <int Dim>
 std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
   std::vector<Landmark<Dim>> landmarks;
@@ -28,14 +30,14 @@ std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<
 }
 
 template <int Dim>
-Start<Dim> start_of(const auto& candidate, const AlignOptions& options, bool with_pairs) {
+Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& options, bool with_pairs) {
   Start<Dim> start;
   start.n_pairs = candidate.pairs.size();
   start.score = std::max(0.0, candidate.score);  // rounding
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
-  if (start.n_pairs < min_pairs) return start;
-  start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored);
-  start.alignment.spread = std::max(1.0, std::pow(candidate.score / isometric_score, 3));
+  if (!start.is_usable()) return start;
+  start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
+  start.alignment.spread = spread;
   if (with_pairs && options.weight > 0) start.alignment.pairs = as_landmarks<Dim>(candidate.pairs);
   return start;
 }
@@ -45,7 +47,7 @@ Start<Dim> start_of(const auto& candidate, const AlignOptions& options, bool wit
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options) {
   const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
   StartSearch<3> search{{}, found.margin};
-  for (const PairCandidate& candidate : found.candidates) search.starts.push_back(start_of<3>(candidate, options, true));
+  for (const PairCandidate& candidate : found.candidates) search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score), options, true));
   return search;
 }
 
@@ -55,15 +57,14 @@ StartSearch<2> search_starts(const ShapePair<2>& shapes, const AlignOptions& opt
   for (const OutlineCandidate& candidate : found.candidates) {
     // What differs from the first by a symmetry of the template is as good as the first, which turns least.
     if (candidate.is_symmetry) continue;
-    Start<2>& start = search.starts.emplace_back(start_of<2>(candidate, options, true));
-    start.alignment.spread = outline_spread;
+    search.starts.push_back(start_of<2>(candidate, outline_spread, options, true));
   }
   return search;
 }
 
 StartSearch<3> search_poses(const ShapePair<3>& shapes, const AlignOptions& options) {
   const RigidPairs found = find_rigid_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
-  return {{start_of<3>(found.candidates.front(), options, false)}, found.margin};
+  return {{start_of<3>(found.candidates.front(), 1, options, false)}, found.margin};
 }
 
 }  // namespace shellmatch

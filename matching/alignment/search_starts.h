@@ -6,15 +6,7 @@
 #include "matching/experiment/align_options.h"
 #include "matching/experiment/shape_pair.h"
 
-#include <vector>
-
 namespace shellmatch {
-
-template <int Dim>
-struct StartSearch {
-  std::vector<Start<Dim>> starts;  ///< at least one, ascending by score but for a preference for the shapes as they lie
-  double margin = 0;               ///< of the first, by score
-};
 
 /// By spectra for surfaces, by elastic paths for outlines: starts with pairs. \throws InputError as find_pairs(), find_outline_pairs()
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options);

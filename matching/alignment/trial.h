@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A trial of a start: how much energy the coarsest levels of a cascade need from there, and how well they cover the template.
+/// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the template.
 
 #include "matching/alignment/alignment.h"
 #include "matching/experiment/options.h"
@@ -8,19 +8,36 @@
 #include "matching/progress/observer.h"
 
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace shellmatch {
 
 /// At the end of the coarsest two levels. All infinite where the energy cannot be computed from this start.
 struct Trial {
-  double energy = std::numeric_limits<double>::infinity();       ///< without the pairs' term
+  double energy = std::numeric_limits<double>::infinity();             ///< without the term of the pairs found
   double with_pairs = std::numeric_limits<double>::infinity();
-  double uncovered = std::numeric_limits<double>::infinity();    ///< mean distance from the template to phi(M1), sides of the domain
+  double template_distance = std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
 };
 
-/// \param start pose and pairs of the reference \param landmarks pull, too
+/// Tries starts of one matching. Everything given must outlive this object.
 template <int Dim>
-Trial try_start(const ShapePair<Dim>& shapes, const Alignment<Dim>& start, const std::vector<Landmark<Dim>>& landmarks,
-                const ExperimentOptions& options, Observer& observer);
+class Trials {
+ public:
+  /// \param landmarks pull in every trial
+  Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer)
+      : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer) {}
+
+  Trial operator()(const Alignment<Dim>& start) const;
+  /// Of the shapes as they lie, without pairs; tried once.
+  const Trial& as_they_lie();
+
+ private:
+  const ShapePair<Dim>& shapes_;
+  const std::vector<Landmark<Dim>>& landmarks_;
+  const ExperimentOptions& options_;
+  Observer& observer_;
+  std::optional<Trial> as_they_lie_;
+};
 
 }  // namespace shellmatch

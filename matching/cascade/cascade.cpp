@@ -5,6 +5,7 @@
 #include "energies/terms/term_names.h"
 #include "grid/fields/mass.h"
 #include "grid/octree/prolongation.h"
+#include "matching/cascade/level_memory.h"
 #include "matching/derivative_check/gradient_check.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/level_metric.h"
@@ -12,6 +13,7 @@
 #include "matching/experiment/level_solver.h"
 #include "matching/level/shape_fields.h"
 #include "matching/pairs/coverage.h"
+#include "matching/progress/process_info.h"
 #include "solvers/methods/fallback.h"
 
 #include <fmt/format.h>
@@ -128,10 +130,9 @@ class Level {
           observer.note(result.fallbacks.back());
         });
     if (result.last.reason == StopReason::cannot_evaluate_start) {
-      if (start.level == options_.cascade.min_level && start.substep == 1) refuse_start(start.level, phi, weights);
-      result.fallbacks.push_back(fmt::format(
-          "level {}, step {}: the energy cannot be evaluated where the minimisation begins; phi stays as it is", start.level,
-          start.substep));
+      if (start.level == options_.cascade.min_level && start.substep == 1) refuse_start(start.level, phi, weights, result.last.message);
+      result.fallbacks.push_back(fmt::format("level {}, step {}: {}; phi stays as it is", start.level, start.substep,
+                                             result.last.message));
       observer.note(result.fallbacks.back());
     }
     observer.minimisation_finished(start, result.last);
@@ -139,12 +140,16 @@ class Level {
     result.iterations += result.last.iterations;
     result.value_evaluations += result.last.value_evaluations;
     result.gradient_evaluations += result.last.gradient_evaluations;
+    result.linear_iterations += result.last.linear_iterations;
+    result.regularised_systems += result.last.regularised_systems;
     result.seconds += result.last.seconds;
     return terms;
   }
 
-  // The energy is not finite at the start of the very first minimisation: names the terms that cause it.
-  [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {
+  // The energy is not finite at the start of the very first minimisation: names the terms that cause it. The solver's
+  // message names the first place.
+  [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+                                 const std::string& message) const {
     std::string which;
     const std::vector<std::string> names = level_.energy.term_names();
     for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -153,9 +158,9 @@ class Level {
       if (alone[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
         which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", names[t], alone[t]);
     }
-    throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {}; "
-                      "choose smaller weights or parameters of it (energy.*, cascade.*)",
-                      level, which.empty() ? "the sum of its terms" : which);
+    throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {} "
+                      "({}); choose smaller weights or parameters of it (energy.*, cascade.*)",
+                      level, which.empty() ? "the sum of its terms" : which, message);
   }
 
   // Checks the derivatives at the positions evaluated last, which are the iterate or a trial point near it. The Newton
@@ -208,6 +213,18 @@ std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>&
   return phi;
 }
 
+// Of the level that begins: the grid of phi is refined already, the shapes' own grids are not.
+template <int Dim>
+LevelSizes sizes_of(const Octree<Dim>& grid, const ShapeFields<Dim>& shapes, const CoefficientOptions& options) {
+  LevelSizes sizes;
+  sizes.n_nodes = static_cast<double>(grid.n_nodes());
+  sizes.n_free_nodes = static_cast<double>(grid.free_nodes().size());
+  sizes.n_cells = static_cast<double>(grid.leaves().size());
+  sizes.n_new_field_nodes = shapes.n_new_field_nodes(grid);
+  sizes.has_field_grids = options.interpolation == FieldInterpolation::smooth;
+  return sizes;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -231,12 +248,14 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 
   for (int level = schedule.min_level;; ++level) {
     const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
+    const bool is_finished = before && level <= before->level;
+    const double memory_estimate =
+        is_finished ? 0 : check_level_memory<Dim>(level, sizes_of(grid, shapes, options.coefficients), solver_at_level(options.solver, level));
     PhaseClock clock(seconds);
     clock.start("distances");
     shapes.compute_distances(grid);
     // The grids of earlier levels are refined again and not read, so that nodes get the same numbers as in an
     // uninterrupted run: sums depend on their order.
-    const bool is_finished = before && level <= before->level;
     std::optional<GeometryPair<Dim>> geometry;
     if (!is_finished || level == schedule.max_level) {
       clock.start("coefficients");
@@ -256,6 +275,8 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
         result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
         clock.start("report");
         problem.report(result.phi, result.levels.back());
+        result.levels.back().memory_estimate = memory_estimate;
+        result.levels.back().memory_peak = static_cast<double>(peak_memory_bytes());
       }
       clock.start("output");
       if (finished) finished(result.levels.back(), {grid, result.phi});

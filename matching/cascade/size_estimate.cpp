@@ -1,6 +1,7 @@
 #include "matching/cascade/size_estimate.h"
 
 #include "base/error.h"
+#include "matching/cascade/level_memory.h"
 #include "matching/progress/process_info.h"
 
 #include <algorithm>
@@ -10,16 +11,19 @@ namespace shellmatch {
 
 namespace {
 
-// Measured with Newton's method, whose matrix needs the most, and rounded up: fields, elements of the band, tables of
-// the tree and vectors of the solver.
-constexpr double bytes_per_node = 1500;
-constexpr double bytes_at_start = 1.5e8;
+// Measured with Newton's method, whose matrix needs the most, and rounded up (docs/limits.md): fields, elements of the band,
+// tables of the tree and vectors of the solver. At the start: the program with a shape and what pictures need.
+constexpr double bytes_per_node = 1000;
+constexpr double bytes_at_start = 1e8;
 constexpr double disk_bytes_per_node = 250;
 
 // A shape's own grid is about twice as wide as the layer of cells that meet the shape. Memory: tree, distances and
 // splines.
 constexpr double field_layers = 2;
-constexpr double bytes_per_field_node = 300;
+constexpr double bytes_per_field_node = 420;
+
+// Of the estimated memory beyond that at the start, what a run needs at least: the numbers of nodes are estimated from above.
+constexpr double least_share = 0.4;
 
 bool fits(double needed, std::uint64_t given) { return given == 0 || needed <= static_cast<double>(given); }
 
@@ -73,6 +77,9 @@ template <int Dim>
 void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder) {
   const std::uint64_t memory = available_memory_bytes(), disk = folder.empty() ? 0 : free_disk_bytes(folder);
   const SizeEstimate size = estimate_size<Dim>(measures, min_level, max_level);
+  const double least = static_cast<double>(resident_memory_bytes()) + least_share * (size.memory_bytes - bytes_at_start);
+  if (const auto limit = static_cast<double>(memory_limit_bytes()); limit > 0 && least > limit)
+    throw LevelTooLarge(fmt::format("level {} would need at least {:.3g} GB of memory", max_level, least / 1e9));
   const bool memory_fits = fits(size.memory_bytes, memory);
   // Nodes and cells have 32-bit numbers.
   const bool countable = size.n_nodes < 1e9;

@@ -39,6 +39,7 @@ struct CheckpointView {
   const std::vector<Vec<Dim>>& phi;
   const Similarity<Dim>& placement;
   const Similarity<Dim>& pose;
+  bool is_backward;
   const History& history;
   const MatchSummary& summary;
 };

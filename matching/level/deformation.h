@@ -17,11 +17,14 @@ struct Deformation {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;     ///< deformed positions of all nodes, hanging nodes included; unit domain
   Similarity<Dim> placement;
-  Similarity<Dim> pose = {};     ///< moves points of the reference before anything else; user's coordinates
+  Similarity<Dim> pose = {};     ///< moves points before anything else; user's coordinates
+  /// The matching was solved backward: phi carries the template onto the reference, and its inverse is the map of the reference
+  /// (PointMap).
+  bool is_backward = false;
 
   Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
 
-  /// The image of a point, both in the user's coordinates.
+  /// The image of a point under phi, both in the user's coordinates.
   Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse(apply_in_unit_domain(to_unit_domain(x))); }
 
   /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
@@ -29,7 +32,7 @@ struct Deformation {
   Vec<Dim> apply_in_unit_domain(const Vec<Dim>& x) const;
 };
 
-/// Carries points of the template back to the reference.
+/// The inverse of Deformation::apply().
 template <int Dim>
 class InverseDeformation {
  public:
@@ -45,6 +48,27 @@ class InverseDeformation {
  private:
   const Deformation<Dim>* map_;
   InverseMap<Dim> inverse_;
+};
+
+enum class Toward { template_shape, reference };
+
+/// Carries points from one shape to the other, in whichever direction the matching was solved.
+template <int Dim>
+class PointMap {
+ public:
+  /// \param map must outlive this object
+  PointMap(const Deformation<Dim>& map, Toward toward) : map_(&map) {
+    if (map.is_backward == (toward == Toward::template_shape)) inverse_.emplace(map);
+  }
+
+  bool is_inverse() const { return inverse_.has_value(); }
+
+  /// Both in the user's coordinates. None where the inverse of phi is asked for and has no value.
+  std::optional<Vec<Dim>> operator()(const Vec<Dim>& x) const { return inverse_ ? (*inverse_)(x) : map_->apply(x); }
+
+ private:
+  const Deformation<Dim>* map_;
+  std::optional<InverseDeformation<Dim>> inverse_;
 };
 
 }  // namespace shellmatch

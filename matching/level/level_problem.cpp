@@ -36,6 +36,20 @@ void LevelProblem<Dim>::prepare_second_derivative(std::span<const double> x, std
 }
 
 template <int Dim>
+std::string LevelProblem<Dim>::what_is_not_finite(std::span<const double> x) {
+  unknowns_->expand(x, phi_);
+  const auto found = find_not_finite(*energy_, *unknowns_, std::span<const Vec<Dim>>(phi_), weights_);
+  return found ? not_finite_text(*found) : "";
+}
+
+template <int Dim>
+std::string LevelProblem<Dim>::what_of_model_is_not_finite(std::span<const double> x) {
+  unknowns_->expand(x, phi_);
+  const auto found = hessian_.find_not_finite(phi_, weights_);
+  return found ? not_finite_text(*found) : "";
+}
+
+template <int Dim>
 std::vector<RegionDamping> LevelProblem<Dim>::regions_beyond_model(std::span<const double> x, std::span<const double> d) {
   unknowns_->expand(x, phi_);
   std::vector<RegionDamping> regions;

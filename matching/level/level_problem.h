@@ -36,6 +36,9 @@ class LevelProblem final : public SecondOrderObjective {
   void apply_second_derivative(std::span<const double> x, std::span<double> y) const override { hessian_.apply(x, y); }
   void precondition(std::span<const double> r, std::span<double> z) const override { hessian_.precondition(r, z); }
 
+  std::string what_is_not_finite(std::span<const double> x) override;
+  std::string what_of_model_is_not_finite(std::span<const double> x) override;
+
   /// The number of the grid's elements.
   std::size_t n_regions() const override { return unknowns_->elements().size(); }
   std::vector<RegionDamping> regions_beyond_model(std::span<const double> x, std::span<const double> d) override;

@@ -42,8 +42,7 @@ template <int Dim>
 void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
   if (!is_smooth()) return compute_distances_on(grid);
   if (!own_[0]) return;
-  const int level =
-      std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
+  const int level = field_level(grid);
   if (own_[0]->grid.finest_level() < level) smooth_.reset();
   for_both([&](int s) {
     FieldGrid<Dim>& own = *own_[s];
@@ -53,6 +52,25 @@ void ShapeFields<Dim>::compute_distances(const Octree<Dim>& grid) {
       own.compute(*shapes_[s], options_->coefficients);
     }
   });
+  const double n = static_cast<double>(own_[0]->grid.n_nodes()) + static_cast<double>(own_[1]->grid.n_nodes());
+  if (n > n_field_nodes_.back()) n_field_nodes_.push_back(n);
+}
+
+template <int Dim>
+int ShapeFields<Dim>::field_level(const Octree<Dim>& grid) const {
+  return std::min(grid.finest_level() + options_->coefficients.levels_ahead, options_->cascade.max_level);
+}
+
+template <int Dim>
+double ShapeFields<Dim>::n_new_field_nodes(const Octree<Dim>& grid) const {
+  if (!is_smooth() || !own_[0]) return 0;
+  const int n_levels = field_level(grid) - own_[0]->grid.finest_level();
+  const double n = n_field_nodes_.back();
+  // A level refines the layer of cells around the surface, whose number grows as that of the surface's cells does.
+  double sum = 0, last = n_field_nodes_.size() > 1 ? n - n_field_nodes_[n_field_nodes_.size() - 2] : 0;
+  if (n == 0) sum = last = 2 * static_cast<double>(own_[0]->grid.n_nodes());
+  for (int l = 0; l < n_levels; ++l) sum += last *= n_corners<Dim> / 2;
+  return sum;
 }
 
 template <int Dim>

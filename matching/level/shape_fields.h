@@ -27,6 +27,9 @@ class ShapeFields {
   /// itself. Call it after every refinement.
   void compute_distances(const Octree<Dim>& grid);
 
+  /// About how many nodes compute_distances(grid) will add to the shapes' own grids; 0 without such grids.
+  double n_new_field_nodes(const Octree<Dim>& grid) const;
+
   /// The geometry of both shapes as the options ask for. Multilinear fields refer to `grid`. \pre compute_distances()
   GeometryPair<Dim> geometry(const Octree<Dim>& grid);
 
@@ -37,6 +40,8 @@ class ShapeFields {
  private:
   bool is_smooth() const { return options_->coefficients.interpolation == FieldInterpolation::smooth; }
   void compute_distances_on(const Octree<Dim>& grid);
+  /// The finest level of the shapes' own grids for this grid of phi.
+  int field_level(const Octree<Dim>& grid) const;
   GeometryPair<Dim> smooth_geometry();
   CoefficientPair<Dim> coefficients(const GridPair<Dim>& grids, std::array<NodalGeometry<Dim>, 2> geometry) const;
 
@@ -46,6 +51,7 @@ class ShapeFields {
   /// The shapes' own grids, for smooth fields; released once the fields of the finest level have been made.
   std::array<std::optional<FieldGrid<Dim>>, 2> own_;
   std::optional<GeometryPair<Dim>> smooth_;           ///< of the present state of the shapes' own grids
+  std::vector<double> n_field_nodes_{0};  ///< of the states of the own grids, from coarse to fine
 };
 
 /// Multilinear geometry on one grid, from the fields at its nodes.

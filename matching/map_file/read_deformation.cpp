@@ -103,6 +103,8 @@ Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   const std::vector<double> offset = facts(file, "placement_offset", Dim);
   if (!(scale > 0)) file.damaged("placement_scale");
   const Similarity<Dim> pose = pose_of<Dim>(file);
+  const bool is_backward = file.has("FieldData", "is_backward");
+  if (is_backward && facts(file, "is_backward", 1)[0] != 1) file.damaged("is_backward");
 
   std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(file, positions));
   if (!grid) file.damaged("the cells are no balanced tree");
@@ -125,6 +127,7 @@ Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   result.placement.scale = scale;
   for (int k = 0; k < Dim; ++k) result.placement.offset[k] = offset[k];
   result.pose = pose;
+  result.is_backward = is_backward;
   return result;
 }
 

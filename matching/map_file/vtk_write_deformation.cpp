@@ -18,6 +18,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <array>
 #include <span>
 
 namespace shellmatch {
@@ -61,7 +62,7 @@ void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
 }
 
 template <int Dim>
-void add_facts(const Similarity<Dim>& placement, const Similarity<Dim>& pose, vtkFieldData& facts) {
+void add_facts(const Similarity<Dim>& placement, const Similarity<Dim>& pose, bool is_backward, vtkFieldData& facts) {
   vtkNew<vtkIntArray> dimension;
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
@@ -79,6 +80,7 @@ void add_facts(const Similarity<Dim>& placement, const Similarity<Dim>& pose, vt
     add("pose_rotation", {row_by_row.data(), static_cast<std::size_t>(row_by_row.size())});
     add("pose_offset", {pose.offset.data(), Dim});
   }
+  if (is_backward) add("is_backward", std::array{1.0});
   vtkNew<vtkStringArray> version;
   version->SetName("program_version");
   version->InsertNextValue(program_version());
@@ -91,13 +93,13 @@ template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
-  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, deformation.pose, nodal_fields,
-                    cell_fields);
+  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, deformation.pose, deformation.is_backward,
+                    nodal_fields, cell_fields);
 }
 
 template <int Dim>
 void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                       const Similarity<Dim>& placement, const Similarity<Dim>& pose,
+                       const Similarity<Dim>& placement, const Similarity<Dim>& pose, bool is_backward,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
@@ -129,7 +131,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
     data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
                                                [&](Index i, int) { return field.values[i]; }));
   }
-  add_facts(placement, pose, *data->GetFieldData());
+  add_facts(placement, pose, is_backward, *data->GetFieldData());
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const VtkMessages messages;
@@ -149,7 +151,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
                                        const std::vector<NodalField>&, const std::vector<CellField>&);       \
   template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
-                                       const Similarity<Dim>&, const Similarity<Dim>&,                       \
+                                       const Similarity<Dim>&, const Similarity<Dim>&, bool,                       \
                                        const std::vector<NodalField>&, const std::vector<CellField>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -46,6 +46,7 @@ static void describe(S& s, Member&& member) {
   member("energy_minimised", s.energy_minimised), member("energy", s.energy_reported);
   member("iterations", s.iterations), member("value_evaluations", s.value_evaluations);
   member("gradient_evaluations", s.gradient_evaluations), member("gradient_norm", s.gradient_norm);
+  member("linear_iterations", s.linear_iterations), member("regularised_systems", s.regularised_systems);
   member("l2_gradient_norm", s.l2_gradient_norm), member("solver", s.solver), member("fallbacks", s.fallbacks);
   member("stop_reason", s.stop_reason), member("stop_message", s.stop_message);
   member("folds", s.folds), member("band", s.band), member("distance", s.distance);
@@ -77,7 +78,13 @@ requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
 static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
   member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
-  member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
+  member("as_it_lies", s.as_it_lies);
+}
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, DirectionSummary>
+static void describe(S& s, Member&& member) {
+  member("backward", s.backward), member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
 }
 
 template <class S, class Member>
@@ -86,6 +93,7 @@ static void describe(S& s, Member&& member) {
   member("compiler", s.compiler), member("threads", s.threads), member("seconds", s.seconds);
   member("phase_seconds", s.phase_seconds), member("level_seconds", s.level_seconds);
   member("peak_memory_bytes", s.peak_memory_bytes), member("resumed_after", s.resumed_after);
+  member("level_memory_estimates", s.level_memory_estimates), member("level_memory_peaks", s.level_memory_peaks);
 }
 
 template <class S, class Member>
@@ -94,7 +102,7 @@ static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
   member("interrupted", s.interrupted), member("reference", s.reference),
       member("template", s.template_shape);
-  member("placement", s.placement), member("alignment", s.alignment), member("distance_before", s.distance_before),
+  member("placement", s.placement), member("direction", s.direction), member("alignment", s.alignment), member("distance_before", s.distance_before),
       member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);

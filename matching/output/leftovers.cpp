@@ -17,12 +17,13 @@ namespace fs = std::filesystem;
 
 bool is_filled(const std::string& path) {
   std::error_code error;
-  if (!fs::exists(path, error)) return false;
+  if (!fs::exists(path, error)) return fs::is_symlink(path, error);
   if (!fs::is_directory(path, error)) return true;
   const std::string name = fs::path(path).filename().string();
-  return std::ranges::any_of(fs::directory_iterator(path, error), [&](const fs::directory_entry& entry) {
+  const bool is_filled = std::ranges::any_of(fs::directory_iterator(path, error), [&](const fs::directory_entry& entry) {
     return !is_hidden_name(entry.path().filename().string(), name);
   });
+  return is_filled || error;
 }
 
 void remove_partial_folders(const std::string& path, bool is_replaced) {
@@ -42,7 +43,7 @@ void remove_partial_folders(const std::string& path, bool is_replaced) {
 
 void remove_leftovers(const std::string& path) {
   const FileLock lock(lock_name(path), FileLock::Kind::exclusive);
-  if (lock.state() == FileLock::State::held) remove_partial_folders(path, is_filled(path));
+  if (lock.state() == FileLock::State::held) remove_partial_folders(path, holds_result(path));
 }
 
 void remove_leftovers_in(const std::string& parent) {

@@ -15,10 +15,11 @@ void remove_leftovers(const std::string& path);
 void remove_leftovers_in(const std::string& parent);
 
 /// Removes the hidden folders beside the output folder `path`. \pre the caller holds its lock
-/// \param is_replaced whether there is a result that has taken the place of an earlier one that was set aside
+/// \param is_replaced whether a whole result (holds_result()) has taken the place of an earlier one that was set aside
 void remove_partial_folders(const std::string& path, bool is_replaced);
 
-/// Whether there is anything at `path` other than a folder that is empty but for its own lock and hidden folders.
+/// Whether there is anything at `path` other than a folder that is empty but for its own lock and hidden folders: a file,
+/// a link that leads nowhere, or a folder that cannot be looked into as well.
 bool is_filled(const std::string& path);
 
 }  // namespace shellmatch

@@ -48,8 +48,11 @@ int move_entries(const fs::path& from, const fs::path& to, const std::string& na
 void check_place(const fs::path& path, bool force, ChangedFiles changed) {
   if (!is_filled(path)) return;
   if (!fs::is_directory(path))
-    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
+    throw_input_error("{}: is a file or a link that leads nowhere, but a folder is to be written there; choose another name with -o",
                       path.string());
+  std::error_code error;
+  const fs::directory_iterator look(path, error);
+  if (error) throw_environment_error("{}: cannot be looked into ({}); choose another folder with -o", path.string(), error.message());
   if (!force)
     throw_input_error(
         "{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
@@ -87,7 +90,7 @@ OutputFolder::OutputFolder(const std::string& path, bool force, ChangedFiles cha
   lock_.emplace(lock_name(anchor.string()), FileLock::Kind::exclusive);
   if (lock_->state() == FileLock::State::taken)
     throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
-  if (lock_->state() == FileLock::State::held) remove_partial_folders(anchor.string(), is_filled(final_));
+  if (lock_->state() == FileLock::State::held) remove_partial_folders(anchor.string(), holds_result(final_));
   // Without locks, leftovers may have the name: count up until it is free.
   for (int attempt = 0; partial_.empty(); ++attempt) {
     const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
@@ -137,7 +140,7 @@ void OutputFolder::commit() {
       synchronise_file(entry.path().string());
   }
   if (error) cannot_write(partial_, error.value());
-  for (const std::string& folder : folders) synchronise_folder(folder);
+  for (const std::string& folder : folders) synchronise_file(folder);
 
   check_place(final_, force_, changed_);  // it may have been filled during the run
   if (in_place_) {
@@ -147,15 +150,18 @@ void OutputFolder::commit() {
   } else {
     fs::rename(partial_, final_, error);  // replaces an empty folder
     if (error) cannot_write(final_, error.value());
+    committed_ = true;
   }
-  committed_ = true;
   lock_.reset();
 }
 
 // Exchanges both folders in one step. File systems without this operation need two, between which the old folder is kept
 // under a hidden name.
 void OutputFolder::exchange() {
-  if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) return remove_earlier(partial_);
+  if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
+    committed_ = true;
+    return remove_earlier(partial_);
+  }
   const std::string old = partial_ + std::string(set_aside);
   std::error_code error;
   fs::rename(final_, old, error);
@@ -166,6 +172,7 @@ void OutputFolder::exchange() {
     fs::rename(old, final_, error);
     cannot_write(final_, cause);
   }
+  committed_ = true;
   remove_earlier(old);
 }
 
@@ -187,6 +194,7 @@ void OutputFolder::fill_in_place() {
     fs::remove(old, error);
     cannot_write(final_, cause);
   }
+  committed_ = true;
   fs::remove(partial_, error);
   if (!earlier.empty()) remove_earlier(old);
 }

@@ -50,7 +50,8 @@ class OutputFolder {
   void remove_earlier(const std::string& folder);
 
   std::string final_, partial_, first_created_parent_;
-  bool force_, in_place_ = false, committed_ = false;
+  bool force_, in_place_ = false;
+  bool committed_ = false;  ///< the result is in its place: partial_ holds what it has replaced, or nothing
   ChangedFiles changed_;
   std::optional<FileLock> lock_;
 };

@@ -13,7 +13,6 @@ void write_file(const std::string& path, std::string_view contents);
 /// Waits until the contents of a file, or the entries of a folder, are on the disk. \throws EnvironmentError as
 /// write_file
 void synchronise_file(const std::string& path);
-void synchronise_folder(const std::string& path);
 
 /// Throws EnvironmentError for the system's error number `error`.
 [[noreturn]] void cannot_write(const std::string& path, int error);

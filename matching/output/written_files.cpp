@@ -44,6 +44,14 @@ struct Listed {
   }
 };
 
+// Calls visit(entry) for all entries of a folder and its subfolders. \return the error that ended it, if any
+template <class Visit>
+std::error_code for_each_entry(const std::string& folder, Visit&& visit) {
+  std::error_code error;
+  for (auto at = fs::recursive_directory_iterator(folder, error); !error && at != fs::end(at); at.increment(error)) visit(*at);
+  return error;
+}
+
 bool has_contents(const fs::path& path, const WrittenFile& file) {
   std::error_code error;
   try {
@@ -57,10 +65,10 @@ bool has_contents(const fs::path& path, const WrittenFile& file) {
 
 std::vector<WrittenFile> list_files(const std::string& folder) {
   std::vector<WrittenFile> files;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
+  const std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
     if (const std::string name = name_in(folder, entry.path()); is_real_file(entry) && name != written_files_name)
       files.push_back({name, entry.file_size(), file_checksum(entry.path().string())});
+  });
   if (error) cannot_write(folder, error.value());
   std::ranges::sort(files, {}, &WrittenFile::name);
   return files;
@@ -101,6 +109,14 @@ ForeignThing first_foreign_thing(const std::string& folder, ChangedFiles changed
   return {};
 }
 
+bool holds_result(const std::string& folder) {
+  const auto list = read_file_list(folder);
+  std::error_code error;
+  return list && std::ranges::all_of(*list, [&](const WrittenFile& file) {
+    return fs::is_regular_file(fs::symlink_status(fs::path(folder) / file.name, error));
+  });
+}
+
 std::string foreign_text(const ForeignThing& thing) {
   if (thing.no_list)
     return fmt::format("it has no {}, in which a run lists what it wrote, so that '{}' in it may be of no run", written_files_name,
@@ -112,13 +128,12 @@ void remove_written_files(const std::string& folder) {
   const auto list = read_file_list(folder);
   if (!list) return;
   const Listed listed(*list);
-  std::error_code error;
   std::vector<fs::path> files, folders;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+  std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
     const std::string name = name_in(folder, entry.path());
     if (is_real_file(entry) && listed.files.contains(name)) files.push_back(entry.path());
     if (is_real_folder(entry) && listed.folders.contains(name)) folders.push_back(entry.path());
-  }
+  });
   for (const fs::path& file : files) fs::remove(file, error);
   // Inner folders first; those that hold anything else stay.
   std::ranges::sort(folders, std::ranges::greater{}, [](const fs::path& p) { return p.native().size(); });

@@ -26,10 +26,13 @@ class Observer {
   virtual ~Observer() = default;
   /// A remark for the user, such as the number of welded vertices.
   virtual void note(const std::string& /*text*/) {}
-  /// What the run begins to do, in words for the user: run_matching reports "reading", "matching" and "writing",
-  /// match_shapes "matching" alone, run_gradient_check "reading" and its own. The phases of phase_seconds, by which time is
-  /// measured (matching/progress/phase_clock.h), are finer and not reported.
+  /// What the run begins to do, in words for the user: run_matching reports "reading", "alignment" (where there is any),
+  /// "matching" and "writing", match_shapes the two in the middle, run_gradient_check "reading" and its own. The phases of
+  /// phase_seconds, by which time is measured (matching/progress/phase_clock.h), are finer and not reported.
   virtual void stage(const std::string& /*name*/) {}
+  /// Called after every step of the trials that choose among starts, before the first minimisation (align.mode auto). It stops
+  /// the matching, which has no result yet, by an exception.
+  virtual void trial_iterated() {}
   /// Called at the beginning of every minimisation, of which a level has up to `start.n_substeps`.
   virtual void minimisation_started(const LevelStart& /*start*/) {}
   /// Called after every accepted step. Return false to stop the matching; it then ends with the result so far.

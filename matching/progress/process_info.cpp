@@ -3,8 +3,10 @@
 #include "base/error.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -12,6 +14,8 @@
 namespace shellmatch {
 
 namespace {
+
+std::atomic<std::uint64_t> memory_limit = 0;
 
 // The first number in a file, or `none` if there is none, as for "max" in a cgroup's limit.
 std::uint64_t number_in(const char* path, std::uint64_t none) {
@@ -28,6 +32,15 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // in kilobytes on Linux
 }
 
+std::uint64_t resident_memory_bytes(const std::string& process) {
+  std::ifstream statm(fmt::format("/proc/{}/statm", process));
+  std::uint64_t all = 0, resident = 0;
+  return statm >> all >> resident ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+std::uint64_t memory_limit_bytes() { return memory_limit; }
+void set_memory_limit_bytes(std::uint64_t bytes) { memory_limit = bytes; }
+
 std::uint64_t available_memory_bytes() {
   std::ifstream in("/proc/meminfo");
   std::uint64_t available = 0;
@@ -40,7 +53,8 @@ std::uint64_t available_memory_bytes() {
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t limit = number_in("/sys/fs/cgroup/memory.max", none);
   const std::uint64_t used = number_in("/sys/fs/cgroup/memory.current", 0);
-  return limit == none ? available : std::min(available, limit - std::min(limit, used));
+  // Where all is used, 1: 0 says that nothing is known.
+  return limit == none ? available : std::min(available, std::max<std::uint64_t>(1, limit - std::min(limit, used)));
 }
 
 std::uint64_t free_disk_bytes(const std::string& path) {

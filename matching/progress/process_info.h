@@ -10,6 +10,14 @@ namespace shellmatch {
 /// Peak resident memory of this process in bytes; 0 if unknown.
 std::uint64_t peak_memory_bytes();
 
+/// Resident memory in bytes of the process with this number, "self" being this one; 0 if unknown.
+std::uint64_t resident_memory_bytes(const std::string& process = "self");
+
+/// The resident memory in bytes that the user has given to this process; 0 means all that there is. The runs of a study
+/// and the estimates of a matching keep to it; apps/process/limits.h ends a command that exceeds it.
+std::uint64_t memory_limit_bytes();
+void set_memory_limit_bytes(std::uint64_t bytes);
+
 /// Memory in bytes that can be allocated without swapping, within the limits of a container; 0 if unknown.
 std::uint64_t available_memory_bytes();
 

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace shellmatch {
 
@@ -43,6 +46,23 @@ Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& 
 }
 
 namespace {
+
+/// Moves the points by the map; one without an image moves as the nearest one that has one.
+template <int Dim>
+void carry(std::vector<Vec<Dim>>& points, const auto& map) {
+  std::vector<std::optional<Vec<Dim>>> images(points.size());
+  parallel_for(points.size(), [&](std::size_t i) { images[i] = map(points[i]); });
+  std::vector<Vec<Dim>> moved = points;
+  parallel_for(points.size(), [&](std::size_t i) {
+    std::size_t from = i;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; !images[i] && k < points.size(); ++k)
+      if (const double distance = (points[k] - points[i]).squaredNorm(); images[k] && distance < least) from = k, least = distance;
+    if (from == i && images[i]) moved[i] = *images[i];
+    else if (images[from]) moved[i] += *images[from] - points[from];
+  });
+  points = std::move(moved);
+}
 
 /// Area of a polygon, or length of an edge of a ring.
 double polygon_measure(const std::vector<Vec<3>>& x, const std::vector<Index>& polygon) {
@@ -86,10 +106,12 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
                                      const SignedDistance<Dim>& template_distance) {
   OriginalShape<Dim> moved = reference;
   std::vector<double> distance(reference.vertices.size());
+  carry(moved.vertices, PointMap<Dim>(deformation, Toward::template_shape));
+  // Backward the template is the shape that the pose has moved.
+  const Similarity<Dim> pose = deformation.is_backward ? deformation.pose : Similarity<Dim>{};
   parallel_for(distance.size(), [&](std::size_t i) {
-    const Vec<Dim> y = deformation.apply_in_unit_domain(deformation.to_unit_domain(reference.vertices[i]));
-    moved.vertices[i] = deformation.placement.inverse(y);
-    distance[i] = std::abs(template_distance(y)) / deformation.placement.scale;
+    const Vec<Dim> y = deformation.placement(pose(moved.vertices[i]));
+    distance[i] = std::abs(template_distance(y)) / (deformation.placement.scale * pose.scale);
   });
   const std::vector<double> before = vertex_measures(reference), after = vertex_measures(moved);
   std::vector<double> ratio(before.size());
@@ -99,9 +121,17 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
   return moved;
 }
 
+template <int Dim>
+Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+  Surface<Dim> before = deformed;
+  carry(before.vertices, InverseMap<Dim>(grid, phi));
+  return before;
+}
+
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
   template Surface<Dim> subdivided<Dim>(const Surface<Dim>&, double);                                                 \
   template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
+  template Surface<Dim> surface_before<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
   template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \
                                                      const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);

@@ -20,8 +20,14 @@ Surface<Dim> subdivided(const Surface<Dim>& surface, double length);
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
-/// The reference as it was read, moved by the deformation, with the additional attributes distance_to_template (user's
-/// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names.
+/// The surface with its vertices moved by the inverse of phi; unit domain. A vertex that is the image of no point moves as the
+/// nearest one that is.
+template <int Dim>
+Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
+
+/// The reference as it was read, carried to the template, with the additional attributes distance_to_template (user's
+/// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names. Without
+/// an image, see surface_before().
 template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance);

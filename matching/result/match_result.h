@@ -23,7 +23,8 @@ struct MatchedSurfaces {
 
 template <int Dim>
 struct MatchResult {
-  /// The map phi: `map.apply(x)` moves any point, in the coordinates of the given shapes.
+  /// The map phi. PointMap(map, Toward::template_shape) carries points of the reference, in the coordinates of the given shapes; it is
+  /// `map.apply(x)` unless the matching was solved backward (align.direction).
   Deformation<Dim> map;
   /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
   /// distance_to_template (unit of the shapes) and area_ratio (length_ratio in the plane).
@@ -33,8 +34,8 @@ struct MatchResult {
   MatchSummary summary;
   History history;  ///< every accepted step
   MatchedSurfaces<Dim> surfaces;
-  /// Distance, normal and classified shape operator of both shapes at the nodes of `map.grid`.
-  CoefficientFields<Dim> reference_fields, template_fields;
+  /// Distance, normal and classified shape operator at the nodes of `map.grid`, of the shape that phi deforms and of the other one.
+  CoefficientFields<Dim> moving_fields, target_fields;
 };
 
 /// The result of the finished levels, from which a matching of the same shapes and options can be resumed.

@@ -41,6 +41,7 @@ struct LevelSummary {
   NamedValues energy_reported;   ///< by term, with a finer quadrature
   int iterations = 0;            ///< over all substeps, as are the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
+  long linear_iterations = 0, regularised_systems = 0;  ///< of Newton's method
   double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
   double l2_gradient_norm = 0;            ///< at the end, in L2
   std::string solver;                     ///< method that ended the last substep
@@ -72,8 +73,14 @@ struct AlignmentSummary {
   std::optional<double> score, margin;  ///< of the map found (docs/alignment.md); no margin without a second map
   int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
   int n_pairs = 0;              ///< used in the energy or for the pose
-  bool doubtful = false;
-  /// Shares of the shapes' areas (lengths) with another part close above (matching/alignment/narrow_gaps.h).
+  bool doubtful = false;        ///< with align.mode auto nothing is used then
+  bool as_it_lies = false;      ///< nor here: not clearly better than the shapes as they lie
+};
+
+/// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above
+/// (matching/alignment/narrow_gaps.h).
+struct DirectionSummary {
+  bool backward = false;
   double reference_gaps = 0, template_gaps = 0;
 };
 
@@ -86,7 +93,9 @@ struct RunFigures {
   std::vector<double> level_seconds;  ///< one entry for each level
   std::uint64_t peak_memory_bytes = 0;
   /// The levels after which a stopped run was resumed; the times are then sums over all parts.
-  std::optional<std::vector<int>> resumed_after;
+  std::optional<std::vector<int>> resumed_after = {};
+  /// One entry for each level, in resident bytes: as expected before it, and the run's peak after it.
+  std::optional<std::vector<double>> level_memory_estimates = {}, level_memory_peaks = {};
 };
 
 /// One check of derivatives during a run.
@@ -104,6 +113,7 @@ struct MatchSummary {
   bool interrupted = false;  ///< stopped before the last level was finished
   ShapeSummary reference, template_shape;
   PlacementSummary placement;
+  std::optional<DirectionSummary> direction;
   std::optional<AlignmentSummary> alignment;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;

@@ -19,6 +19,7 @@ class Recorder final : public Observer {
 
   void note(const std::string& text) override { next_.note(text); }
   void stage(const std::string& name) override { next_.stage(name); }
+  void trial_iterated() override { next_.trial_iterated(); }
   void minimisation_started(const LevelStart& start) override;
   bool iterated(const LevelStart& start, const IterationRecord& record) override;
   void gradient_checked(const LevelStart& start, const GradientReport& report) override;

@@ -217,7 +217,17 @@ def extract(summary):
              for figure in ("mean", "max")}
     found |= {"folded_cells": folds["folded_cells"], "uncertified_cells": folds["uncertified_cells"]}
     alignment = summary.get("alignment") or {}
-    return found | {f"alignment_{key}": alignment.get(key) for key in ("score", "margin", "doubtful")}
+    found |= {f"alignment_{key}": alignment.get(key) for key in ("score", "margin")}
+    return found | {"alignment": alignment_words(alignment)}
+
+
+def alignment_words(alignment):
+    """What became of what was found; None where nothing was searched."""
+    if not alignment:
+        return None
+    if alignment["pairs"] > 0:
+        return "used, doubtful" if alignment["doubtful"] else "used"
+    return "doubtful" if alignment["doubtful"] else "as it lies"
 
 
 def words_of(record):

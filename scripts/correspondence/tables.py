@@ -10,7 +10,7 @@ import statistics
 from plotting import draw
 
 columns = ("metric", "pair", "method", "before", "mean", "p95", "max", "beyond", "unreachable", "dt_mean", "dt_max", "td_mean", "td_max",
-           "folded_cells", "uncertified_cells", "alignment_score", "alignment_margin", "alignment_doubtful", "seconds", "cpu_seconds")
+           "folded_cells", "uncertified_cells", "alignment_score", "alignment_margin", "alignment", "seconds", "cpu_seconds")
 units = {"geodesic": "geodesic error, 100 = root of the template's area", "euclidean": "distance from where it belongs, diagonals"}
 
 
@@ -47,19 +47,18 @@ def cells(row):
     folds = row["folded_cells"]
     if row["uncertified_cells"]:
         folds = f"{folds} ({row['uncertified_cells']} uncertified)"
-    alignment = "" if row["alignment_doubtful"] == "" else "doubtful" if row["alignment_doubtful"] else "used"
     both = [" / ".join(filter(None, (scientific(row[f"{way}_mean"]), scientific(row[f"{way}_max"])))) for way in ("dt", "td")]
     return [row["pair"], row["method"], fixed(row["before"], digits), fixed(row["mean"], digits), fixed(row["p95"], digits),
-            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), alignment, f"{row['seconds']:.0f}",
+            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), row["alignment"], f"{row['seconds']:.0f}",
             f"{row['cpu_seconds']:.0f}"]
 
 
 def mean_row(method, rows):
     """Means of what every row has; the greatest of the largest errors."""
-    row = dict(rows[0]) | {"pair": f"**mean of {len(rows)}**", "method": method, "alignment_doubtful": ""}
+    row = dict(rows[0]) | {"pair": f"**mean of {len(rows)}**", "method": method, "alignment": ""}
     for key in columns[3:]:
         values = [r[key] for r in rows]
-        if key.startswith("alignment_") or "" in values:
+        if key.startswith("alignment") or "" in values:
             row[key] = ""
         elif key in ("max", "dt_max", "td_max"):
             row[key] = max(values)

@@ -71,6 +71,11 @@ bool MetricObjective::evaluate(std::span<const double> y, double& value, std::sp
   return true;
 }
 
+std::string MetricObjective::what_is_not_finite(std::span<const double> y) {
+  factor_.solve(y, x_);
+  return objective_.what_is_not_finite(x_);
+}
+
 MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
                                     Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback) {

@@ -43,6 +43,7 @@ class MetricObjective final : public Objective {
   std::vector<std::string> term_names() const override { return objective_.term_names(); }
   std::vector<double> term_values() const override { return objective_.term_values(); }
   double l2_gradient_norm(std::span<const double>) const override { return l2_gradient_norm_; }
+  std::string what_is_not_finite(std::span<const double> y) override;
 
  private:
   Objective& objective_;

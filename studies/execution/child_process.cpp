@@ -1,6 +1,7 @@
 #include "studies/execution/child_process.h"
 
 #include "base/error.h"
+#include "matching/progress/process_info.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -21,13 +22,9 @@ namespace {
 
 // Resident memory in bytes of a process and its descendants; 0 if it has ended.
 std::uint64_t resident_bytes(int pid, int depth = 0) {
-  std::uint64_t total = 0, resident = 0;
-  const std::string folder = fmt::format("/proc/{}", pid);
-  std::ifstream statm(folder + "/statm");
-  if (!(statm >> total >> resident)) return 0;
-  std::uint64_t bytes = resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  if (depth < 8) {
-    std::ifstream children(fmt::format("{}/task/{}/children", folder, pid));
+  std::uint64_t bytes = resident_memory_bytes(std::to_string(pid));
+  if (bytes > 0 && depth < 8) {
+    std::ifstream children(fmt::format("/proc/{}/task/{}/children", pid, pid));
     for (int child = 0; children >> child;) bytes += resident_bytes(child, depth + 1);
   }
   return bytes;
@@ -40,7 +37,7 @@ std::uint64_t resident_bytes(int pid, int depth = 0) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
   if (limits.memory_bytes > 0) {
     const rlim_t most = 2 * limits.memory_bytes + (rlim_t{1} << 30);
     const rlimit limit{most, most};

@@ -1,6 +1,7 @@
 #include "studies/execution/machine.h"
 
 #include "base/error.h"
+#include "matching/progress/linked_libraries.h"
 #include "matching/progress/process_info.h"
 #include "studies/execution/revision.h"
 
@@ -10,7 +11,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 namespace shellmatch {
 
@@ -43,10 +43,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
   std::vector<std::pair<std::string, std::string>> list = {
       {"shellmatch", program_version() + (revision.empty() ? "" : " (" + revision + ")")},
       {"compiler", compiler_name()}};
-  // The versions that CMake found, as "Ceres=2.1.0;NLopt=2.7.1".
-  std::istringstream libraries(SHELLMATCH_LIBRARIES);
-  for (std::string entry; std::getline(libraries, entry, ';');)
-    list.emplace_back(entry.substr(0, entry.find('=')), entry.substr(entry.find('=') + 1));
+  for (const LinkedLibrary& library : linked_libraries()) list.emplace_back(library.name, library.version);
   utsname system{};
   if (uname(&system) == 0) list.emplace_back(system.sysname, system.release);
   return list;

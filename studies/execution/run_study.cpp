@@ -134,11 +134,12 @@ bool is_due(const RunResult& result, const RunLimits& limits, bool retry) {
   }
 }
 
-// Whether a study's folder may contain this name; other entries belong to the user.
-bool is_known_entry(const std::string& name) {
-  for (const char* known : {"study.yaml", "runs", "table.csv", "convergence.csv", "summary.md", "plots"})
-    if (name == known) return true;
-  return name.starts_with(".");
+// Whether a study's folder may contain this name; other entries belong to the user, and so do tables without runs.
+bool is_known_entry(const std::string& name, bool has_runs) {
+  if (has_runs)
+    for (const char* known : {"runs", "table.csv", "convergence.csv", "summary.md", "plots"})
+      if (name == known) return true;
+  return name == "study.yaml" || name.starts_with(".");
 }
 
 // Creates the folder with its subfolders and returns its absolute path. \throws InputError if it belongs to something
@@ -149,8 +150,9 @@ std::string prepared(const std::string& path) {
   if (fs::exists(absolute, error) && !fs::is_directory(absolute, error))
     throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
                       path);
+  const bool has_runs = fs::is_directory(fs::path(absolute) / "runs", error);
   for (const fs::directory_entry& entry : fs::directory_iterator(absolute, error))
-    if (const std::string name = entry.path().filename().string(); !is_known_entry(name))
+    if (const std::string name = entry.path().filename().string(); !is_known_entry(name, has_runs))
       throw_input_error("{}: holds {}, which no study has written; choose another folder with -o", path,
                         name);
   fs::create_directories(fs::path(absolute) / "runs", error);
@@ -194,6 +196,10 @@ bool run_study(const Study& study, const std::vector<StudyRun>& runs, const Stud
   // The executable of this process, even if its file has been replaced meanwhile: all runs of a study use one build.
   const std::string program = settings.program.empty() ? "/proc/self/exe" : settings.program;
   const std::string machine = machine_text();
+  // A folder that must not be replaced is told before hours are spent on the runs before it.
+  for (const StudyRun& run : runs)
+    if (const std::string place = folder.run_folder(run); fs::exists(place) && is_due(folder.result_of(run), limits, settings.retry))
+      OutputFolder(place, true);
   std::vector<std::unique_ptr<ActiveRun>> active;
   for (std::size_t next = 0; next < runs.size() || !active.empty();) {
     if (observer.stop_requested()) return false;

@@ -63,7 +63,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, EveryCommandHelps) {
-  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "config"}) {
+  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "self-test", "study", "config"}) {
     SCOPED_TRACE(command);
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -85,7 +85,7 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, study, generate, apply, inspect, curvature, check-gradient, config"});
+  expect_refused({}, {"a command is missing", "match, run, study, generate, apply, inspect, curvature, check-gradient, self-test, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
   expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});
@@ -140,6 +140,24 @@ TEST_F(Cli, MissingShapesAreNamed) {
   expect_refused({"apply", "none", "none.ply", "-o", "moved.ply"}, {"none"}, folder_.string());
   expect_refused({"inspect", "generate:hnad"}, {"hnad", "hand"}, folder_.string());
   EXPECT_EQ(n_files(), 0u) << "something was written";
+}
+
+// Newton's matrix is kept in single precision, which has no room for such weights; another method goes on.
+TEST_F(Cli, WhatIsNotFiniteIsNamed) {
+  const Words words{"match", "generate:circle", "generate:ellipse", "-o", "out", "--levels", "3:3", "--align", "none"};
+  Words weighted = words;
+  weighted.insert(weighted.end(), {"--set", "cascade.nu=1e-60", "--set", "solver.stop.max_iterations=3"});
+  const ProgramResult result = run_program(weighted, folder_.string());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  expect_contains(result.err, "newton gave up");
+  expect_contains(result.err, "the Newton model of the term match is not finite in the cell of side 0.125 at (");
+  expect_contains(result.err, ", at the point (");
+  Words infinite = words;
+  infinite[4] = "infinite";
+  infinite.insert(infinite.end(), {"--set", "cascade.nu=1e-320"});
+  const ProgramResult refused = run_program(infinite, folder_.string());
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  expect_contains(refused.err, "the value of the term match is not finite in the cell of side 0.125 at (");
 }
 
 TEST_F(Cli, CurvatureWritesItsFolder) {

@@ -124,6 +124,40 @@ TEST(ForeignFiles, AChangedStudyRemovesNoFileOfTheUser) {
   EXPECT_EQ(run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"}).exit_code, 0);
 }
 
+// Before any run: hours may lie between the first and the one that may not be replaced.
+TEST(ForeignFiles, AChangedStudySaysFirstWhatItMayNotReplace) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml", fmt::format(study_text, 0.001));
+  ASSERT_EQ(run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q"}).exit_code, 0);
+  put(tmp / "o/runs/leaf-lbfgs-r1/thesis", "years of work");
+  const std::string before = contents_of(tmp / "o/runs/leaf-newton-r1/result.json");
+  put(tmp / "s.yaml", fmt::format(study_text, 0.002));
+  const ProgramResult result = run_program({"study", tmp / "s.yaml", "-o", tmp / "o"});
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  EXPECT_TRUE(has(result.err, "'thesis'")) << result.err;
+  EXPECT_FALSE(has(result.err, "leaf-newton-r1 ...")) << result.err;
+  EXPECT_EQ(contents_of(tmp / "o/runs/leaf-newton-r1/result.json"), before);
+}
+
+TEST(ForeignFiles, AStudyReplacesNoTablesWhereNoStudyHasRun) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml", fmt::format(study_text, 0.001));
+  for (const char* file : {"summary.md", "table.csv", "study.yaml"}) {
+    SCOPED_TRACE(file);
+    fs::create_directories(tmp / "mine");
+    put(tmp / ("mine/" + std::string(file)), "years of work");
+    const ProgramResult result = run_program({"study", tmp / "s.yaml", "-o", tmp / "mine", "-q"});
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_TRUE(has(result.err, file)) << result.err;
+    EXPECT_EQ(contents_of(tmp / ("mine/" + std::string(file))), "years of work");
+    fs::remove_all(tmp / "mine");
+  }
+  // The study's own file may lie where its results go.
+  fs::create_directories(tmp / "own");
+  fs::copy_file(tmp / "s.yaml", tmp / "own/study.yaml");
+  EXPECT_EQ(run_program({"study", tmp / "own/study.yaml", "-o", tmp / "own", "-q"}).exit_code, 0);
+}
+
 TEST(ForeignFiles, OneDamagedSummaryDoesNotHideTheOthers) {
   const TemporaryFolder tmp;
   put(tmp / "s.yaml", fmt::format(study_text, 0.001));
@@ -238,6 +272,18 @@ TEST(ForeignFiles, WantOfMemoryIsToldAsSuch) {
 // The rights of root that go beyond those of a file's owner are given up; others have none.
 bool obey_permissions() {
   return geteuid() != 0 || (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0);
+}
+
+TEST(ForeignFiles, AFolderThatCannotBeLookedIntoIsRefusedBeforeAnyWork) {
+  const TemporaryFolder tmp;
+  fs::create_directories(tmp / "o");
+  put(tmp / "o/thesis", "years of work");
+  fs::permissions(tmp / "o", fs::perms(0300));
+  const ProgramResult result = run_in_child(match(tmp / "o"), obey_permissions);
+  fs::permissions(tmp / "o", fs::perms(0755));
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_TRUE(has(result.err, "cannot be looked into")) << result.err;
+  EXPECT_FALSE(has(result.err, "level 3")) << result.err;
 }
 
 // As a mount point is, which cannot be renamed either (is_mount_point() has a test of its own).

@@ -100,7 +100,7 @@ std::atomic<bool> stop_is_wanted = false;
 
 // Within a loop too: one chunk may take long, but not all that are left.
 TEST_F(Parallel, LoopsEndWhereAStopIsWanted) {
-  stop_loops_when([] { return stop_is_wanted.load(); });
+  stop_loops_when([] { return stop_is_wanted ? StopCause::time_limit : StopCause::none; });
   for (const int threads : {1, 2}) {
     set_n_threads(threads);
     std::atomic<std::size_t> done = 0;
@@ -110,7 +110,12 @@ TEST_F(Parallel, LoopsEndWhereAStopIsWanted) {
     done = 0;
     EXPECT_THROW(parallel_for(1000, [&](std::size_t) { stop_is_wanted = ++done >= 10; }, 1), Stopped);
     EXPECT_LT(done, 20u) << threads << " threads";
-    EXPECT_THROW(parallel_for(1, [](std::size_t) {}), Stopped);
+    try {
+      parallel_for(1, [](std::size_t) {});
+      ADD_FAILURE() << "the loop went on";
+    } catch (const Stopped& stopped) {
+      EXPECT_EQ(stopped.cause(), StopCause::time_limit);
+    }
   }
   stop_loops_when(nullptr);
   EXPECT_NO_THROW(parallel_for(1, [](std::size_t) {}));

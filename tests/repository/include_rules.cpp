@@ -31,6 +31,7 @@ const std::vector<Adapter>& adapter_table() {
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
       {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
+      {"libpng", {"png.h"}, {"geometry/io/*png*.cpp"}},
       {"zlib", {"zlib"}, {"matching/map_file/zlib_*.cpp"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},

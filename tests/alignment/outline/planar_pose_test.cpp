@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +33,7 @@ TEST(PlanarPose, OfMovedPointsIsTheMotion) {
       for (const double scale : {1.0, 2.5}) {
         const Similarity<2> pose = motion(angle, scale, mirror);
         const Similarity<2> found =
-            fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity, mirror);
+            fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity, mirror ? Mirroring::always : Mirroring::never);
         EXPECT_NEAR(found.scale, scale, 1e-12);
         EXPECT_LT((found.rotation - pose.rotation).norm(), 1e-12);
         EXPECT_LT((found.offset - pose.offset).norm(), 1e-11);
@@ -65,6 +66,18 @@ TEST(PlanarPose, HasLeastSquaresAmongItsNeighbours) {
       EXPECT_GT(cost(other), cost(found));
     }
   }
+}
+
+TEST(PlanarPose, AMirrorOnlyWhereItIsAllowedAndThere) {
+  for (const bool mirror : {false, true}) {
+    const Similarity<2> pose = motion(0.7, 1, mirror);
+    const Similarity<2> found = fit_planar_pose(moved_points(pose), PoseKind::rigid, Mirroring::allowed);
+    EXPECT_LT((found.rotation - pose.rotation).norm(), 1e-12);
+    EXPECT_GT(fit_planar_pose(moved_points(pose), PoseKind::rigid, Mirroring::never).rotation.determinant(), 0);
+  }
+  // Points on a line are their own mirror image.
+  const std::vector<CorrespondingPointsIn<2>> line{{{0, 0}, {0, 0}, 1}, {{1, 0}, {0, 1}, 1}, {{2, 0}, {0, 2}, 1}};
+  EXPECT_GT(fit_planar_pose(line, PoseKind::rigid, Mirroring::allowed).rotation.determinant(), 0);
 }
 
 TEST(PlanarPose, NeedsTwoPointsApart) {

@@ -118,7 +118,7 @@ TEST(FindPairs, AMirroredShapeIsFoundWhereMirrorsAreAllowed) {
   const AutomaticPairs found = find_pairs(hand(), mirrored, options);
   EXPECT_TRUE(found.candidates[0].is_mirrored);
   EXPECT_LT(share_beyond(0.01, found, mirrored.vertices), 0.01);
-  EXPECT_TRUE(fit_pose(found.pairs(), PoseKind::similarity, true).is_mirrored());
+  EXPECT_TRUE(fit_pose(found.pairs(), PoseKind::similarity, Mirroring::allowed).is_mirrored());
   EXPECT_FALSE(find_pairs(hand(), turned(hand()), options).candidates[0].is_mirrored);
 }
 

@@ -77,10 +77,10 @@ TEST(FitPose, AMirrorOnlyWhereItIsAllowedAndThere) {
   const Pose proper = fit_pose(pairs, PoseKind::rigid);
   EXPECT_FALSE(proper.is_mirrored());
   EXPECT_GT(proper.residual, 0.1);
-  const Pose mirrored = fit_pose(pairs, PoseKind::rigid, true);
+  const Pose mirrored = fit_pose(pairs, PoseKind::rigid, Mirroring::allowed);
   EXPECT_TRUE(mirrored.is_mirrored());
   expect_near(mirrored, motion, 1e-12);
-  EXPECT_FALSE(fit_pose(pairs_of({}, 50), PoseKind::rigid, true).is_mirrored());
+  EXPECT_FALSE(fit_pose(pairs_of({}, 50), PoseKind::rigid, Mirroring::allowed).is_mirrored());
 }
 
 TEST(FitPose, PointsInAPlaneAreEnoughThoseOnALineAreNot) {

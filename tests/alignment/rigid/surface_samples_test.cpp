@@ -1,4 +1,4 @@
-// Moments, samples and the isoperimetric quotient against closed forms.
+// Moments and samples against closed forms.
 #include "alignment/rigid/surface_samples.h"
 #include "base/error.h"
 #include "geometry/generate/round.h"
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace shellmatch {
 namespace {
@@ -48,17 +47,6 @@ TEST(NormalizedSurface, SamplesLieOnItEverywhere) {
   }
   EXPECT_LT(mean.norm(), 0.01);
   EXPECT_LT((second - Mat<3>::Identity() / 3).norm(), 0.01);
-}
-
-TEST(IsoperimetricQuotient, IsThatOfTheFormulas) {
-  Surface<3> sphere = geodesic_sphere(40);
-  EXPECT_NEAR(isoperimetric_quotient(sphere), 1, 2e-3);
-  EXPECT_LT(isoperimetric_quotient(sphere), 1);
-  for (Vec<3>& x : sphere.vertices) x.x() *= 2;
-  const double e = std::sqrt(0.75), volume = 8 * std::numbers::pi / 3, area = 2 * std::numbers::pi * (1 + 2 / e * std::asin(e));
-  EXPECT_NEAR(isoperimetric_quotient(sphere), 36 * std::numbers::pi * volume * volume / std::pow(area, 3), 2e-3);
-  EXPECT_NEAR(isoperimetric_quotient(test::box(Vec<3>::Zero(), 3 * Vec<3>::Ones())), std::numbers::pi / 6, 1e-12);
-  EXPECT_THROW(isoperimetric_quotient({{Vec<3>::Zero()}, {{0, 0, 0}}}), InputError);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "matching/alignment/choose_start.h"
 
-#include "matching/alignment/trial.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/shape_source.h"
 #include "matching/result/correspondence.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace shellmatch {
 namespace {
@@ -60,18 +60,25 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
   return start;
 }
 
+template <int Dim>
+StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin, const ExperimentOptions& options) {
+  Observer quiet;
+  const std::vector<Landmark<Dim>> no_landmarks;
+  Trials<Dim> trials(shapes, no_landmarks, options, quiet);
+  return choose_start<Dim>({starts, margin}, options.align, trials);
+}
+
 TEST(ChooseStart, TheEnergyChoosesAmongScoresThatAreClose) {
   const ShapePair<3> hands = generated<3>("hand", "hand/bent");
-  Observer quiet;
   const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.30), right = hand_start(hands, {}, 0.33);
-  const StartChoice choice = choose_start<3>(hands, {wrong, right}, 1.1, {}, quick(), quiet);
+  const StartChoice choice = choice_of<3>(hands, {wrong, right}, 1.1, quick());
   EXPECT_EQ(choice.index, 1u);
   EXPECT_EQ(choice.n_tried, 2u);
   EXPECT_GT(choice.margin, 1.2);
   // A score that is clear enough is believed.
   ExperimentOptions o = quick();
   o.align.clear_margin = 1.05;
-  const StartChoice by_score = choose_start<3>(hands, {wrong, right}, 1.1, {}, o, quiet);
+  const StartChoice by_score = choice_of<3>(hands, {wrong, right}, 1.1, o);
   EXPECT_EQ(by_score.index, 0u);
   EXPECT_EQ(by_score.n_tried, 0u);
   EXPECT_EQ(by_score.margin, 1.1);
@@ -79,50 +86,107 @@ TEST(ChooseStart, TheEnergyChoosesAmongScoresThatAreClose) {
 }
 
 TEST(ChooseStart, WhatLiesAsItBelongsStaysUnlessAnotherPoseIsClearlyBetter) {
-  Observer quiet;
   Start<3> turned;
   turned.n_pairs = 100;
   turned.score = 0.1;
   const ShapePair<3> boxes = generated<3>("sphere", "box/cube");
   turned.alignment.pose = half_turn(boxes, 0);
-  EXPECT_TRUE(choose_start<3>(boxes, {turned}, 2, {}, quick(), quiet).as_it_lies);
+  EXPECT_TRUE(choice_of<3>(boxes, {turned}, 2, quick()).as_it_lies);
   const ShapePair<3> dolphins = generated<3>("dolphin", "dolphin/reversed");
   turned.alignment.pose = half_turn(dolphins, 2);
-  EXPECT_FALSE(choose_start<3>(dolphins, {turned}, 2, {}, quick(), quiet).as_it_lies);
+  EXPECT_FALSE(choice_of<3>(dolphins, {turned}, 2, quick()).as_it_lies);
   // What began as the shapes lie is not compared with them.
   turned.is_identity = true;
-  EXPECT_FALSE(choose_start<3>(boxes, {turned}, 2, {}, quick(), quiet).as_it_lies);
+  EXPECT_FALSE(choice_of<3>(boxes, {turned}, 2, quick()).as_it_lies);
+}
+
+/// A start in the plane that is as good as its score says, of the shapes as they lie.
+Start<2> scored(double score, std::size_t n_pairs = 100) {
+  Start<2> start;
+  start.score = score;
+  start.n_pairs = n_pairs;
+  start.is_identity = true;
+  return start;
+}
+
+TEST(ChooseStart, TooFewPairsAreNeverChosenAndHideNothing) {
+  const ShapePair<2> circles = generated<2>("circle", "ellipse");
+  const StartChoice choice = choice_of<2>(circles, {scored(0.1, 3), scored(0.5)}, 5, quick());
+  EXPECT_EQ(choice.index, 1u);
+  EXPECT_FALSE(choice.is_doubtful);
+  EXPECT_TRUE(choice_of<2>(circles, {scored(0.1, 3), scored(0.5, 9)}, 5, quick()).is_doubtful);
+}
+
+TEST(ChooseStart, ThePreferredFirstIsTriedWithThoseThatScoreAsWell) {
+  const ShapePair<2> circles = generated<2>("circle", "ellipse");
+  // Both are the same start: the one that is preferred stays, though its score is a little larger.
+  Start<2> other = scored(0.50);
+  other.is_identity = false;
+  const StartChoice choice = choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, quick());
+  EXPECT_EQ(choice.index, 0u);
+  EXPECT_EQ(choice.n_tried, 2u);
+  ExperimentOptions o = quick();
+  o.align.clear_margin = 1;  // the score alone
+  EXPECT_EQ(choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, o).n_tried, 0u);
 }
 
 TEST(Trial, ReportsEnergyAndCoverage) {
   Observer quiet;
   const ShapePair<3> hands = generated<3>("hand", "hand/bent");
-  const Trial none = try_start<3>(hands, {}, {}, quick(), quiet), right = try_start(hands, hand_start(hands, {}, 1).alignment, {}, quick(), quiet);
+  const std::vector<Landmark<3>> no_landmarks;
+  const ExperimentOptions o = quick();
+  Trials<3> trials(hands, no_landmarks, o, quiet);
+  const Trial none = trials.as_they_lie(), right = trials(hand_start(hands, {}, 1).alignment);
   EXPECT_EQ(none.energy, none.with_pairs);
   EXPECT_GT(right.with_pairs, right.energy);
   EXPECT_GT(right.energy, 0);
-  EXPECT_LT(right.uncovered, 0.02);
+  EXPECT_LT(right.template_distance, 0.02);
 }
 
-TEST(Trial, AStartThatLeavesTheDomainIsNone) {
+class TrialOfCircles : public ::testing::Test {
+ protected:
+  Trial tried(const Alignment<2>& start, const ExperimentOptions& options, Observer& observer) {
+    return Trials<2>(circles_, {}, options, observer)(start);
+  }
+  const ShapePair<2> circles_ = generated<2>("circle", "ellipse");
+};
+
+TEST_F(TrialOfCircles, AStartThatLeavesTheDomainIsNone) {
   ExperimentOptions o = quick();
   o.input.placement = PlacementKind::as_is;
   Observer quiet;
   Alignment<2> far;
   far.pose.offset = Vec<2>(5, 0);
-  const ShapePair<2> circles = generated<2>("circle", "ellipse");
-  EXPECT_TRUE(std::isinf(try_start(circles, far, {}, o, quiet).with_pairs));
-  EXPECT_TRUE(std::isfinite(try_start<2>(circles, {}, {}, o, quiet).with_pairs));
+  EXPECT_TRUE(std::isinf(tried(far, o, quiet).with_pairs));
+  EXPECT_TRUE(std::isfinite(tried({}, o, quiet).with_pairs));
+}
+
+struct Counting final : Observer {
+  void trial_iterated() override { ++n; }
+  bool iterated(const LevelStart&, const IterationRecord&) override { throw std::logic_error("a trial is no level of the run"); }
+  int n = 0;
+};
+
+TEST_F(TrialOfCircles, OptionsOfItsLevelsDoNotMakeItLonger) {
+  ExperimentOptions o = quick();
+  o.solver.levels.entries.push_back({1, 15, {}});
+  o.solver.levels.entries.back().set("name", {std::string("fletcher_reeves")});
+  o.solver.levels.entries.back().set("stop.max_iterations", {5000});
+  o.solver.levels.entries.back().set("stop.relative_decrease", {0.0});
+  Counting counting;
+  tried({}, o, counting);
+  EXPECT_GT(counting.n, 20);
+  EXPECT_LE(counting.n, 80 * 2 * o.cascade.nu_substeps);
 }
 
 struct Stopped {};
 struct Stopping final : Observer {
-  void stage(const std::string&) override { throw Stopped(); }
+  void trial_iterated() override { throw Stopped(); }
 };
 
-TEST(Trial, CanBeStopped) {
+TEST_F(TrialOfCircles, CanBeStopped) {
   Stopping stopping;
-  EXPECT_THROW(try_start<2>(generated<2>("circle", "ellipse"), {}, {}, quick(), stopping), Stopped);
+  EXPECT_THROW(tried({}, quick(), stopping), Stopped);
 }
 
 }  // namespace

@@ -193,6 +193,29 @@ TEST(OutputFolderTest, OfAResultThatWasSetAsideOnlyFilesOfTheRunGo) {
   EXPECT_EQ(tmp.entries(), (Names{".run.partial-1.old", ".run.partial-1.old/thesis", "run", "run/files.json", "run/summary.json"}));
 }
 
+// A kill while a folder was filled in place: some of the new result's files are there, and the earlier one is set aside.
+TEST(OutputFolderTest, AnEarlierResultStaysUntilAWholeOneHasItsPlace) {
+  const TemporaryFolder tmp;
+  write_output(tmp / "run", {"summary.json", "pictures/a.png"});
+  write_output(tmp / ".run.partial-1.old", {"summary.json"});
+  std::filesystem::remove(tmp / "run/summary.json");
+  EXPECT_FALSE(holds_result(tmp / "run"));
+  remove_leftovers(tmp / "run");
+  EXPECT_TRUE(std::filesystem::exists(tmp / ".run.partial-1.old/summary.json"));
+  put(tmp / "run/summary.json", "whatever it holds");
+  EXPECT_TRUE(holds_result(tmp / "run"));
+  remove_leftovers(tmp / "run");
+  EXPECT_FALSE(std::filesystem::exists(tmp / ".run.partial-1.old"));
+}
+
+TEST(OutputFolderTest, ALinkThatLeadsNowhereIsRefusedBeforeAnyWork) {
+  const TemporaryFolder tmp;
+  std::filesystem::create_symlink(tmp / "nowhere", tmp / "run");
+  const std::string message = message_of<InputError>([&] { OutputFolder(tmp / "run", true); });
+  EXPECT_NE(message.find("a link that leads nowhere"), std::string::npos) << message;
+  EXPECT_EQ(tmp.entries(), Names{"run"});
+}
+
 TEST(OutputFolderTest, TheListNamesEveryFileWithItsChecksum) {
   const TemporaryFolder tmp;
   write_output(tmp / "run", {"summary.json", "pictures/a.png"});

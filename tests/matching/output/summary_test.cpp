@@ -38,6 +38,7 @@ MatchSummary some_summary() {
   s.levels = {level, level};
   s.levels[1].distance = s.distance;
   s.run = {"gcc 12", 2, 12.5, {{"reading", 0.5}, {"level", 12}}, {1.5, 11}, std::uint64_t{1} << 40, {}};
+  s.run.level_memory_estimates = {1.5e6, 3e6};
   return s;
 }
 
@@ -62,6 +63,8 @@ TEST(SummaryTest, ParsesBackToTheSameText) {
   EXPECT_EQ(back.run.peak_memory_bytes, s.run.peak_memory_bytes);
   EXPECT_EQ(back.reference.notes, s.reference.notes);
   EXPECT_FALSE(back.run.resumed_after);
+  EXPECT_EQ(back.run.level_memory_estimates, s.run.level_memory_estimates);
+  EXPECT_FALSE(back.run.level_memory_peaks);
 }
 
 TEST(SummaryTest, WhatDiffersBetweenRunsIsUnderOneKeyAtTheEnd) {

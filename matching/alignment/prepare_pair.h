@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// What happens to two shapes before a matching: direction, alignment, placement.
+
+#include "matching/alignment/align_shapes.h"
+
+#include <optional>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+struct PreparedPair {
+  std::optional<DirectionSummary> direction;  ///< none where nothing had to be found out
+  Alignment<Dim> alignment;                   ///< its pose has moved the shape that is deformed
+  Similarity<Dim> placement;                  ///< has moved both after that
+
+  bool is_backward() const { return direction && direction->backward; }
+};
+
+/// Landmarks of the shapes in the other order.
+template <int Dim>
+std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks);
+
+/// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and moves both
+/// surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
+/// \throws InputError as align_shapes and ShapePair::place
+template <int Dim>
+PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+                               Observer& observer);
+
+}  // namespace shellmatch

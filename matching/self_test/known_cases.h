@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// The groups of the self-test (matching/self_test/self_test.h). What each compares can be replaced, so that a test can plant an
+/// error.
+
+#include "energies/assembly/folds.h"
+#include "geometry/surface/placement.h"
+#include "matching/derivative_check/gradient_report.h"
+#include "matching/self_test/self_check.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace shellmatch {
+
+/// Distances and curvatures of built-in shapes against their formulas, and the density W on multiples of rotations.
+std::vector<SelfCheck> check_closed_forms();
+
+/// Orders of Taylor remainders, and gradients against dual numbers.
+template <int Dim>
+std::vector<SelfCheck> check_gradients();
+/// The checks of one report.
+std::vector<SelfCheck> checks_of(const GradientReport& report);
+
+template <int Dim>
+using BoundsOfDeterminants = std::function<std::vector<DeterminantBounds>(std::span<const Element<Dim>>, std::span<const Vec<Dim>>)>;
+
+/// Random cells, some folded: a bound must lie below det Dphi wherever that is looked at, and be exact where phi is affine.
+template <int Dim>
+std::vector<SelfCheck> check_fold_certificates(const BoundsOfDeterminants<Dim>& bounds = determinant_bounds<Dim>);
+
+/// Matches an ellipse (ellipsoid) onto its own image under a similarity, which is then the true map.
+/// \param truth where the vertices must end
+template <int Dim>
+std::vector<SelfCheck> check_match(const Similarity<Dim>& motion, const Similarity<Dim>& truth);
+/// The motion that the self-test uses.
+template <int Dim>
+Similarity<Dim> self_test_motion();
+
+}  // namespace shellmatch

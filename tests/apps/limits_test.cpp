@@ -1,0 +1,209 @@
+// --max-seconds and --max-memory, kept by the program; what a second signal does.
+
+#include "apps/process/interrupt.h"
+#include "apps/process/limits.h"
+#include "matching/output/summary.h"
+#include "tests/apps/cli_harness.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+namespace shellmatch {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::contents_of;
+using testing::put;
+using testing::TemporaryFolder;
+using Words = std::vector<std::string>;
+using Clock = std::chrono::steady_clock;
+
+Words match(const std::string& out, const std::string& levels, const Words& more = {}) {
+  Words words{"match", "generate:sphere", "generate:ellipsoid/long", "-o", out, "--levels", levels, "--align", "none",
+              "--set", "resume.min_seconds=0", "--set", "pictures=none"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string last_line(const std::string& text) {
+  const std::size_t begin = text.rfind('\n', text.size() - 2);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1);
+}
+
+TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
+  const TemporaryFolder tmp;
+  const auto begin = Clock::now();
+  const ProgramResult stopped = run_program(match(tmp / "o", "2:7", {"--max-seconds", "3"}));
+  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(6));
+  EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
+  const std::string told = last_line(stopped.err);
+  EXPECT_TRUE(has(told, "--max-seconds 3 is over: stopped in level")) << told;
+  EXPECT_TRUE(has(told, "o.unfinished: the same command goes on from there")) << told;
+  ASSERT_TRUE(fs::exists(tmp / "o.unfinished/state.json"));
+  EXPECT_FALSE(fs::exists(tmp / "o"));
+  const ProgramResult resumed = run_program(match(tmp / "o", "2:7", {"--max-seconds", "1"}));
+  EXPECT_EQ(resumed.exit_code, 4);
+  EXPECT_TRUE(has(resumed.err, "going on after level")) << resumed.err;
+}
+
+TEST(Limits, ALevelThatDoesNotFitIsNotBegun) {
+  const TemporaryFolder tmp;
+  const ProgramResult stopped = run_program(match(tmp / "o", "3:7", {"--max-memory", "180MB"}));
+  EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
+  const std::string told = last_line(stopped.err);
+  EXPECT_TRUE(has(told, "--max-memory 180MB does not suffice: level ") && has(told, " would need about ") && has(told, "give more")) << told;
+  EXPECT_TRUE(has(told, "is kept in")) << told;
+  EXPECT_FALSE(fs::exists(tmp / "o"));
+  const MatchSummary kept = read_summary(tmp / "o.unfinished/summary.json");
+  EXPECT_LT(kept.run.peak_memory_bytes, 180000000u);
+  ASSERT_TRUE(kept.run.level_memory_estimates && kept.run.level_memory_peaks);
+  EXPECT_EQ(kept.run.level_memory_estimates->size(), kept.levels.size());
+  // What cannot suffice for any level is refused before the first.
+  const ProgramResult refused = run_program(match(tmp / "p", "3:9", {"--max-memory", "180MB"}));
+  EXPECT_EQ(refused.exit_code, 4) << refused.err;
+  EXPECT_TRUE(has(refused.err, "level 9 would need at least") && has(refused.err, "nothing was written")) << refused.err;
+}
+
+// Of every level, not of the finest alone, which needs no new nodes of the shapes' own grids.
+TEST(Limits, EstimatesAreWithinThirtyPercentOfThePeak) {
+  struct Case {
+    const char *reference, *template_shape, *levels;
+  };
+  for (const Case& c : {Case{"generate:sphere", "generate:ellipsoid/long", "3:6"}, Case{"generate:hand", "generate:hand/bent", "3:5"},
+                        Case{"generate:circle", "generate:ellipse/long", "4:9"}}) {
+    SCOPED_TRACE(c.reference);
+    const TemporaryFolder tmp;
+    const ProgramResult run = run_program({"match", c.reference, c.template_shape, "-o", tmp / "o", "--levels", c.levels, "--align", "none",
+                                           "-q", "--set", "pictures=none", "--set", "solver.stop.max_iterations=2"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const MatchSummary s = read_summary(tmp / "o/summary.json");
+    const std::vector<double> estimates = s.run.level_memory_estimates.value(), peaks = s.run.level_memory_peaks.value();
+    ASSERT_EQ(estimates.size(), s.levels.size());
+    ASSERT_EQ(peaks.size(), s.levels.size());
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+      EXPECT_GT(estimates[i], 0.77 * peaks[i]) << i;
+      EXPECT_LT(estimates[i], 1.3 * peaks[i]) << i;
+    }
+  }
+}
+
+TEST(Limits, EveryCommandKeepsThem) {
+  const TemporaryFolder tmp;
+  const auto expect_in_time = [&](const Words& words) {
+    SCOPED_TRACE(words[0]);
+    const auto begin = Clock::now();
+    const ProgramResult result = run_program(words);
+    EXPECT_LT(Clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    EXPECT_TRUE(has(result.err, "--max-seconds")) << result.err;
+  };
+  expect_in_time({"curvature", "generate:sphere", "-o", tmp / "c", "--levels", "3:8", "--max-seconds", "1"});
+  expect_in_time({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-seconds", "0.05"});
+  expect_in_time({"self-test", "--max-seconds", "0.5"});
+  put(tmp / "e.yaml", "input: {reference: 'generate:sphere', template: 'generate:ellipsoid'}\ncascade: {max_level: 7}\n");
+  expect_in_time({"check-gradient", tmp / "e.yaml", "--level", "7", "--max-seconds", "1"});
+  EXPECT_EQ(tmp.entries(), Words{"e.yaml"});
+}
+
+TEST(Limits, AStudyKeepsItsResults) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml",
+      "version: 1\nproblems: {leaf: {set: {input: {reference: 'generate:sphere', template: 'generate:ellipsoid/long'}, "
+      "cascade: {min_level: 3, max_level: 6}}}}\nsolvers: [newton]\n");
+  const auto begin = Clock::now();
+  const ProgramResult stopped = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q", "--max-seconds", "1"});
+  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(4));
+  EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
+  EXPECT_TRUE(has(stopped.err, "--max-seconds 1 is over: stopped; the same command goes on where it was")) << stopped.err;
+  // The runs share the memory; one that needs more is ended, which is its result.
+  const ProgramResult small = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "--max-memory", "60MB"});
+  EXPECT_EQ(small.exit_code, 0) << small.err;
+  EXPECT_TRUE(has(small.err, "out_of_memory")) << small.err;
+}
+
+TEST(Limits, ResidentMemoryIsWatchedWhereNothingIsForeseen) {
+  const TemporaryFolder tmp;
+  const ProgramResult result = run_program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-memory", "30MB"});
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  EXPECT_TRUE(has(result.err, "--max-memory 30MB does not suffice: stopped; nothing was written")) << result.err;
+  EXPECT_EQ(tmp.entries(), Words{});
+}
+
+// In a process of its own.
+TEST(Limits, AllocationsFarBeyondFail) {
+  const auto allocate = [](const std::string& limit) {
+    const KeptLimits limits({"", limit}, KeptLimits::Memory::of_process);
+    try {
+      const std::vector<char> large(std::size_t{1} << 30);
+      _exit(large.empty() ? 2 : 0);
+    } catch (const std::bad_alloc&) {
+      _exit(1);
+    }
+  };
+  EXPECT_EXIT(allocate("4GB"), ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(allocate("100MB"), ::testing::ExitedWithCode(1), "");
+}
+
+TEST(Limits, TextsThatAreNoneAreRefused) {
+  for (const Words& words : {Words{"--max-memory", "4"}, Words{"--max-memory", "many"}, Words{"--max-memory", "-1GB"},
+                             Words{"--max-memory", "1e30GB"}, Words{"--max-seconds", "0"}, Words{"--max-seconds", "5s"},
+                             Words{"--max-seconds", "nan"}}) {
+    const ProgramResult result = run_program({"config", words[0] + "=" + words[1]});
+    EXPECT_EQ(result.exit_code, 2) << words[1];
+    EXPECT_TRUE(has(result.err, words[0] + " " + words[1] + ": expected a number")) << result.err;
+  }
+  EXPECT_EQ(run_program({"config", "--max-memory", "1GB", "--max-seconds", "600"}).exit_code, 0);
+}
+
+// In a process of its own.
+TEST(Signals, ASecondOneOfAnyKindEndsTheProgram) {
+  const auto after = [](int first, int second) {
+    catch_interrupts();
+    raise(first);
+    if (!interrupt_requested()) _exit(1);
+    raise(second);
+    _exit(0);
+  };
+  EXPECT_EXIT(after(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+  EXPECT_EXIT(after(SIGTERM, SIGINT), ::testing::KilledBySignal(SIGINT), "");
+  EXPECT_EXIT(after(SIGHUP, SIGHUP), ::testing::KilledBySignal(SIGHUP), "");
+}
+
+TEST(Signals, OneThatIsIgnoredStaysIgnored) {
+  const auto ignored = [](int signal) {
+    std::signal(signal, SIG_IGN);
+    catch_interrupts();
+    raise(signal);
+    _exit(interrupt_requested() ? 1 : 0);
+  };
+  EXPECT_EXIT(ignored(SIGHUP), ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(ignored(SIGINT), ::testing::ExitedWithCode(0), "");
+}
+
+TEST(Signals, TheEndOfTheTerminalStopsARunInOrder) {
+  const TemporaryFolder tmp;
+  Program program(match(tmp / "o", "3:7"));
+  ASSERT_TRUE(program.wait_for_stderr("level 4/7"));
+  program.send_signal(SIGHUP);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 129) << stopped.err;
+  EXPECT_TRUE(has(stopped.err, "goes on from there")) << stopped.err;
+}
+
+TEST(Signals, AShapeThatIsBeingMadeIsGivenUpInOrder) {
+  const TemporaryFolder tmp;
+  Program program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  program.send_signal(SIGTERM);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 143);
+  EXPECT_TRUE(has(stopped.err, "stopped; nothing was written")) << stopped.err;
+  EXPECT_EQ(tmp.entries(), Words{});
+}
+
+}  // namespace
+}  // namespace shellmatch

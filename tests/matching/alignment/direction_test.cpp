@@ -1,0 +1,152 @@
+// A matching that is solved from template to reference gives the inverse map back, in results, files and `apply`.
+
+#include "matching/alignment/prepare_pair.h"
+
+#include "geometry/repair/make_shape.h"
+#include "matching/experiment/generated_source.h"
+#include "matching/experiment/shape_source.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/match_shapes.h"
+#include "matching/result/correspondence.h"
+#include "matching/write_result.h"
+#include "tests/matching/output/temporary_folder.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace shellmatch {
+namespace {
+
+using testing::TemporaryFolder;
+
+template <int Dim>
+Shape<Dim> generated(const std::string& name) { return std::get<Shape<Dim>>(open_shape("generate:" + name)); }
+
+ExperimentOptions options_to(int level, MatchDirection direction) {
+  ExperimentOptions o = profile_defaults(Profile::standard);
+  o.cascade.max_level = level;
+  o.align.direction = direction;
+  o.align.search.start_functions = 4;
+  o.align.search.functions = 60;
+  o.align.search.refined = 2;
+  return o;
+}
+
+/// Turned, moved and enlarged.
+template <int Dim>
+Shape<Dim> moved(const Shape<Dim>& shape, const Similarity<Dim>& by) {
+  OriginalShape<Dim> original;
+  original.vertices = shape.original.vertices;
+  original.polygons = shape.original.polygons;
+  for (Vec<Dim>& x : original.vertices) x = by(x);
+  return make_shape(std::move(original), "moved");
+}
+
+struct Notes final : Observer {
+  void note(const std::string& text) override { all += text + "\n"; }
+  std::string all;
+};
+
+TEST(MatchBackward, AHandEndsWhereItBelongsAlsoWhereTheTemplateIsTurnedAndLarger) {
+  const Shape<3> hand = generated<3>("hand");
+  const Similarity<3> by{20, Vec<3>(3, -7, 1), Eigen::AngleAxisd(3.0, Vec<3>(1, 0.4, -0.3).normalized()).toRotationMatrix()};
+  const Shape<3> target = moved(generated<3>("hand/bent"), by);
+  const double diagonal = bounding_box(target.original.vertices).diagonal();
+  Observer quiet;
+  const MatchResult<3> r = match_shapes(hand, target, options_to(5, MatchDirection::backward), quiet);
+  Correspondence<3> truth = generated_correspondence<3>("generate:hand", "generate:hand/bent");
+  for (auto& [vertex, place] : truth) place = by(place);
+  EXPECT_LT(correspondence_error(truth, r.deformed.vertices), 0.02 * diagonal);
+
+  ASSERT_TRUE(r.map.is_backward);
+  ASSERT_TRUE(r.summary.direction && r.summary.alignment);
+  EXPECT_TRUE(r.summary.direction->backward);
+  // The pose is that of the template onto the reference.
+  EXPECT_NEAR(r.summary.alignment->scale, 0.05, 0.005);
+  EXPECT_EQ(r.summary.reference.n_vertices, hand.surface.vertices.size());
+  EXPECT_LT(r.summary.distance->deformed_to_template.mean, 2e-3);
+  EXPECT_LT(r.summary.distance->template_to_deformed.mean, 2e-3);
+
+  // What is said about vertices is in the unit of the template.
+  const auto& attributes = r.deformed.attributes;
+  const auto distance = std::find_if(attributes.begin(), attributes.end(), [](const auto& a) { return a.name == "distance_to_template"; });
+  ASSERT_NE(distance, attributes.end());
+  const SignedDistance<3> to_target(target.surface);
+  for (std::size_t i = 0; i < r.deformed.vertices.size(); i += 97)
+    EXPECT_NEAR(distance->values[i], std::abs(to_target(r.deformed.vertices[i])), 1e-6 * diagonal) << i;
+  ASSERT_EQ(r.surfaces.deformed.vertices.size(), hand.surface.vertices.size());
+}
+
+TEST(MatchBackward, TheFileOfTheMapCarriesBothWays) {
+  const TemporaryFolder tmp;
+  const Shape<2> ellipse = generated<2>("ellipse/long"), circle = generated<2>("circle");
+  Observer quiet;
+  const ExperimentOptions o = options_to(6, MatchDirection::backward);
+  const MatchResult<2> r = match_shapes(ellipse, circle, o, quiet);
+  write_result_folder(r, o, tmp / "out");
+  const Deformation<2> read = read_deformation<2>(tmp / "out");
+  ASSERT_TRUE(read.is_backward);
+  const PointMap<2> there(read, Toward::template_shape), back(read, Toward::reference);
+  for (std::size_t i = 0; i < ellipse.original.vertices.size(); i += 7) {
+    const Vec<2>& x = ellipse.original.vertices[i];
+    const std::optional<Vec<2>> y = there(x);
+    ASSERT_TRUE(y);
+    EXPECT_LT((*y - r.deformed.vertices[i]).norm(), 1e-12);
+    EXPECT_LT((*back(*y) - x).norm(), 1e-11);
+  }
+  EXPECT_LT(r.summary.distance->deformed_to_template.max, 2e-3);
+}
+
+TEST(MatchBackward, LandmarksAreThoseOfTheShapesAsGiven) {
+  const Shape<2> ellipse = generated<2>("ellipse/long"), circle = generated<2>("circle");
+  const auto highest = [](const Shape<2>& shape, int axis) {
+    const auto& x = shape.original.vertices;
+    return *std::max_element(x.begin(), x.end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+  };
+  // It turns the circle by a quarter.
+  const std::vector<Landmark<2>> landmarks{{"tip", highest(circle, 0), highest(ellipse, 1)}};
+  Observer quiet;
+  ExperimentOptions o = options_to(5, MatchDirection::backward);
+  o.align.mode = AlignMode::none;
+  o.landmarks.weight = 10;
+  const MatchResult<2> r = match_shapes(circle, ellipse, o, quiet, landmarks);
+  const std::optional<Vec<2>> y = PointMap<2>(r.map, Toward::template_shape)(landmarks[0].on_reference);
+  EXPECT_LT((*y - landmarks[0].on_template).norm(), 0.02);
+}
+
+/// A letter U whose arms are 0.3 thick and 1 high.
+Shape<2> letter(double gap) {
+  const double arm = 0.3, w = 2 * arm + gap;
+  const Vec<2> corners[] = {{0, 0}, {w, 0}, {w, 1}, {w - arm, 1}, {w - arm, 0.3}, {arm, 0.3}, {arm, 1}, {0, 1}};
+  OriginalShape<2> outline;
+  outline.polygons.emplace_back();
+  for (int c = 0; c < 8; ++c)
+    for (int i = 0; i < 50; ++i) {
+      outline.polygons[0].push_back(static_cast<Index>(outline.vertices.size()));
+      outline.vertices.push_back(corners[c] + (corners[(c + 1) % 8] - corners[c]) * (i / 50.0));
+    }
+  return make_shape(std::move(outline), "letter");
+}
+
+TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {
+  const auto direction_of = [](const Shape<2>& reference, const Shape<2>& target, MatchDirection wanted, Notes& notes) {
+    ShapePair<2> pair{reference, target};
+    ExperimentOptions o = options_to(4, wanted);
+    o.align.mode = AlignMode::none;
+    const PreparedPair<2> prepared = prepare_pair(pair, {}, o, notes);
+    EXPECT_EQ(pair.reference.original.vertices.size(), reference.original.vertices.size());
+    EXPECT_EQ(pair.reference.original.vertices[60], reference.original.vertices[60]);  // in the order given
+    return prepared.is_backward();
+  };
+  Notes notes;
+  EXPECT_TRUE(direction_of(letter(0.04), letter(0.4), MatchDirection::automatic, notes));
+  EXPECT_NE(notes.all.find("the template is deformed"), std::string::npos) << notes.all;
+  EXPECT_FALSE(direction_of(letter(0.4), letter(0.04), MatchDirection::automatic, notes));
+  EXPECT_TRUE(direction_of(letter(0.4), letter(0.04), MatchDirection::backward, notes));
+  EXPECT_FALSE(direction_of(letter(0.04), letter(0.4), MatchDirection::forward, notes));
+}
+
+}  // namespace
+}  // namespace shellmatch
