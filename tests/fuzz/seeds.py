@@ -132,11 +132,13 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
            b'"scale": 1, "offset": [0, null]}, "distance_before": {D}, "distance": {D}, "correspondence_error": 0.5, "area_distortion": {M}, '
            b'"angle_distortion": {M}, "flipped_facets": 0, "levels": [{"level": 3, "sigma": 1, "nu": 1, "volume_weight": 1, "substeps": 1, '
            b'"nodes": 1, "free_nodes": 1, "cells": 1, "band_cells": 1, "energy_minimised": {"sum": 1}, "energy": {"sum": 1}, "iterations": 1, '
-           b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], '
+           b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "linear_iterations": 1, "regularised_systems": 0, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], '
            b'"stop_reason": "a", "stop_message": "b", "folds": {"min_determinant": 1, "determinant_lower_bound": 1, "folded_cells": 0, '
            b'"uncertified_cells": 0, "folded_volume": 0}, "band": {"normal_angle": 1, "folded_share": 0}, "distance": {D}}], "gradient_checks": '
            b'[], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
-           b'"resumed_after": [3]}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
+           b'"resumed_after": [3], "level_memory_estimates": [1], "level_memory_peaks": [1]}, "direction": {"backward": false, "reference_gaps": 0, '
+           b'"template_gaps": 0}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
+           b'"pairs": 1, "doubtful": false, "as_it_lies": false}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
            b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1}')
 
 
