@@ -5,6 +5,7 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/verdict.h"
 
 #include <string>
 #include <utility>
@@ -84,6 +85,7 @@ class Matching {
     summary_.run.level_seconds.push_back(level.seconds);
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
+    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
     if (inputs_.finished)
       inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
   }

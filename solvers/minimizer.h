@@ -66,6 +66,8 @@ struct MinimizerSummary {
   double initial_gradient_norm = 0, final_gradient_norm = 0;  ///< in the metric of the minimisation
   int iterations = 0;
   long value_evaluations = 0, gradient_evaluations = 0;
+  long linear_iterations = 0;          ///< of conjugate gradients, for the steps of Newton's method
+  long regularised_systems = 0;        ///< of these steps, each up to max_regularisations times
   double seconds = 0;
   std::string solver;                  ///< name of the last method
   std::vector<std::string> fallbacks;  ///< one line for every method that failed before it

@@ -140,6 +140,8 @@ class Level {
     result.iterations += result.last.iterations;
     result.value_evaluations += result.last.value_evaluations;
     result.gradient_evaluations += result.last.gradient_evaluations;
+    result.linear_iterations += result.last.linear_iterations;
+    result.regularised_systems += result.last.regularised_systems;
     result.seconds += result.last.seconds;
     return terms;
   }

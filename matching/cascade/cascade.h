@@ -39,6 +39,7 @@ struct LevelResult {
   std::vector<std::string> fallbacks;  ///< one entry for each method that gave up: which, why, and its successor
   int iterations = 0;                ///< sum over the level's minimisations
   long value_evaluations = 0, gradient_evaluations = 0;
+  long linear_iterations = 0, regularised_systems = 0;
   double seconds = 0;
   double memory_estimate = 0, memory_peak = 0;  ///< resident bytes: as expected before the level, and the run's peak after it
 };

@@ -46,6 +46,7 @@ static void describe(S& s, Member&& member) {
   member("energy_minimised", s.energy_minimised), member("energy", s.energy_reported);
   member("iterations", s.iterations), member("value_evaluations", s.value_evaluations);
   member("gradient_evaluations", s.gradient_evaluations), member("gradient_norm", s.gradient_norm);
+  member("linear_iterations", s.linear_iterations), member("regularised_systems", s.regularised_systems);
   member("l2_gradient_norm", s.l2_gradient_norm), member("solver", s.solver), member("fallbacks", s.fallbacks);
   member("stop_reason", s.stop_reason), member("stop_message", s.stop_message);
   member("folds", s.folds), member("band", s.band), member("distance", s.distance);

@@ -39,6 +39,8 @@ LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   s.iterations = r.iterations;
   s.value_evaluations = r.value_evaluations;
   s.gradient_evaluations = r.gradient_evaluations;
+  s.linear_iterations = r.linear_iterations;
+  s.regularised_systems = r.regularised_systems;
   s.gradient_norm = last.gradient_norm;
   s.l2_gradient_norm = last.l2_gradient_norm;
   s.solver = r.last.solver;

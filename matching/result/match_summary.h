@@ -41,6 +41,7 @@ struct LevelSummary {
   NamedValues energy_reported;   ///< by term, with a finer quadrature
   int iterations = 0;            ///< over all substeps, as are the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
+  long linear_iterations = 0, regularised_systems = 0;  ///< of Newton's method
   double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
   double l2_gradient_norm = 0;            ///< at the end, in L2
   std::string solver;                     ///< method that ended the last substep

@@ -19,6 +19,8 @@ void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.iterations += next.iterations;
   total.value_evaluations += next.value_evaluations;
   total.gradient_evaluations += next.gradient_evaluations;
+  total.linear_iterations += next.linear_iterations;
+  total.regularised_systems += next.regularised_systems;
   total.seconds += next.seconds;
 }
 

@@ -47,6 +47,8 @@ class LinearSolver {
     iterate(d, dot(r_, z_));
   }
 
+  long n_iterations() const { return n_iterations_; }  ///< so far
+
  private:
   // From the residual r_ of d, preconditioned z_; rz is their product. Returns the number of iterations.
   int iterate(std::span<double> d, double rz) {
@@ -71,11 +73,13 @@ class LinearSolver {
         for (std::size_t i = begin; i < end; ++i) p_[i] = z_[i] + beta * p_[i];
       });
     }
+    n_iterations_ += k;
     return k;
   }
 
   const SecondOrderObjective& objective_;
   int max_iterations_;
+  long n_iterations_ = 0;
   double target_ = 0;
   LargeVector<double> r_, z_, p_, hp_;
 };
@@ -132,7 +136,10 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     gradient_norm = found.point.gradient_norm;
     run.accept(found.point.evaluation(), found.point.alpha * size.length);
   }
-  return run.summary();
+  MinimizerSummary summary = run.summary();
+  summary.linear_iterations = linear.n_iterations();
+  summary.regularised_systems = regularisation.n_systems();
+  return summary;
 }
 
 }  // namespace shellmatch

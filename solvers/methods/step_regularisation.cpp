@@ -16,6 +16,7 @@ bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<c
   std::vector<RegionDamping> regions = objective.regions_beyond_model(x, d);
   if (regions.empty()) return false;
   ++n_of_step_;
+  ++n_systems_;
   for (RegionDamping& region : regions) {
     float& factor = damping_[region.region];
     // To begin with, as stiff as the region is already.

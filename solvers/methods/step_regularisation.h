@@ -24,10 +24,13 @@ class StepRegularisation {
   /// or where d has been computed `max_regularisations` times again.
   bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d);
 
+  long n_systems() const { return n_systems_; }  ///< that were regularised so far
+
  private:
   const NewtonOptions& options_;
   std::vector<float> damping_;
   int n_of_step_ = 0;  ///< systems that were regularised for this step
+  long n_systems_ = 0;
 };
 
 }  // namespace shellmatch

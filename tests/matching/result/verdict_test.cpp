@@ -49,6 +49,30 @@ TEST(Verdict, TellsWhatDoesNotBelongTogether) {
 
 TEST(Verdict, SaysNothingOfWhatIsNotKnown) {
   EXPECT_TRUE(verdict(MatchSummary{}).empty());
+  EXPECT_FALSE(stuck_warning(std::vector<LevelSummary>(4)));
+}
+
+/// Levels from 3 on with these shares of the template not reached.
+std::vector<LevelSummary> levels_with(const std::vector<double>& uncovered) {
+  std::vector<LevelSummary> levels;
+  for (const double share : uncovered) {
+    levels.emplace_back().level = 3 + static_cast<int>(levels.size());
+    levels.back().distance = TwoSidedDistance{{}, {}, share};
+  }
+  return levels;
+}
+
+// Shares as measured: a gorilla that crouches, a dolphin turned by pi, a centaur, a cat, a fish.
+TEST(StuckWarning, WarnsOfWhatDoesNotGetNearer) {
+  const auto warning = stuck_warning(levels_with({0.528, 0.364, 0.304}));
+  ASSERT_TRUE(warning);
+  EXPECT_EQ(warning->find("level 5: 30 % of the template is not reached, after 36 %"), 0u) << *warning;
+  EXPECT_TRUE(stuck_warning(levels_with({0.493, 0.225, 0.202})));
+  EXPECT_FALSE(stuck_warning(levels_with({0.151, 0.149}))) << "the second level";
+  EXPECT_FALSE(stuck_warning(levels_with({0.151, 0.149, 0.064})));
+  EXPECT_FALSE(stuck_warning(levels_with({0.480, 0.268, 0.097})));
+  EXPECT_FALSE(stuck_warning(levels_with({0.146, 0.043, 0.043})));
+  EXPECT_FALSE(stuck_warning(levels_with({0.9, 0.6, 0.4})));
 }
 
 }  // namespace

@@ -113,8 +113,10 @@ MinimizerSummary one_step(Stiffened& objective, const NewtonOptions& options) {
 // What the step solves in the end is the stiffened system; nothing is done where next to nothing has changed.
 TEST(Newton, GoesOnFromAStepThatWasRegularised) {
   Stiffened little(1e-6), much(50);
-  one_step(little, {.max_forcing = 1e-4, .min_forcing = 1e-4});
+  const MinimizerSummary summary = one_step(little, {.max_forcing = 1e-4, .min_forcing = 1e-4});
   EXPECT_EQ(little.n_products_before, 2) << "the slope has two components";
+  EXPECT_EQ(summary.linear_iterations, 2);
+  EXPECT_EQ(summary.regularised_systems, 1);
   EXPECT_EQ(little.n_products - little.n_products_before, 1) << "with the step itself";
   one_step(much, {.max_forcing = 1e-9, .min_forcing = 1e-9});
   ASSERT_EQ(much.regularised_step.size(), 3u);

@@ -115,6 +115,7 @@ TEST(StepRegularisation, SolvesSoManySystemsAtMostForEachStep) {
     StepRegularisation policy(o, objective);
     for (int step = 0; step < 3; ++step) EXPECT_EQ(one_step(policy, objective), most) << "step " << step;
     EXPECT_EQ(objective.n_added, 3 * most);
+    EXPECT_EQ(policy.n_systems(), 3 * most);
   }
 }
 
