@@ -83,9 +83,9 @@ class Matching {
         deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), template_distance_);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
+    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
-    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
     if (inputs_.finished)
       inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
   }
