@@ -83,7 +83,7 @@ StudyChoice read_problem(const Reader& reader, const std::string& name, const Ya
       if (part.kind != YamlValue::Kind::scalar || part.text.empty())
         throw_input_error("{}: expected the YAML file of an experiment", reader.at(part, path + ".base"));
       problem.base = (std::filesystem::path(file).parent_path() / part.text).lexically_normal().string();
-      if (!std::filesystem::exists(problem.base))
+      if (std::error_code error; !std::filesystem::exists(problem.base, error))
         throw_input_error("{}: {}: no such file", reader.at(part, path + ".base"), problem.base);
     } else if (key == "set") {
       reader.flatten(part, path + ".set", "", problem.changes);
@@ -124,7 +124,7 @@ std::vector<StudyChoice> read_solvers(const Reader& reader, const YamlValue& val
 void fill(const Reader& reader, const OptionNode& root, const OptionNode& section, const YamlValue& values) {
   for (const auto& [key, value] : values.entries) {
     const auto option = std::find_if(section.children.begin(), section.children.end(),
-                                     [&](const OptionNode& child) { return child.name == key; });
+                                     [&key = key](const OptionNode& child) { return child.name == key; });
     if (option == section.children.end())
       throw_input_error("{}{}", reader.at(value, ""), unknown_key_text(root, section, key));
     if (option->kind == OptionKind::section) {

@@ -70,7 +70,9 @@ std::string InputFile::read() const {
   if (!stream) throw_input_error("{}: cannot be opened ({})", path_, std::strerror(errno));
   std::string bytes;
   // In pieces: the file may grow or shrink meanwhile.
-  std::string piece(1 << 20, '\0');
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path_, error), most = 1 << 20;
+  std::string piece(error ? most : std::clamp<std::uintmax_t>(size + 1, 4096, most), '\0');
   while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
     bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) throw_input_error("{}: cannot be read to its end ({})", path_, std::strerror(errno));

@@ -114,7 +114,7 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
   std::vector<Use> uses;
   std::vector<VertexAttribute> attributes;
   std::vector<std::string> lists;
-  int n_coordinates = 0;
+  std::array<int, 3> n_of_axis{};
   bool normals = false;
   for (const PlyProperty& p : element.properties) {
     Use use = Use::keep;
@@ -123,7 +123,7 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
       use = Use::drop;
     } else if (p.name == "x" || p.name == "y" || p.name == "z") {
       use = p.name == "x" ? Use::x : p.name == "y" ? Use::y : Use::z;
-      ++n_coordinates;
+      ++n_of_axis[static_cast<std::size_t>(use)];
     } else if (p.name == "nx" || p.name == "ny" || p.name == "nz") {
       normals = true;
       use = Use::drop;
@@ -131,8 +131,8 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
     if (use == Use::keep) attributes.push_back({p.name, std::string(ply_type_name(p.type)), {}});
     uses.push_back(use);
   }
-  if (n_coordinates != 3)
-    throw_input_error("{}: the vertices need the properties x, y and z", body.path());
+  if (n_of_axis != std::array{1, 1, 1})
+    throw_input_error("{}: the vertices need the properties x, y and z, each once", body.path());
   for (std::size_t i = 0; i < element.n_items; ++i) {
     body.begin_item(element, i);
     Vec<3> x = Vec<3>::Zero();

@@ -95,6 +95,18 @@ std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline
   return found;
 }
 
+bool pass_through_at(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const Vec<2>& d) {
+  const auto turns_left = [](const Vec<2>& x, const Vec<2>& y, const Vec<2>& z) {
+    return CGAL::orientation(Point(x.x(), x.y()), Point(y.x(), y.y()), Point(z.x(), z.y())) == CGAL::LEFT_TURN;
+  };
+  const bool narrow = turns_left(a, p, b);
+  const auto on_the_left = [&](const Vec<2>& x) {
+    const bool of_a = turns_left(a, p, x), of_b = turns_left(p, b, x);
+    return narrow ? of_a && of_b : of_a || of_b;
+  };
+  return on_the_left(c) != on_the_left(d);
+}
+
 Vec<2> crossing_point(const Surface<2>& outline, Index f, Index g) {
   const auto& [a, b] = outline.facets[f];
   const auto& [c, d] = outline.facets[g];

@@ -3,6 +3,9 @@
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace shellmatch {
 namespace {
 
@@ -28,11 +31,23 @@ bool within(const Box<3>& inner, const Box<3>& outer) {
   return (inner.min.array() >= outer.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
+// The surface in the unit box, by a power of two, which rounds nothing. Where the vertical ray from a point meets an edge, CGAL
+// tries rays to the point plus a random vector of length 1 until one meets none: beyond 2^53 that is the point itself, for ever.
+Surface<3> scaled_to_unit(const Surface<3>& surface) {
+  const Box<3> box = bounding_box(surface.vertices);
+  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff();
+  Surface<3> scaled = surface;
+  if (largest > 0)
+    for (Vec<3>& x : scaled.vertices) x *= std::ldexp(1.0, -std::ilogb(largest));
+  return scaled;
+}
+
 }  // namespace
 
-std::vector<int> nesting_depths(const Surface<3>& surface, const std::vector<std::vector<Index>>& parts) {
+std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<std::vector<Index>>& parts) {
   std::vector<int> depths(parts.size(), 0);
   if (parts.size() == 1) return depths;
+  const Surface<3> surface = scaled_to_unit(original);
   std::vector<Part> all;
   for (const std::vector<Index>& facets : parts) all.push_back(part_of(surface, facets));
   for (std::size_t outer = 0; outer < all.size(); ++outer) {

@@ -119,7 +119,8 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   const std::size_t n_flat = count_flat_triangles(surface);
   if (n_flat == surface.facets.size())
     throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
-  if (n_flat > 0 && !remove_flat_triangles(surface))
+  // Rays through those that CGAL has left would be tried for ever in the search for nested parts.
+  if (n_flat > 0 && (!remove_flat_triangles(surface) || count_flat_triangles(surface) > 0))
     throw_input_error("{}: {} without area could not be removed; remove them in a mesh editor", source,
                       counted(n_flat, "triangle", "triangles"));
   notes.add(n_flat, "triangle", "triangles", "without area removed");

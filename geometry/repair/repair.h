@@ -22,7 +22,7 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
 /// Closes every ring, removes repeated points and spikes without width, splits rings that visit a point
 /// twice, and orients rings by their depth of nesting: outer ones counter-clockwise, holes clockwise. \throws
 /// InputError where a ring has fewer than three points or no area, or where segments meet elsewhere than at
-/// common points (with the numbers of their points, counted from 1, and the position).
+/// common points (with the numbers of their points, counted from 1, and the position) or rings cross at a common point.
 Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source,
                         std::vector<std::string>& notes);
 

@@ -143,6 +143,23 @@ void check_crossings(const Surface<2>& outline, const std::string& source, Conta
       source, found.size() > max_crossings ? fmt::format("more than {} places", max_crossings) : counted(found.size(), "place", "places"), places, found.size() > n_shown ? ", ..." : "");
 }
 
+// Rings may have points in common, but not pass through each other there. \pre they meet nowhere else
+void check_common_points(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x, const std::string& source) {
+  struct Visit {
+    Index before, after;
+  };
+  std::map<Coordinates, std::vector<Visit>> visits;
+  for (const std::vector<Index>& ring : rings)
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      visits[{x[ring[k]].x(), x[ring[k]].y()}].push_back({ring[(k + ring.size() - 1) % ring.size()], ring[(k + 1) % ring.size()]});
+  for (const auto& [place, paths] : visits)
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (pass_through_at({place.first, place.second}, x[paths[i].before], x[paths[i].after], x[paths[j].before], x[paths[j].after]))
+          throw_input_error("{}: two rings cross at ({:.6g}, {:.6g}), which is a point of both; move or remove points there", source,
+                            place.first, place.second);
+}
+
 // Crossing number of the ray to the right; x lies on no segment.
 bool is_inside(const Vec<2>& x, const Ring& ring, const std::vector<Vec<2>>& points) {
   bool inside = false;
@@ -193,6 +210,7 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   for (const Ring& ring : rings) polygons.push_back(ring.points);
   const Surface<2> all = segments_of(original.vertices, polygons);
   check_crossings(all, source, Contact::any, 0);
+  check_common_points(polygons, original.vertices, source);
 
   Surface<2> outline;
   std::size_t n_turned = 0, n_holes = 0;

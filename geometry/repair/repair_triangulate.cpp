@@ -34,26 +34,31 @@ bool is_convex(const std::vector<Vec<2>>& x) {
   return true;
 }
 
-// True for a convex corner whose triangle contains no other corner.
-bool is_ear(const std::vector<Vec<2>>& x, const std::vector<std::size_t>& ring, std::size_t k) {
+// True for a convex corner whose triangle contains no other corner. Adds the number of corners looked at to n_tests.
+bool is_ear(const std::vector<Vec<2>>& x, const std::vector<std::size_t>& ring, std::size_t k, std::size_t& n_tests) {
   const std::size_t n = ring.size();
   const std::size_t i = ring[(k + n - 1) % n], j = ring[k], l = ring[(k + 1) % n];
   if (turn(x[i], x[j], x[l]) <= 0) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](std::size_t m) {
+  const auto inside = std::find_if(ring.begin(), ring.end(), [&](std::size_t m) {
     if (x[m] == x[i] || x[m] == x[j] || x[m] == x[l]) return false;
     return turn(x[i], x[j], x[m]) >= 0 && turn(x[j], x[l], x[m]) >= 0 && turn(x[l], x[i], x[m]) >= 0;
   });
+  n_tests += static_cast<std::size_t>(inside - ring.begin()) + 1;
+  return inside == ring.end();
 }
+
+// Of a polygon that crosses itself with n corners, n^3 may be looked at. After so many (seconds) the rest becomes a fan.
+constexpr std::size_t max_tests = 200'000'000;
 
 void clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, Triangles& triangles) {
   std::vector<std::size_t> ring(corners.size());
   for (std::size_t k = 0; k < ring.size(); ++k) ring[k] = k;
-  std::size_t k = 0, n_refused = 0;
-  while (ring.size() > 3) {
+  std::size_t k = 0, n_refused = 0, n_tests = 0;
+  while (ring.size() > 3 && n_tests < max_tests) {
     k %= ring.size();
     // A polygon that crosses itself may have no ear. Any corner is then cut off, which keeps the edges
     // closed.
-    if (!is_ear(x, ring, k) && ++n_refused <= ring.size()) {
+    if (!is_ear(x, ring, k, n_tests) && ++n_refused <= ring.size()) {
       ++k;
       continue;
     }
@@ -62,7 +67,7 @@ void clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, 
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(k));
     n_refused = 0;
   }
-  triangles.push_back({corners[ring[0]], corners[ring[1]], corners[ring[2]]});
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles.push_back({corners[ring[0]], corners[ring[i]], corners[ring[i + 1]]});
 }
 
 }  // namespace

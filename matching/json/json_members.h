@@ -6,6 +6,7 @@
 
 #include "matching/json/json_text.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -57,17 +58,25 @@ Json json_of(const T& value) {
   }
 }
 
-/// Sets a value from JSON; null becomes NaN. \throws Json::exception for a missing key or a value of another type
+/// Sets a value from JSON; null becomes NaN. \throws Json::exception for a missing key, a value of another type or an integer
+/// that is out of its type's range
 template <class T>
 void set_from_json(const Json& json, T& value) {
   if constexpr (std::is_same_v<T, double>) {
     value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+  } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+    // The library would cast any number, also one that no integer of the type can have.
+    const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
+                                                : json.is_number_integer() && std::in_range<T>(json.get<std::int64_t>());
+    if (!fits) throw Json::out_of_range::create(406, "an integer is missing or out of range", &json);
+    value = json.get<T>();
   } else if constexpr (json_detail::Plain<T>) {
     value = json.get<T>();
   } else if constexpr (std::is_same_v<T, json_detail::NamedNumbers>) {
     value.clear();
     for (const auto& [name, number] : json.items()) set_from_json(number, value.emplace_back(name, 0.0).second);
   } else if constexpr (json_detail::IsVector<T>::value) {
+    if (!json.is_array()) throw Json::type_error::create(302, "a list is missing", &json);
     value.clear();
     for (const Json& entry : json) set_from_json(entry, value.emplace_back());
   } else {

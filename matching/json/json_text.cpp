@@ -1,11 +1,28 @@
 #include "matching/json/json_text.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <istream>
+#include <vector>
 
 namespace shellmatch {
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-Json parse_json(std::istream& in) { return Json::parse(in); }
+// Objects keep their keys in a list, which is searched for each of them.
+Json parse_json(std::istream& in) {
+  constexpr std::size_t most_keys = 10000;
+  std::vector<std::size_t> n_keys;  // of the object whose keys stand at a depth
+  return Json::parse(in, [&n_keys](int depth, Json::parse_event_t event, Json&) {
+    const auto at = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) {
+      n_keys.resize(std::max(n_keys.size(), at + 2));
+      n_keys[at + 1] = 0;
+    }
+    if (event == Json::parse_event_t::key && ++n_keys[at] > most_keys)
+      throw Json::other_error::create(501, "an object has too many keys", nullptr);
+    return true;
+  });
+}
 
 }  // namespace shellmatch

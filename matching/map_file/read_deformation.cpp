@@ -19,7 +19,8 @@ namespace {
 constexpr std::uint8_t vtk_pixel = 8, vtk_voxel = 11;
 
 std::string file_in(const std::string& path) {
-  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / deformation_file_name).string()
+  std::error_code error;  // as of a name that is too long: the file cannot be opened then
+  return std::filesystem::is_directory(path, error) ? (std::filesystem::path(path) / deformation_file_name).string()
                                              : path;
 }
 

@@ -24,6 +24,9 @@ static_assert(std::endian::native == std::endian::little);
 // Limits what a head can ask for; 2^40 nodes are more than any grid has.
 constexpr std::int64_t max_count = std::int64_t{1} << 40;
 
+// Names are compared pair by pair.
+constexpr std::size_t max_arrays = 1000;
+
 template <class T>
 constexpr std::string_view type_name() {
   if constexpr (std::is_same_v<T, double>) return "Float64";
@@ -102,6 +105,7 @@ VtuFile::VtuFile(std::string path, std::string bytes) : path_(std::move(path)), 
                      std::string(tag->find("type").value_or("")), count(*tag, "NumberOfComponents", 1),
                      static_cast<std::size_t>(count(*tag, "offset", max_count))};
       if (find(array.section, array.name) != nullptr) damaged(fmt::format("two arrays of one name in {}", array.section));
+      if (arrays_.size() == max_arrays) damaged("more arrays than it can have");
       arrays_.push_back(std::move(array));
     } else if (tag->name == "AppendedData") {
       demand(*tag, "encoding", "raw");

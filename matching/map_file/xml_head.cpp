@@ -8,6 +8,8 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view xml_blanks = " \t\r\n";
+// Keys are compared pair by pair.
+constexpr std::size_t max_attributes = 100;
 
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("_-.:").find(c) != std::string_view::npos;
@@ -32,7 +34,7 @@ void skip_blanks(std::string_view& text) { text.remove_prefix(std::min(text.find
 bool take_attribute(std::string_view& text, XmlTag& tag) {
   const std::string_view key = take_name(text);
   skip_blanks(text);
-  if (key.empty() || tag.find(key) || !take(text, "=")) return false;
+  if (key.empty() || tag.attributes.size() == max_attributes || tag.find(key) || !take(text, "=")) return false;
   skip_blanks(text);
   if (!take(text, "\"")) return false;
   const std::size_t end = text.find('"');

@@ -88,20 +88,21 @@ History read_history(const std::string& path) {
                         fields.size(), n_fields);
     std::size_t next = 0;
     const auto real = [&] { return parse<double>(fields[next++], path, line); };
-    const auto integer = [&] { return parse<long>(fields[next++], path, line); };
+    const auto integer = [&] { return parse<int>(fields[next++], path, line); };
+    const auto count = [&] { return parse<long>(fields[next++], path, line); };
     HistoryRow row;
-    row.level = static_cast<int>(integer());
-    row.substep = static_cast<int>(integer());
+    row.level = integer();
+    row.substep = integer();
     row.nu = real();
     row.record.solver = fields[next++];
-    row.record.iteration = static_cast<int>(integer());
+    row.record.iteration = integer();
     row.record.value = real();
     for (std::size_t k = 0; k < history.term_names.size(); ++k) row.record.terms.push_back(real());
     row.record.gradient_norm = real();
     row.record.l2_gradient_norm = real();
     row.record.step = real();
-    row.record.value_evaluations = integer();
-    row.record.gradient_evaluations = integer();
+    row.record.value_evaluations = count();
+    row.record.gradient_evaluations = count();
     row.record.seconds = real();
     history.rows.push_back(std::move(row));
   }

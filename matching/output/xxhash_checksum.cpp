@@ -35,7 +35,7 @@ std::string text_checksum(std::string_view text) { return Checksum().add(text).t
 
 std::optional<std::string> stream_checksum(std::istream& in, std::uintmax_t length) {
   Checksum sum;
-  std::vector<char> block(1 << 20);
+  std::vector<char> block(std::min<std::uintmax_t>(length, 1 << 20));
   while (length > 0) {
     const std::uintmax_t n = std::min<std::uintmax_t>(length, block.size());
     if (!in.read(block.data(), static_cast<std::streamsize>(n))) return std::nullopt;

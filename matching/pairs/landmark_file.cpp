@@ -53,6 +53,9 @@ class Row {
   double positive(std::string_view column) const {
     const double value = number(column);
     if (!(value > 0)) reader_.fail("{} is {}; expected a number > 0", column, value);
+    // Within these limits the square of a ratio of two neither overflows nor vanishes.
+    constexpr double least = 1e-50, most = 1e50;
+    if (!(value >= least && value <= most)) reader_.fail("{} is {}; expected a number from {:g} to {:g}", column, value, least, most);
     return value;
   }
   /// The point of the columns vertexS or xS, yS (and zS) for a suffix S.

@@ -122,6 +122,8 @@ TEST_F(StudyFile, MistakesWithin) {
                  {":2: problems.a", "bse", "base, set"});
   expect_refused("version: 1\nproblems: {a: {base: gone.yaml}}\nsolvers: [newton]\n",
                  {":2: problems.a.base", "gone.yaml", "no such file"});
+  expect_refused("version: 1\nproblems: {a: {base: " + std::string(5000, 'b') + "}}\nsolvers: [newton]\n",
+                 {":2: problems.a.base", "no such file"});
   expect_refused("version: 1\nproblems: {a: {set: {energy: {delta: 1}}}}\nsolvers: [newton]\n",
                  {"problems.a", "input.reference"});
   expect_refused(

@@ -183,6 +183,11 @@ TEST(MeshFiles, PlyErrorsNameTheElement) {
               header("binary_little_endian", 1, 1, "uint") + std::string(12, '\0') + std::string(4, '\x7f')),
       "kind 'face', the file ends in number 1"));
   EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", -4, 4)), "line 3"));
+  // Twice x and no z are three coordinates, but none in space.
+  EXPECT_TRUE(contains(message(folder, "a.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nproperty float y\n"
+                               "end_header\n0 0 0\n"),
+                       "need the properties x, y and z"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "end_header"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "ply\nformat ebcdic 1.0\n"), "line 2"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "OFF\n"), "starts with the line 'ply'"));

@@ -62,6 +62,20 @@ TEST(Outline, CrossingsAreNamed) {
   EXPECT_TRUE(contains(message(square(0, 2, false) + "\n" + square(0, 2, false)), "crosses or touches"));
 }
 
+// The two rings meet in two points of both, where one goes into the other and comes out again.
+TEST(Outline, RingsThatCrossAtCommonPointsAreRefused) {
+  const std::string rectangle = "0 0\n-24 0\n-24 -10\n0 -10\n";
+  for (const std::string triangle : {"0 0\n-30 1\n-24 -10\n", "-24 -10\n-30 1\n0 0\n", "-30 1\n0 0\n-24 -10\n"})
+    for (const std::string& text : {rectangle + "\n" + triangle, triangle + "\n" + rectangle}) {
+      const std::string said = message(text);
+      EXPECT_TRUE(contains(said, "two rings cross at (-24, -10), which is a point of both")) << said;
+    }
+  // From outside, from inside, and past a straight edge they touch.
+  EXPECT_DOUBLE_EQ(area(outline(rectangle + "\n0 0\n5 1\n5 0\n").surface), 242.5);
+  EXPECT_DOUBLE_EQ(area(outline(rectangle + "\n0 0\n-24 -10\n-10 -8\n").surface), 240 - 46);
+  EXPECT_DOUBLE_EQ(area(outline(rectangle + "\n-12 0\n-10 5\n-14 5\n").surface), 250);
+}
+
 TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
   const Shape<2> eight = outline("0 0\n1 1\n2 0\n2 2\n1 1\n0 2\n");
   EXPECT_DOUBLE_EQ(area(eight.surface), 2);

@@ -1,8 +1,10 @@
 // Mending of triangle surfaces: closed, oriented outward, nothing lost, nothing hidden.
 #include "geometry/io/read_shape.h"
 #include "geometry/repair/repair.h"
+#include "geometry/repair/repair_steps.h"
 #include "tests/geometry/io/files.h"
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -60,6 +62,16 @@ TEST(Repair, PartsFaceOutwardAndCavitiesInward) {
       EXPECT_NEAR(volume(shape.surface), 1 - 0.125 + 0.001, 1e-14);
       EXPECT_TRUE(has_note(shape, "1 part lies inside another"));
     }
+}
+
+// The vertical ray from a corner of the inner cube meets the diagonal of the outer one's top. With coordinates of 1e20 the search
+// for a better ray went on for ever.
+TEST(Repair, PartsOfAnySizeAreFoundNested) {
+  for (const double side : {1e-40, 1.0, 1e20, 1e49}) {
+    OriginalShape<3> shape = cube(Vec<3>::Zero(), 4 * side);
+    append(shape, cube(Vec<3>::Constant(side), side));
+    EXPECT_NEAR(volume(mended(shape).surface) / (side * side * side), 63, 1e-9) << side;
+  }
 }
 
 TEST(Repair, CrossingPartsAreNotNested) {
@@ -151,6 +163,29 @@ TEST(Repair, PolygonsThatAreNotConvexKeepTheirArea) {
   }
 }
 
+// Nearly every corner of it would be looked at for every triangle: 20,000 corners took an hour.
+TEST(Repair, AFaceOfVeryManyCornersThatCrossesItselfIsDividedInSeconds) {
+  constexpr Index n = 20000;
+  OriginalShape<3> shape;
+  shape.polygons.emplace_back();
+  std::mt19937 random(1);
+  for (Index v = 0; v < n; ++v) {
+    shape.vertices.emplace_back(random() % 1000, random() % 1000, 0);
+    shape.polygons[0].push_back(v);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  Surface<3> surface{shape.vertices, triangulate(shape)};
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+  EXPECT_EQ(surface.facets.size(), static_cast<std::size_t>(n) - 2);
+  // Its edges are the only ones with one triangle, so that a fan of the other side closes it.
+  std::vector<Index> other_side(shape.polygons[0].rbegin(), shape.polygons[0].rend());
+  const Index top = n;
+  surface.vertices.emplace_back(0, 0, 1);
+  for (std::size_t k = 0; k < other_side.size(); ++k)
+    surface.facets.push_back({other_side[k], other_side[(k + 1) % other_side.size()], top});
+  EXPECT_TRUE(is_closed_and_oriented(surface));
+}
+
 TEST(Repair, FlatTrianglesGoAndTheSurfaceStaysClosed) {
   OriginalShape<3> shape = cube();
   // A vertex in the middle of an edge, joined to one side only by a triangle without area.
@@ -166,6 +201,23 @@ TEST(Repair, FlatTrianglesGoAndTheSurfaceStaysClosed) {
     const Vec<3> u = x[b] - x[a], v = x[c] - x[a];
     EXPECT_GT(u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v), 1e-6);
   }
+}
+
+// A prism whose base has three corners in one line and crosses itself: flips fold two triangles onto each other.
+TEST(Repair, TrianglesThatAreFoldedOntoEachOtherGo) {
+  const std::vector<Vec<3>> base = {{1.75, -30, -30.5}, {0, 0, 1}, {0, 13.75, 0}, {0, 4, 0}, {0, 4, 4}, {0, 2, 2}, {2.75, 2.75, -3.25},
+                                    {0, -30.5, -30.5}, {-30.5, -30.5, -30.5}, {-30.5, -30.5, -30.5}};
+  OriginalShape<3> shape;
+  const auto n = static_cast<Index>(base.size());
+  for (const double height : {0.0, 4.0})
+    for (const Vec<3>& x : base) shape.vertices.push_back(x + height * Vec<3>::UnitZ());
+  shape.polygons.resize(2);
+  for (Index k = 0; k < n; ++k) {
+    shape.polygons[0].push_back(n - 1 - k);
+    shape.polygons[1].push_back(n + k);
+    shape.polygons.push_back({k, (k + 1) % n, n + (k + 1) % n, n + k});
+  }
+  EXPECT_GT(volume(mended(shape).surface), 0);
 }
 
 TEST(Repair, RepeatedTrianglesGo) {

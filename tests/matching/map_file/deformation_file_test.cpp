@@ -229,6 +229,27 @@ TEST(DeformationFileTest, AHeadThatLiesIsAnInputError) {
   }
 }
 
+// Names are compared pair by pair: 100,000 took a minute.
+TEST(DeformationFileTest, MoreArraysOrAttributesThanItCanHaveAreRefusedAtOnce) {
+  const TemporaryFolder tmp;
+  write_deformation(tmp / "whole.vtu", some_deformation<2>());
+  const std::string whole = contents_of(tmp / "whole.vtu");
+  std::string arrays = "<FieldData>", attributes = "<FieldData ";
+  for (int i = 0; i < 100000; ++i) {
+    arrays += "<DataArray format=\"appended\" Name=\"a" + std::to_string(i) + "\"/>";
+    attributes += "a" + std::to_string(i) + "=\"\" ";
+  }
+  put_changed(tmp / "changed.vtu", whole, "<FieldData>", arrays);
+  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("more arrays"), std::string::npos);
+  put_changed(tmp / "changed.vtu", whole, "<FieldData>", attributes + ">");
+  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("no XML"), std::string::npos);
+}
+
+TEST(DeformationFileTest, ANameThatIsTooLongIsAnInputError) {
+  EXPECT_THROW(read_deformation<2>(std::string(5000, 'a')), InputError);
+  EXPECT_THROW(deformation_dimension(std::string(5000, 'a')), InputError);
+}
+
 // With a right checksum, so that nothing but the reader itself stands against them.
 TEST(DeformationFileTest, ChangedBytesWithARightChecksumAreFoundOrDoNotMatter) {
   const TemporaryFolder tmp;

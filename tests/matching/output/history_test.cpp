@@ -62,6 +62,9 @@ TEST(HistoryTest, DamageIsAnInputErrorThatNamesTheLine) {
     put(tmp / "h.csv", bad);
     EXPECT_NE(message_of<InputError>([&] { read_history(tmp / "h.csv"); }).find("line 3"), std::string::npos);
   }
+  // A level that no integer has is not cut to one.
+  put(tmp / "h.csv", good.substr(0, third) + "4294967299" + good.substr(good.find(',', third)));
+  EXPECT_NE(message_of<InputError>([&] { read_history(tmp / "h.csv"); }).find("line 3: '4294967299'"), std::string::npos);
   put(tmp / "h.csv", "a,b,c\n");
   EXPECT_THROW(read_history(tmp / "h.csv"), InputError);
   EXPECT_THROW(read_history(tmp / "not_there.csv"), InputError);

@@ -94,6 +94,46 @@ TEST(SummaryTest, NamesThatAreNoUtf8AreWritten) {
   EXPECT_NE(summary_json(s).find("hand"), std::string::npos);
 }
 
+std::string replaced(std::string text, const std::string& before, const std::string& after) {
+  const std::size_t at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return text.replace(at, before.size(), after);
+}
+
+// The library would cast them: to any number at all, or to another one.
+TEST(SummaryTest, NumbersThatNoIntegerHasAreRefused) {
+  const TemporaryFolder tmp;
+  const std::string good = summary_json(some_summary());
+  for (const char* bad : {"1e300", "-1e300", "3.5", "4294967299", "-4294967299", "\"3\"", "null", "true", "[3]"}) {
+    put(tmp / "s.json", replaced(good, "\"dimension\": 3", std::string("\"dimension\": ") + bad));
+    EXPECT_THROW(read_summary(tmp / "s.json"), InputError) << bad;
+  }
+  put(tmp / "s.json", replaced(good, "\"vertices\": 100", "\"vertices\": -1"));
+  EXPECT_THROW(read_summary(tmp / "s.json"), InputError);
+}
+
+TEST(SummaryTest, AListIsAList) {
+  const TemporaryFolder tmp;
+  for (const char* bad : {"\"a\"", "null", "{\"a\": \"b\"}"}) {
+    put(tmp / "s.json", replaced(summary_json(some_summary()), "\"notes\": []", std::string("\"notes\": ") + bad));
+    EXPECT_THROW(read_summary(tmp / "s.json"), InputError) << bad;
+  }
+}
+
+// Each key is looked for among those before it: 300,000 of them took minutes.
+TEST(SummaryTest, ObjectsOfVeryManyKeysAreRefusedAtOnce) {
+  const TemporaryFolder tmp;
+  std::string text = "{\"a\": [{}, {\"b\": {}}]";
+  for (int i = 0; i < 300000; ++i) text += ", \"k" + std::to_string(i) + "\": 0";
+  put(tmp / "s.json", text + "}");
+  try {
+    read_summary(tmp / "s.json");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("too many keys"), std::string::npos) << error.what();
+  }
+}
+
 TEST(SummaryTest, DamageIsAnInputError) {
   const TemporaryFolder tmp;
   const std::string good = summary_json(some_summary());

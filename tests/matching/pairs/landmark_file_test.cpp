@@ -93,6 +93,9 @@ TEST_F(LandmarkFile, SaysWhatIsWrongAndWhere) {
   expect_refused("a.csv, line 2", "vertex2 is '0.5'", "vertex1,vertex2\n0,0.5\n");
   expect_refused("a.csv, line 2", "sd is 0; expected a number > 0", "vertex1,vertex2,sd\n0,0,0\n");
   expect_refused("a.csv", "holds no landmark besides its head line", head);
+  // Their squares would not be finite, or 0.
+  expect_refused("a.csv, line 3", "sd is 1e-200; expected a number from 1e-50 to 1e+50", "vertex1,vertex2,sd\n0,0,1\n1,1,1e-200\n");
+  expect_refused("a.csv, line 2", "weight is 1e+300; expected a number from", "vertex1,vertex2,weight\n0,0,1e300\n");
   expect_refused("b.csv, line 3", "the name 'c' is unknown to", "name,x,y,z\na,1,0,0\n", "name,x,y,z\na,1,0,0\nc,1,0,0\n");
   expect_refused("a.csv, line 3", "the name 'b' is unknown to", "name,x,y,z\na,1,0,0\nb,1,0,0\n", "name,x,y,z\na,1,0,0\n");
   expect_refused("b.csv, line 1", "no column 'name'", "name,x,y,z\na,1,0,0\n", "x,y,z\n1,0,0\n");

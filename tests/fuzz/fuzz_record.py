@@ -1,0 +1,126 @@
+"""What fuzzing has done: the sources of each target, executions and seconds, the kept corpus as text, and the table of docs/testing.md."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+# The sources of each target, whose coverage is reported.
+IO = "geometry/io/read_"
+READERS = {
+    "obj": [IO + "obj.cpp", IO + "mesh_formats.cpp", IO + "text.cpp"], "off": [IO + "off.cpp"],
+    "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"], "points2": [IO + "points.cpp"],
+    "points3": [IO + "points.cpp"], "png": [IO + "png.cpp"], "pgm": [IO + "pgm.cpp", IO + "mask.cpp"],
+    "repair3": ["geometry/repair/repair.cpp", "geometry/repair/repair_steps.cpp", "geometry/repair/repair_triangulate.cpp",
+                "geometry/repair/make_shape.cpp", "geometry/repair/cgal_repair.cpp", "geometry/repair/cgal_repair_flat.cpp",
+                "geometry/repair/cgal_repair_nesting.cpp"],
+    "repair2": ["geometry/repair/repair_outline.cpp", "geometry/repair/cgal_repair_crossings.cpp"],
+    "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/option_text.cpp"],
+    "experiment": ["matching/experiment/yaml_options.cpp", "matching/experiment/level_overrides.cpp"],
+    "study": ["studies/study_file.cpp"],
+    "map": ["matching/map_file/vtu_file.cpp", "matching/map_file/xml_head.cpp", "matching/map_file/read_deformation.cpp",
+            "matching/output/file_checksum.cpp"],
+    "history": ["matching/output/history_file.cpp"], "summary": ["matching/output/json_summary.cpp"],
+    "manifest": ["matching/checkpoint/json_checkpoint_manifest.cpp"], "files": ["matching/output/json_written_files.cpp"],
+    "run_result": ["studies/execution/json_run_result.cpp"], "landmarks": ["matching/pairs/landmark_file.cpp"],
+    "correspondence": ["matching/result/correspondence.cpp"],
+}
+BEGIN, END = "<!-- table of scripts/fuzz -->", "<!-- end of the table of scripts/fuzz -->"
+ESCAPES = {10: "\\n", 13: "\\r", 9: "\\t", 0: "\\z", 92: "\\\\"}
+lock = threading.Lock()
+
+
+def line_of(data):
+    """As kept_inputs.h describes it."""
+    text = "".join(ESCAPES.get(b) or (chr(b) if 32 <= b < 127 else f"\\x{b:02x}") for b in data)
+    return "\\x23" + text[1:] if text.startswith("#") else text
+
+
+def kept_inputs(path):
+    letters = {"n": 10, "r": 13, "t": 9, "z": 0, "\\": 92}
+    inputs = []
+    for line in path.read_text().split("\n")[:-1] if path.exists() else []:
+        data, rest = bytearray(), iter(line)
+        if line.startswith("#"):
+            continue
+        for c in rest:
+            if c == "\\":
+                letter = next(rest)
+                data.append(int(next(rest) + next(rest), 16) if letter == "x" else letters[letter])
+            else:
+                data.append(ord(c))
+        inputs.append(bytes(data))
+    return inputs
+
+
+def load(build):
+    path = build / "record.json"
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def add(build, target, executions, seconds):
+    with lock:
+        record = load(build)
+        entry = record.setdefault(target, {"executions": 0, "seconds": 0})
+        entry["executions"] += executions
+        entry["seconds"] += seconds
+        (build / "record.json").write_text(json.dumps(record, indent=1))
+
+
+def tool(name):
+    for candidate in (name, f"/usr/lib/llvm-14/bin/{name}", f"{name}-14"):
+        if shutil.which(candidate):
+            return candidate
+    sys.exit(f"fuzz: {name} is missing (Debian: llvm)")
+
+
+def coverage(build, kept):
+    """Of each source of the targets: lines covered, lines, branches covered, branches, by the kept corpus of all targets."""
+    raw, merged = build / "kept.profraw", build / "kept.profdata"
+    program = build / "fuzz_replay"
+    subprocess.run([program, kept], check=True, stdout=subprocess.DEVNULL, cwd=build, env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
+    subprocess.run([tool("llvm-profdata"), "merge", "-sparse", raw, "-o", merged], check=True)
+    report = subprocess.run([tool("llvm-cov"), "export", "-summary-only", f"-instr-profile={merged}", program],
+                            check=True, capture_output=True, text=True).stdout
+    found = {}
+    for file in json.loads(report)["data"][0]["files"]:
+        name = os.path.relpath(os.path.realpath(file["filename"]), ROOT)
+        found[name] = [file["summary"][kind][part] for kind in ("lines", "branches") for part in ("covered", "count")]
+    return found
+
+
+def found_by_target():
+    """tests/fuzz/found.txt: TARGET: what was found and mended."""
+    found = {target: [] for target in READERS}
+    for line in (ROOT / "tests/fuzz/found.txt").read_text().splitlines():
+        if line and not line.startswith("#"):
+            target, what = line.split(": ", 1)
+            found[target].append(what)
+    return found
+
+
+def write_table(build, kept, document):
+    record, found, all_files = load(build), found_by_target(), coverage(build, kept)
+    share = lambda covered, n: f"{100 * covered / n:.1f}" if n else "-"
+    rows, n_executions, n_seconds = [], 0, 0
+    for target, sources in READERS.items():
+        entry = record.get(target, {"executions": 0, "seconds": 0})
+        n_executions += entry["executions"]
+        n_seconds += entry["seconds"]
+        files = {name: all_files[name] for name in sources}
+        sums = [sum(values[k] for values in files.values()) for k in range(4)]
+        least = min(files, key=lambda name: files[name][0] / files[name][1])
+        crashes = build / "crashes" / target
+        open_crashes = len(list(crashes.iterdir())) if crashes.exists() else 0
+        rows.append(f"| `{target}` | {entry['executions']:,} | {entry['seconds'] / 60:.1f} | {share(*sums[:2])} of {sums[1]} | "
+                    f"{share(*sums[2:])} | {Path(least).name}: {share(*files[least][:2])} | {len(found[target])} | {open_crashes} |")
+    head = ["| target | executions | minutes | lines of its sources, % | branches, % | least covered source, % of lines | found and mended | open |",
+            "|---|---:|---:|---:|---:|---|---:|---:|"]
+    total = f"| all | {n_executions:,} | {n_seconds / 60:.1f} | | | | {sum(map(len, found.values()))} | |"
+    text = document.read_text()
+    before, rest = text.split(BEGIN)
+    document.write_text(before + "\n".join([BEGIN, *head, *rows, total, END]) + rest.split(END)[1])
+    print("\n".join([*head, *rows, total]))

@@ -1,0 +1,144 @@
+#include "base/error.h"
+#include "matching/checkpoint/checkpoints.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/output/file_checksum.h"
+#include "matching/output/history_file.h"
+#include "matching/output/summary.h"
+#include "matching/output/written_files.h"
+#include "matching/pairs/landmark_file.h"
+#include "matching/result/correspondence.h"
+#include "studies/execution/run_result.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/target.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shellmatch::fuzz {
+
+namespace {
+
+template <int Dim>
+void check_map(const std::string& path) {
+  const Deformation<Dim> map = read_deformation<Dim>(path);
+  demand(map.phi.size() == static_cast<std::size_t>(map.grid.n_nodes()), "a map has a value at each node");
+  for (const Vec<Dim>& x : map.phi) demand(x.allFinite(), "a map is finite");
+  demand(map.placement.scale > 0 && map.pose.scale > 0, "scales are positive");
+}
+
+template <int Dim>
+void expect_other_dimension_refused(const std::string& path) {
+  try {
+    read_deformation<Dim>(path);
+  } catch (const InputError&) {
+    return;
+  }
+  demand(false, "a map has one dimension");
+}
+
+// A few vertices, to which files refer by number.
+template <int Dim>
+std::vector<Vec<Dim>> some_vertices() {
+  return std::vector<Vec<Dim>>(9, Vec<Dim>::Constant(0.25));
+}
+
+template <int Dim>
+void check_landmarks(const LandmarkOptions& options) {
+  const std::vector<Vec<Dim>> vertices = some_vertices<Dim>();
+  const auto landmarks = read_landmarks<Dim>(options, vertices, vertices);
+  demand(!landmarks.empty(), "a file that is read has a landmark");
+  for (const Landmark<Dim>& landmark : landmarks)
+    demand(landmark.on_reference.allFinite() && landmark.on_template.allFinite() && std::isfinite(landmark.weight) && landmark.weight > 0,
+           "landmarks are finite, weights positive");
+}
+
+// Calls both, of which either may refuse the input of the other; the last refusal goes on.
+template <class First, class Second>
+void both(const First& first, const Second& second) {
+  try {
+    first();
+  } catch (const InputError&) {
+  }
+  second();
+}
+
+}  // namespace
+
+// Input without the line of the checksum gets one: of an input that was changed, no checksum would be right.
+void read_map_file(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  if (!bytes.ends_with(" -->\n")) append_checksum(file.path());
+  if (deformation_dimension(file.path()) == 2) {
+    expect_other_dimension_refused<3>(file.path());
+    check_map<2>(file.path());
+  } else {
+    expect_other_dimension_refused<2>(file.path());
+    check_map<3>(file.path());
+  }
+}
+
+void read_history_file(std::string_view bytes) {
+  const History history = read_history(MemoryFile(bytes).path());
+  for (const bool over_seconds : {false, true})
+    for (const Series& series : energy_plot(history, over_seconds).series)
+      demand(series.x.size() == series.y.size(), "a curve has a value at each place");
+  const MemoryFile written("");
+  write_history(history, written.path());
+  demand(history_csv(read_history(written.path())) == history_csv(history), "a history that is written is read back");
+}
+
+void read_summary_file(std::string_view bytes) {
+  const MatchSummary summary = read_summary(MemoryFile(bytes).path());
+  const MemoryFile written("");
+  write_summary(summary, written.path());
+  demand(summary_json(read_summary(written.path())) == summary_json(summary), "a summary that is written is read back");
+}
+
+void read_manifest_file(std::string_view bytes) {
+  const auto manifest = read_manifest(MemoryFile(bytes).path());
+  if (!manifest) return;
+  const std::string text = manifest_json(*manifest);
+  const auto again = read_manifest(MemoryFile(text).path());
+  demand(again && manifest_json(*again) == text, "a manifest that is written is read back");
+}
+
+void read_list_of_files(std::string_view bytes) {
+  const auto files = parse_file_list(MemoryFile(bytes).path());
+  if (!files) return;
+  const std::string text = file_list_json(*files);
+  const auto again = parse_file_list(MemoryFile(text).path());
+  demand(again && file_list_json(*again) == text, "a list of files that is written is read back");
+}
+
+void read_result_of_run(std::string_view bytes) {
+  const auto result = read_run_result(MemoryFile(bytes).path());
+  if (!result) return;
+  const MemoryFile written("");
+  write_run_result(*result, written.path());
+  const auto again = read_run_result(written.path());
+  demand(again && again->status == result->status && again->peak_memory_bytes == result->peak_memory_bytes &&
+             again->exit_code == result->exit_code, "a result that is written is read back");
+}
+
+// One part is one file with both shapes, of two parts each has a shape. Both dimensions see them.
+void read_landmark_files(std::string_view bytes) {
+  const auto parts = parts_of(bytes, separator);
+  const MemoryFile file(parts[0]), other(parts.size() > 1 ? parts[1] : "");
+  LandmarkOptions options;
+  options.file = parts.size() > 2 ? "" : file.path();
+  if (parts.size() > 1) options.template_file = other.path();
+  both([&] { check_landmarks<2>(options); }, [&] { check_landmarks<3>(options); });
+}
+
+void read_correspondence_file(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  const auto check = [](const auto& list) {
+    demand(!list.empty(), "a file that is read has a correspondence");
+    for (const auto& [index, x] : list) demand(index >= 0 && index < 9 && x.allFinite(), "a correspondence is of a vertex");
+  };
+  both([&] { check(read_correspondence<2>(file.path(), 9)); }, [&] { check(read_correspondence<3>(file.path(), 9)); });
+}
+
+}  // namespace shellmatch::fuzz

@@ -1,0 +1,196 @@
+"""The inputs that fuzzing begins with, one or a few of each form of each format, and words that stand in the formats."""
+import re
+import struct
+import zlib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SEPARATOR = b"\x1e"  # target.h
+
+
+def mesh_seeds():
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    header = ("ply\nformat {} 1.0\ncomment a\nelement vertex 4\nproperty {r} x\nproperty {r} y\nproperty {r} z\nproperty uchar red\n"
+              "property float nx\nelement face 4\nproperty list uchar int vertex_indices\nelement edge 1\nproperty short a\nend_header\n")
+    text = lambda row: " ".join(map(str, row)) + "\n"
+    seeds = {
+        "obj": [("o a\nmtllib m\n" + "".join("v " + text(p) for p in points) + "vt 0 0\nvn 0 0 1\ns 1\n" +
+                 "".join("f " + " ".join(f"{v + 1}/1/1" for v in f) + "\n" for f in faces)).encode(),
+                ("".join("v " + text(p + (0.1, 0.2, 0.3)) for p in points) + "f -1 -2 -3\nf 1//1 2//1 \\\n3//1\nl 1 2\n").encode(),
+                b"f 1 2 3\nf 1 2\nv 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0\n"],
+        "off": [("OFF\n4 4 0\n" + "".join(map(text, points)) + "".join("3 " + text(f) for f in faces)).encode(),
+                ("COFF 4 4 6 # a\n" + "".join(text(p + (1, 2, 3, 4)) for p in points) + "".join("3 " + text(f + (255, 0, 0)) for f in faces)).encode(),
+                b"STCNOFF\n3\n1\n0\n0 0 0 0 0 1 .1 .2 .3 0 0\n1 0 0 0 0 1 .1 .2 .3 1 0\n0 1 0 0 0 1 .1 .2 .3 0 1\n3 0 1 2\n",
+                b"3 1 0\n0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n", b"OFF BINARY\n", b"4OFF\n1 0 0\n"],
+        "stl": [("solid a\n" + "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex " + text(points[v]) for v in f) +
+                                       "endloop\nendfacet\n" for f in faces) + "endsolid a\n").encode(),
+                b" " * 80 + struct.pack("<I", 4) + b"".join(
+                    struct.pack("<12fH", 0, 0, 0, *points[f[0]], *points[f[1]], *points[f[2]], 0) for f in faces) + b"12"],
+        "ply": [(header.format("ascii", r="float") + "".join(text(p + (9, 0.5)) for p in points) +
+                 "".join("3 " + text(f) for f in faces) + "1\n").encode(),
+                b"ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar int a\nproperty double x\nproperty int16 y\nproperty uint z\n"
+                b"element tristrips 1\nproperty list int int vertex_index\nend_header\n2 1 1 0 0 0\n3 0 0 0\n",
+                b"ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty ushort y\nproperty int z\n"
+                b"property uint a\nproperty int8 b\nend_header\n" + bytes(12) + b"!"],
+    }
+    for order, name in (("<", "little"), (">", "big")):
+        seeds["ply"].append(header.format(f"binary_{name}_endian", r="double").encode() +
+                            b"".join(struct.pack(order + "3dBf", *p, 9, 0.5) for p in points) +
+                            b"".join(struct.pack(order + "B3i", 3, *f) for f in faces) + struct.pack(order + "h", 1))
+    return seeds
+
+
+def image_seeds():
+    grey = bytes(255 if 4 <= x < 12 and 3 <= y < 13 else 0 for y in range(16) for x in range(16))
+
+    def png(depth, colour, row_of):
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        rows = b"".join(b"\0" + row_of(grey[16 * y:16 * y + 16]) for y in range(16))
+        return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 16, 16, depth, colour, 0, 0, 0)) +
+                chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    return {"png": [png(8, 0, lambda r: r), png(16, 0, lambda r: b"".join(bytes([v, v]) for v in r)),
+                    png(8, 6, lambda r: b"".join(bytes([v, v, v, 255]) for v in r)),
+                    png(1, 0, lambda r: bytes(sum((r[8 * i + k] > 0) << (7 - k) for k in range(8)) for i in range(2)))],
+            "pgm": [b"P5\n# a\n16 16\n255\n" + grey, b"P5 16 16 65535\n" + b"".join(bytes([v, v]) for v in grey),
+                    b"P2\n16 16\n255\n" + " ".join(map(str, grey)).encode()]}
+
+
+def map_seed(dim, posed, fill_words=True):
+    """A grid of two cells along each axis, with stored blocks (stored_blocks.cpp), without the line of its checksum."""
+    side = range(3)
+    nodes = [(x, y, z) for z in (side if dim == 3 else [0]) for y in side for x in side]
+    corner_nodes = [(x, y, z) for z in (range(2) if dim == 3 else [0]) for y in range(2) for x in range(2)]
+    cells = [[nodes.index(tuple(a + b for a, b in zip(c, d))) for d in corner_nodes] for c in corner_nodes]
+    data = b""
+
+    def array(kind, name, components, fmt, values):
+        nonlocal data
+        body = struct.pack(f"<{len(values)}{fmt}", *values)
+        tag = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="appended" offset="{len(data)}"/>\n'
+        data += struct.pack("<4Q", 1, len(body), 0, len(body)) + body
+        return tag
+    positions = [x / 2 for node in nodes for x in node]
+    facts = array("Int32", "dimension", 1, "i", [dim]) + array("Float64", "placement_scale", 1, "d", [0.5])
+    facts += array("Float64", "placement_offset", dim, "d", [0.1] * dim)
+    if posed:
+        facts += array("Float64", "pose_scale", 1, "d", [1]) + array("Float64", "pose_offset", dim, "d", [0.1] * dim)
+        facts += array("Float64", "pose_rotation", dim * dim, "d", [float(i % (dim + 1) == 0) for i in range(dim * dim)])
+    point_data = array("Float64", "phi", 3, "d", positions)
+    cell_data = array("Int32", "level", 1, "i", [1] * len(cells))
+    points = array("Float64", "Points", 3, "d", positions)
+    topology = array("Int64", "connectivity", 1, "q", [v for c in cells for v in c])
+    topology += array("Int64", "offsets", 1, "q", [(i + 1) * len(corner_nodes) for i in range(len(cells))])
+    topology += array("UInt8", "types", 1, "B", [8 if dim == 2 else 11] * len(cells))
+    head = (f'<?xml version="1.0"?>\n<!-- a -->\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
+            f'compressor="vtkZLibDataCompressor">\n<UnstructuredGrid><FieldData>{facts}</FieldData>'
+            f'<Piece NumberOfPoints="{len(nodes)}" NumberOfCells="{len(cells)}"><PointData>{point_data}</PointData>'
+            f'<CellData>{cell_data}</CellData><Points>{points}</Points><Cells>{topology}</Cells></Piece></UnstructuredGrid>\n'
+            f'<AppendedData encoding="raw">\n_')
+    return head.encode() + data + b"\n</AppendedData>\n</VTKFile>"
+
+
+def map_seeds():
+    whole = [map_seed(d, p) for d in (2, 3) for p in (False, True)]
+    changed = [(b"0.5 0", b""), (b"LittleEndian", b"BigEndian"), (b'header_type="UInt64"', b'header_type = "UInt32"'),
+               (b"</FieldData>", b"<FieldData/>"), (b"<Piece ", b"<Piece/><Piece "), (b'Name="phi"', b'Name="Points"'),
+               (b'format="appended"', b'format="ascii"'), (b'offset="0"', b'offset="-1"'), (b"<?xml", b"<?xml <!--"),
+               (b"NumberOfCells", b"a=\"<\" NumberOfCells"), (b'encoding="raw"', b'encoding="base64"'), (b">\n_", b">\n"),
+               (b"</FieldData>", b'<DataArray format="appended" type="Int32" Name="dimension" offset="0"/></FieldData>')]
+    return whole + [whole[0].replace(a, b, 1) for a, b in changed] + [
+        whole[0] + b"\n<!-- shellmatch checksum 0123456789abcdef -->\n", whole[0] + b"\n<!-- shellmatch xxh3 0123456789abcdef -->\n",
+        b" -->\n"]
+
+
+def repair_seeds():
+    """Edits as edited_shape.cpp understands them."""
+    n = lambda *values: bytes(int(122 + 4 * v) for v in values)
+    two = lambda v: struct.pack("<H", v)
+    tetrahedron = lambda x, y, z, side: b"\x00" + n(x, y, z, side)
+    square = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)]
+    prism = lambda corners, height: b"\x01" + two(len(corners) - 3) + n(*height) + b"".join(n(*c) for c in corners)
+    body = tetrahedron(0, 0, 0, 4)
+    return {
+        "repair3": [body, body + tetrahedron(.25, .25, .25, 1), prism(square, (0, 0, 2)), prism(square[::-1], (0, 0, 2)),
+                    prism([(0, 0, 0), (4, 0, 0), (4, 4, 0), (2, 1, 0), (0, 4, 0)], (0, 0, 1)),
+                    body + tetrahedron(8, 0, 0, 0), body + b"\x04" + two(1), body + b"\x05" + two(2) + b"\x06" + two(0),
+                    body + b"\x09" + two(0) + two(0), body + b"\x09" + two(1) + two(0) + b"\x0a" + two(0), body + b"\x0a" + two(1),
+                    body + tetrahedron(4, 0, 0, 4) + b"\x08" + two(4) + two(1), b"\x02" + n(0, 0, 0), body + b"\x07" + two(0) + n(1, 1, 2),
+                    b"", prism(square, (0, 0, 0)), body + b"\x03" + two(2) + two(0) + two(1), body + b"\x02\xff\xff\xff",
+                    body + tetrahedron(1, 1, 1, 4), body + b"\x0b" + two(0) + two(1) + b"\x01"],
+        "repair2": [b"".join(b"\x00" + n(x, y) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]), b"\x04" + n(0, 0, 8, 8) + b"\x04" + n(1, 1, 2, 2),
+                    b"\x05" + two(2) + two(1) + n(0, 0, 4), b"\x05" + two(3) + two(0) + n(0, 0, 4), b"", b"\x03",
+                    b"\x04" + n(0, 0, 4, 4) + b"\x04" + n(4, 4, 4, 4), b"\x04" + n(0, 0, 4, 4) + b"\x00" + n(0, 2) + b"\x06" + two(0),
+                    b"\x00" + n(0, 0) + b"\x00" + n(4, 0) + b"\x00" + n(0, 0) + b"\x00" + n(0, 4)]}
+
+
+HISTORY = (b"level,substep,nu,solver,iteration,value,match,gradient_norm,l2_gradient_norm,step,value_evaluations,gradient_evaluations,"
+           b"seconds\n3,0,0.5,newton,0,1.5,1.5,2,nan,0,1,1,0.25\n")
+SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interrupted": false, "reference": {"file": "a", "vertices": 1, '
+           b'"facets": 1, "notes": ["b"]}, "template": {"file": "c", "vertices": 1, "facets": 1, "notes": []}, "placement": {"kind": "fit", '
+           b'"scale": 1, "offset": [0, null]}, "distance_before": {D}, "distance": {D}, "correspondence_error": 0.5, "area_distortion": {M}, '
+           b'"angle_distortion": {M}, "flipped_facets": 0, "levels": [{"level": 3, "sigma": 1, "nu": 1, "volume_weight": 1, "substeps": 1, '
+           b'"nodes": 1, "free_nodes": 1, "cells": 1, "band_cells": 1, "energy_minimised": {"sum": 1}, "energy": {"sum": 1}, "iterations": 1, '
+           b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], '
+           b'"stop_reason": "a", "stop_message": "b", "folds": {"min_determinant": 1, "determinant_lower_bound": 1, "folded_cells": 0, '
+           b'"uncertified_cells": 0, "folded_volume": 0}, "band": {"normal_angle": 1, "folded_share": 0}, "distance": {D}}], "gradient_checks": '
+           b'[], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
+           b'"resumed_after": [3]}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
+           b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1}')
+
+
+def seeds_of_all():
+    seeds = {**mesh_seeds(), **image_seeds(), **repair_seeds(), "map": map_seeds()}
+    joined = lambda *parts: SEPARATOR.join(parts)
+    seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
+    seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n"]
+    seeds["yaml"] = [b"version: 1\nsome: {flag: true, number: 3, value: 0.5, text: \"a\", list: [1, 2], colour: green}\n",
+                     b"version: &a 1\nsome:\n  number: *a\n  list:\n    - 1\n    - !!float 2\n", b"{version: 1},", b"a: 1\n---\nb: 2\n", b"[a]",
+                     b"{}", b"some:\n", b"some: 1\n", b"[]: 1\n", b"some: {[1]: 2}\n", b"some: {list: 1, text: [a]}\n", b"version: {a: 1}\n",
+                     b"version:\n", b"version: 1\nversion: 2\n", b"some: &a {text: *a}\n", b"a\n", b"", b"some: {list: [[1]]}\n", b"a: \0\n",
+                     joined(b"version: 1", b"[1, 2]", b"true", b"3", b"1, junk", b"red", b"{a: 1}", b"'a", b"yes", b"1e999", b"!!int 3", b"")]
+    seeds["experiment"] = [b"profile: paper\ninput: {reference: a.ply, template: generate:circle, placement: as-is}\ncascade: {min_level: 2, "
+                           b"max_level: 3}\nsolver: {name: lbfgs, fallback: [newton], levels: {3-5: {name: newton, stop: {max_iterations: 3}}}}\n",
+                           b"solver: {levels: {3: {stop.max_iterations: 3}, 4-15: {name: lbfgs}}}\nenergy: {match_weight: 0}\n",
+                           joined(b"threads: 1", b"solver.levels.3-5.name=lbfgs", b"profile=paper", b"cascade.nu=0.5", b"input.reference=a"),
+                           joined(b"version: 1", b"cascade=1"), joined(b"threads: 1", b"solver.levels=1"), joined(b"threads: 1", b"a.b=1"),
+                           b"solver: {levels: 3}", b"solver: {levels: {3: 4}}", b"solver: {levels: {[]: 4}}", b"solver: {levels: {3: {[]: 4}}}",
+                           b"solver: {levels: {3-5: {levels: {}}}}", b"solver: {levels: {3-5: {stop: 4}, 4: {name: lbfgs}}}", b"solver: {name: a}",
+                           b"cascade: {min_level: 5, max_level: 4}", b"check_gradient: {every: 2}\npictures: none\nresume: {enabled: no}\n",
+                           joined(b"threads: 1", b"solver.levels.3.stop=1"), joined(b"threads: 1", b"solver.levels.3.name=a", b"=1")]
+    study = b"version: 1\ntitle: a\nproblems: {a: {set: {input: {reference: 'generate:circle', template: b}}}}\nsolvers: [newton]\n"
+    seeds["study"] = [study, joined(study, b"repeats=2", b"cascade.nu=1", b"version=1"),
+                      study + b"limits: {seconds: 3, memory_mb: 1}\nset: {cascade.nu: 1, energy: {delta: 2}}\nmetrics: [l2, h1]\n"
+                      b"parameters: {cascade.nu: [1, 2], input.reference: [a, b]}\n",
+                      b"version: 1\nproblems: {a: {base: ., set: {}}}\nsolvers: {x: {name: newton, stop: {max_iterations: 2}}, lbfgs: , y: {}}\n",
+                      b"version: 2", b"version:", b"a: 1", b"version: 1\nproblems:", b"version: 1\nproblems: {a: 1}", b"version: 1\nlimits: 1",
+                      b"version: 1\nproblems: {a: {base: []}}", b"version: 1\nproblems: {a: {b: 1}}", b"version: 1\nproblems: {a b: {}}",
+                      b"version: 1\nproblems: {a: {base: none}}", b"version: 1\nproblems: {a: {}}\nsolvers: [[]]", study + b"metrics: []",
+                      study + b"metrics: 1", study + b"parameters: []", study.replace(b"solvers", b"repeats"), study.replace(b"[newton]", b"1")]
+    seeds["history"] = [HISTORY, HISTORY.replace(b",match", b"").replace(b"1.5,1.5", b"1.5"), HISTORY + b"1,2\n", HISTORY.replace(b"0.25", b"a"),
+                        b"level,substep\n", b""]
+    seeds["landmarks"] = [b"name,x1,y1,z1,x2,y2,z2,weight\na,0,0,0,1,1,1,2\n", b"vertex1,vertex2,sd\n0,1,0.5\n2,3,1\n",
+                          b'"name", x1,y1,x2,y2\na,0,0,1,1\nb,0,1,1,2\n', joined(b"name,x,y,z,sd\na,0,0,0,1\nb,1,1,1,2\n", b"name,vertex\nb,1\na,2\n"),
+                          joined(b"name,vertex,weight\na,0,1\n", b"name,x,y\na,0.5,1e3\n"), joined(b"name,vertex\na,0\n", b"name,vertex\nb,0\n"),
+                          joined(b"name,vertex\na,0\nb,1\n", b"name,vertex\na,0\n"), joined(b"name,vertex\na,0\n", b"name,vertex,sd\na,0,1\n"),
+                          joined(b"", b"name,vertex\na,0\n", b""), joined(b"vertex\n0\n", b"name,vertex\na,0\n"), b"x1,y1,vertex2\n0,0,9\n",
+                          b"vertex1,vertex2,a\n", b"vertex1,vertex1\n", b"vertex1,x2\n", b"vertex1,vertex2,sd,weight\n", b"vertex1,vertex2\n",
+                          b"vertex1,vertex2\n1\n", b"name,vertex1,vertex2\n,1,1\n", b"name,vertex1,vertex2\na,1,1\na,1,2\n", b"\n",
+                          b"vertex1,vertex2,sd\n1,1,0\n", b"vertex1,vertex2\n1.5,1\n", b"x1,y1,x2,y2\nnan,0,0,0\n"]
+    seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
+    seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
+    seeds["manifest"] = [b'{"format": 3, "level": 4, "program": "a", "reference": "b", "template": "c", "landmarks": "d"}', b"[1e300]"]
+    seeds["run_result"] = [b'{"status": "finished", "message": "", "exit_code": 0, "signal": 0, "fingerprint": "a", "seconds": 1.5, '
+                           b'"peak_memory_bytes": 1, "load": 0, "limit_seconds": 0, "limit_memory_mb": 0, "jobs": 1, "machine": "m", "program": "p"}']
+    seeds["summary"] = [b"{}", SUMMARY, b"[]"]
+    return seeds
+
+
+def words_of(target, inputs):
+    """A dictionary of libFuzzer: the words of the seeds, and for options those of docs/options.md."""
+    text = b"\n".join(inputs)
+    if target in ("experiment", "study"):
+        text += b" ".join(re.findall(rb"`([^`]*)`", (ROOT / "docs/options.md").read_bytes()))
+    words = set(re.findall(rb"[A-Za-z_][A-Za-z_0-9.-]{1,40}", text)) | {b"1e308", b"-1", b"nan", b"9223372036854775807", b"2147483648"}
+    return "".join(f'"{word.decode()}"\n' for word in sorted(words) if not re.search(rb'["\\]', word))

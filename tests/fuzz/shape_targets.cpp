@@ -1,0 +1,75 @@
+#include "geometry/io/read_mask.h"
+#include "geometry/io/read_mesh_formats.h"
+#include "geometry/io/read_points.h"
+#include "geometry/repair/make_shape.h"
+#include "geometry/repair/repair_crossings.h"
+#include "tests/fuzz/edited_shape.h"
+#include "tests/fuzz/target.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace shellmatch::fuzz {
+
+namespace {
+
+// What every reader of a shape promises (geometry/io/read_mesh_formats.h).
+template <int Dim>
+void check_original(const OriginalShape<Dim>& shape) {
+  for (const Vec<Dim>& x : shape.vertices) demand(x.allFinite(), "coordinates are finite");
+  for (const auto& polygon : shape.polygons)
+    for (const Index v : polygon) demand(v >= 0 && static_cast<std::size_t>(v) < shape.vertices.size(), "polygons have vertices");
+  for (const VertexAttribute& a : shape.attributes)
+    demand(a.values.size() == shape.vertices.size(), "an attribute has a value for each vertex");
+}
+
+void check_image(const GreyImage& image) {
+  demand(image.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), "an image is full");
+  std::vector<std::string> notes;
+  if (image.values.size() < 100000) check_original(mask_rings(image, "input", notes));
+}
+
+// What a mended shape is (geometry/repair/repair.h): closed, each edge run through once in each direction.
+void check_mended(const Surface<3>& surface) {
+  std::set<std::pair<Index, Index>> edges;
+  for (const Vec<3>& x : surface.vertices) demand(x.allFinite(), "mended coordinates are finite");
+  for (const auto& facet : surface.facets)
+    for (std::size_t k = 0; k < 3; ++k) {
+      demand(facet[k] >= 0 && static_cast<std::size_t>(facet[k]) < surface.vertices.size(), "facets have vertices");
+      demand(facet[k] != facet[(k + 1) % 3], "facets have three corners");
+      demand(edges.emplace(facet[k], facet[(k + 1) % 3]).second, "an edge runs once in a direction");
+    }
+  for (const auto& [a, b] : edges) demand(edges.contains({b, a}), "every edge has two facets");
+  demand(!edges.empty() && std::isfinite(enclosed_measure(surface)), "there is a surface");
+}
+
+void check_mended(const Surface<2>& surface) {
+  std::vector<int> n_in(surface.vertices.size(), 0), n_out = n_in;
+  for (const auto& [a, b] : surface.facets) ++n_out.at(static_cast<std::size_t>(a)), ++n_in.at(static_cast<std::size_t>(b));
+  for (std::size_t v = 0; v < n_in.size(); ++v) demand(n_in[v] == 1 && n_out[v] == 1, "an outline is made of rings");
+  // Rings may touch at a point.
+  demand(crossing_segments(surface, Contact::of_inner_points, 1).empty(), "an outline does not cross itself");
+  demand(enclosed_measure(surface) > 0, "an outline encloses an area");
+}
+
+template <int Dim>
+void mend(OriginalShape<Dim> original) {
+  const Shape<Dim> shape = make_shape(std::move(original), "input");
+  check_mended(shape.surface);
+}
+
+}  // namespace
+
+void read_obj_bytes(std::string_view bytes) { check_original(read_obj("input", bytes).shape); }
+void read_off_bytes(std::string_view bytes) { check_original(read_off("input", bytes).shape); }
+void read_ply_bytes(std::string_view bytes) { check_original(read_ply("input", bytes).shape); }
+void read_stl_bytes(std::string_view bytes) { check_original(read_stl("input", bytes).shape); }
+void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }
+void read_points_of_space(std::string_view bytes) { check_original(read_points<3>("input", bytes, false)); }
+void read_png_bytes(std::string_view bytes) { check_image(read_png("input", bytes)); }
+void read_pgm_bytes(std::string_view bytes) { check_image(read_pgm("input", bytes)); }
+void mend_edited_mesh(std::string_view bytes) { mend(edited_mesh(bytes)); }
+void mend_edited_outline(std::string_view bytes) { mend(edited_outline(bytes)); }
+
+}  // namespace shellmatch::fuzz

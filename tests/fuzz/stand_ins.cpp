@@ -1,0 +1,33 @@
+// In place of sources that readers are linked with and whose work is no reading: they would take longer to compile than all
+// readers.
+#include "base/error.h"
+#include "geometry/generate/exact_shape.h"
+#include "geometry/generate/generate_shape.h"
+#include "solvers/minimizer.h"
+#include "solvers/options.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace shellmatch {
+
+// Of make_minimizer() the readers of options use the refusals only.
+std::vector<std::string> minimizer_names() { return {"fletcher_reeves", "lbfgs", "newton", "ceres_lbfgs", "nlopt_lbfgs"}; }
+
+std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
+  const auto names = minimizer_names();
+  if (std::ranges::find(names, options.name) == names.end())
+    throw_input_error("solver.name: there is no method '{}'", options.name);
+  for (const std::string& name : options.fallback)
+    if (name != "auto" && std::ranges::find(names, name) == names.end())
+      throw_input_error("solver.fallback: there is no method '{}'", name);
+  return nullptr;
+}
+
+[[noreturn]] static void never_called() { throw std::logic_error("readers generate no shapes"); }
+
+AnyOriginal generate_shape(std::string_view, std::string_view, double, const GeneratorParameters&) { never_called(); }
+AnyKnownPositions known_positions(std::string_view, std::string_view, std::string_view) { never_called(); }
+std::optional<AnyExactShape> exact_shape(std::string_view, std::string_view) { never_called(); }
+
+}  // namespace shellmatch
