@@ -58,6 +58,8 @@ int perform(const Invocation& invocation) {
 int main(int argc, char** argv) {
   // A file that grows beyond its limit (ulimit -f) is an error of the write, which is reported and cleaned up.
   std::signal(SIGXFSZ, SIG_IGN);
+  // Whoever started this program may ignore it; how the runs of a study end would then be forgotten.
+  std::signal(SIGCHLD, SIG_DFL);
   try {
     return perform(parse_command_line(std::vector<std::string>(argv + 1, argv + argc)));
   } catch (const CheckFailed& error) {

@@ -286,6 +286,15 @@ TEST(ForeignFiles, AFolderThatCannotBeLookedIntoIsRefusedBeforeAnyWork) {
   EXPECT_FALSE(has(result.err, "level 3")) << result.err;
 }
 
+// Some schedulers and shells (trap '' CHLD) start programs so, and the system then forgets how a child ended.
+TEST(ForeignFiles, AStudyThatIsStartedWithSIGCHLDIgnoredKnowsHowItsRunsEnd) {
+  const TemporaryFolder tmp;
+  put(tmp / "s.yaml", fmt::format(study_text, 0.001));
+  run_in_child({"study", tmp / "s.yaml", "-o", tmp / "o", "-q", "--program", "/bin/false"},
+               [] { return std::signal(SIGCHLD, SIG_IGN) != SIG_ERR; });
+  EXPECT_TRUE(has(contents_of(tmp / "o/runs/leaf-newton-r1/result.json"), "\"exit_code\": 1")) << contents_of(tmp / "o/runs/leaf-newton-r1/result.json");
+}
+
 // As a mount point is, which cannot be renamed either (is_mount_point() has a test of its own).
 TEST(ForeignFiles, AFolderInAParentThatMayNotBeWrittenIsFilledInPlace) {
   const TemporaryFolder tmp;
