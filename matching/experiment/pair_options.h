@@ -14,7 +14,7 @@ struct LandmarkOptions {
   std::string file, template_file;
   double weight = 1;
   RobustLoss loss = RobustLoss::cauchy;
-  double scale = 0.05;
+  double scale = 0.01;
   double max_distance = 0.05;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
