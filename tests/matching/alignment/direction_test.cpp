@@ -116,6 +116,23 @@ TEST(MatchBackward, LandmarksAreThoseOfTheShapesAsGiven) {
   EXPECT_LT((*y - landmarks[0].on_template).norm(), 0.02);
 }
 
+TEST(MatchBackward, ThePoseOfLandmarksCarriesTheTemplateOntoTheReference) {
+  ShapePair<2> pair{generated<2>("circle"), generated<2>("ellipse/long")};
+  Similarity<2> by;
+  by.rotation = Eigen::Rotation2Dd(1.2).toRotationMatrix();
+  by.scale = 3;
+  std::vector<Landmark<2>> landmarks;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec<2>& x = pair.reference.original.vertices[i * pair.reference.original.vertices.size() / 3];
+    landmarks.push_back({std::to_string(i), x, by(x)});
+  }
+  ExperimentOptions o = options_to(4, MatchDirection::backward);
+  o.align.mode = AlignMode::landmarks;
+  Notes notes;
+  const Similarity<2> pose = prepare_pair(pair, landmarks, o, notes).alignment.pose;
+  for (const Landmark<2>& l : landmarks) EXPECT_LT((pose(l.on_template) - l.on_reference).norm(), 1e-9);
+}
+
 /// A letter U whose arms are 0.3 thick and 1 high.
 Shape<2> letter(double gap) {
   const double arm = 0.3, w = 2 * arm + gap;
