@@ -79,8 +79,9 @@ class Matching {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
-    s.distance = two_sided_distance(
-        deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi), template_distance_);
+    if constexpr (Dim == 3) s.distance = two_sided_distance(deformed, template_distance_);
+    else s.distance = two_sided_distance(deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi),
+                                         template_distance_);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
@@ -99,8 +100,7 @@ class Matching {
     Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, template_distance_);
-    Deformation<Dim> map{std::move(result.grid), std::move(result.phi), inputs_.prepared.placement,
-                         inputs_.prepared.alignment.pose, is_backward_};
+    Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();

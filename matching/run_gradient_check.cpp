@@ -8,18 +8,25 @@
 #include "matching/experiment/shape_pair.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/alignment/known_pairs.h"
+#include "matching/alignment/prepare_pair.h"
 #include "matching/pairs/coverage.h"
 #include "matching/pairs/landmark_file.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace shellmatch {
 
 namespace {
 
 template <int Dim>
-bool same_placement(const Similarity<Dim>& a, const Similarity<Dim>& b) {
+bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
   return std::abs(a.scale - b.scale) <= 1e-9 * b.scale && (a.offset - b.offset).norm() <= 1e-9 * (1 + b.offset.norm());
+}
+
+template <int Dim>
+bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
+  return a.is_backward == b.is_backward && same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
 }
 
 template <int Dim>
@@ -40,16 +47,19 @@ int level_of(const ExperimentOptions& options, const GradientCheckRequest& reque
 template <int Dim>
 GradientReport check(const ExperimentOptions& options, const GradientCheckRequest& request, ShapePair<Dim> shapes,
                      Observer& observer) {
-  const auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
+  auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
                                              shapes.template_shape.original.vertices);
-  const Alignment<Dim> alignment = align_shapes(shapes, landmarks, options, observer);
-  const Similarity<Dim> placement = shapes.place(options, alignment.pose);
+  const PreparedPair<Dim> prepared = prepare_pair(shapes, landmarks, options, observer);
+  if (prepared.is_backward()) {  // the energy is that of the map from template to reference
+    std::swap(shapes.reference, shapes.template_shape);
+    landmarks = exchanged(std::move(landmarks));
+  }
   std::optional<Deformation<Dim>> found;
   if (request.state.kind == CheckState::Kind::folder) {
     found = read_deformation<Dim>(request.state.folder);
-    if (!same_placement(found->placement, placement) || !same_placement(found->pose, alignment.pose))
-      throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment",
-                        request.state.folder);
+    if (!same_frame<Dim>(*found, prepared.frame()))
+      throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment, or in the other "
+                        "direction (align.direction)", request.state.folder);
   }
   const int level_number = level_of(options, request, found);
 
@@ -64,7 +74,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
     fields.compute_distances(grid);
   }
   LevelEnergy<Dim> level(grid, fields.geometry(grid), options,
-                         known_pairs(landmarks, alignment, options, placement, d1, d2));
+                         known_pairs(landmarks, prepared.alignment, options, prepared.placement, d1, d2));
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level, options.energy, found);
   const ScheduleStep step = schedule_of_level(options.cascade, level_number).back();
   if (level.coverage && level.covers(options)) {

@@ -145,7 +145,7 @@ class Run {
     s.distance = s.levels.back().distance;
     clock_.state(s.run);
     try {
-      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.placement, end.prepared.alignment.pose, end.prepared.is_backward(), end.history, s}, folder_.path_of("pictures"));
+      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s}, folder_.path_of("pictures"));
       checkpoint_level_ = end.level.start.level;
     } catch (const InputError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());

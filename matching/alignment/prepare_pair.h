@@ -3,6 +3,7 @@
 /// What happens to two shapes before a matching: direction, alignment, placement.
 
 #include "matching/alignment/align_shapes.h"
+#include "matching/level/deformation.h"
 
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@ struct PreparedPair {
   Similarity<Dim> placement;                  ///< has moved both after that
 
   bool is_backward() const { return direction && direction->backward; }
+  MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward()}; }
 };
 
 /// Landmarks of the shapes in the other order.

@@ -170,8 +170,7 @@ std::optional<MatchProgress<Dim>> CheckpointFolder::read() const {
 template <int Dim>
 void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::string& pictures) {
   OutputFolder folder(path_, true, ChangedFiles::are_written);  // a damaged checkpoint may be replaced
-  write_deformation(folder.path_of(deformation_file_name), checkpoint.grid, checkpoint.phi, checkpoint.placement,
-                    checkpoint.pose, checkpoint.is_backward);
+  write_deformation(folder.path_of(deformation_file_name), checkpoint.grid, checkpoint.phi, checkpoint.frame);
   write_history(checkpoint.history, folder.path_of("history.csv"));
   write_summary(checkpoint.summary, folder.path_of("summary.json"));
   write_file(folder.path_of("config.yaml"), to_yaml(identity_.options));

@@ -37,9 +37,7 @@ template <int Dim>
 struct CheckpointView {
   const Octree<Dim>& grid;
   const std::vector<Vec<Dim>>& phi;
-  const Similarity<Dim>& placement;
-  const Similarity<Dim>& pose;
-  bool is_backward;
+  const MapFrame<Dim>& frame;
   const History& history;
   const MatchSummary& summary;
 };

@@ -77,9 +77,6 @@ std::vector<Vec<Dim>> positions_of(const CheckState& state, const LevelEnergy<Di
   std::vector<Vec<Dim>> phi = identity_map(level.grid);
   if (state.kind == CheckState::Kind::identity) return phi;
   if (state.kind == CheckState::Kind::folder) {
-    if (found->is_backward)
-      throw_input_error("the map was found from template to reference (align.direction), but derivatives are checked from reference to "
-                        "template; exchange the shapes");
     for (Index i = 0; i < level.grid.n_nodes(); ++i) phi[i] = found->apply_in_unit_domain(phi[i]);
     distribute(level.grid, phi);
     return phi;

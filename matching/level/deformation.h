@@ -12,20 +12,25 @@
 
 namespace shellmatch {
 
+/// How a map of the unit domain lies in the user's coordinates.
 template <int Dim>
-struct Deformation {
-  Octree<Dim> grid;
-  std::vector<Vec<Dim>> phi;     ///< deformed positions of all nodes, hanging nodes included; unit domain
-  Similarity<Dim> placement;
+struct MapFrame {
+  Similarity<Dim> placement = {};
   Similarity<Dim> pose = {};     ///< moves points before anything else; user's coordinates
   /// The matching was solved backward: phi carries the template onto the reference, and its inverse is the map of the reference
   /// (PointMap).
   bool is_backward = false;
 
   Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
+};
+
+template <int Dim>
+struct Deformation : MapFrame<Dim> {
+  Octree<Dim> grid;
+  std::vector<Vec<Dim>> phi;  ///< deformed positions of all nodes, hanging nodes included; unit domain
 
   /// The image of a point under phi, both in the user's coordinates.
-  Vec<Dim> apply(const Vec<Dim>& x) const { return placement.inverse(apply_in_unit_domain(to_unit_domain(x))); }
+  Vec<Dim> apply(const Vec<Dim>& x) const { return this->placement.inverse(apply_in_unit_domain(this->to_unit_domain(x))); }
 
   /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
   /// the domain.

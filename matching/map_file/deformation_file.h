@@ -40,7 +40,7 @@ void write_deformation(const std::string& path, const Deformation<Dim>& deformat
 /// Writes a map given by its parts.
 template <int Dim>
 void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                       const Similarity<Dim>& placement, const Similarity<Dim>& pose, bool is_backward,
+                       const MapFrame<Dim>& frame,
                        const std::vector<NodalField>& nodal_fields = {},
                        const std::vector<CellField>& cell_fields = {});
 

@@ -109,7 +109,7 @@ Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(file, positions));
   if (!grid) file.damaged("the cells are no balanced tree");
   if (n != grid->n_nodes()) file.damaged("the number of nodes");
-  Deformation<Dim> result{std::move(*grid), std::vector<Vec<Dim>>(static_cast<std::size_t>(n)), {}};
+  Deformation<Dim> result{{}, std::move(*grid), std::vector<Vec<Dim>>(static_cast<std::size_t>(n))};
   std::vector<char> is_set(static_cast<std::size_t>(n), 0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
     typename Octree<Dim>::Coord coord;

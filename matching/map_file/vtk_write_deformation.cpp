@@ -62,7 +62,8 @@ void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
 }
 
 template <int Dim>
-void add_facts(const Similarity<Dim>& placement, const Similarity<Dim>& pose, bool is_backward, vtkFieldData& facts) {
+void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
+  const auto& [placement, pose, is_backward] = frame;
   vtkNew<vtkIntArray> dimension;
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
@@ -93,13 +94,12 @@ template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
-  write_deformation(path, deformation.grid, deformation.phi, deformation.placement, deformation.pose, deformation.is_backward,
-                    nodal_fields, cell_fields);
+  write_deformation<Dim>(path, deformation.grid, deformation.phi, deformation, nodal_fields, cell_fields);
 }
 
 template <int Dim>
 void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                       const Similarity<Dim>& placement, const Similarity<Dim>& pose, bool is_backward,
+                       const MapFrame<Dim>& frame,
                        const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
@@ -131,7 +131,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
     data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
                                                [&](Index i, int) { return field.values[i]; }));
   }
-  add_facts(placement, pose, is_backward, *data->GetFieldData());
+  add_facts(frame, *data->GetFieldData());
 
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const VtkMessages messages;
@@ -151,7 +151,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
                                        const std::vector<NodalField>&, const std::vector<CellField>&);       \
   template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
-                                       const Similarity<Dim>&, const Similarity<Dim>&, bool,                       \
+                                       const MapFrame<Dim>&,                                              \
                                        const std::vector<NodalField>&, const std::vector<CellField>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -13,27 +13,20 @@
 
 namespace shellmatch {
 
-template <int Dim>
-Surface<Dim> subdivided(const Surface<Dim>& surface, double length) {
-  if constexpr (Dim == 3) {
-    (void)length;
-    return surface;
-  } else {
-    Surface<2> fine{surface.vertices, {}};
-    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
-      const auto [a, b] = surface.facets[f];
-      const Vec<2> from = surface.vertices[a], edge = surface.vertices[b] - from;
-      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / length)));
-      Index last = a;
-      for (int k = 1; k < pieces; ++k) {
-        fine.vertices.push_back(from + edge * (static_cast<double>(k) / pieces));
-        fine.facets.push_back({last, static_cast<Index>(fine.vertices.size()) - 1});
-        last = fine.facets.back()[1];
-      }
-      fine.facets.push_back({last, b});
+Surface<2> subdivided(const Surface<2>& curve, double length) {
+  Surface<2> fine{curve.vertices, {}};
+  for (const auto& [a, b] : curve.facets) {
+    const Vec<2> from = curve.vertices[a], edge = curve.vertices[b] - from;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / length)));
+    Index last = a;
+    for (int k = 1; k < pieces; ++k) {
+      fine.vertices.push_back(from + edge * (static_cast<double>(k) / pieces));
+      fine.facets.push_back({last, static_cast<Index>(fine.vertices.size()) - 1});
+      last = fine.facets.back()[1];
     }
-    return fine;
+    fine.facets.push_back({last, b});
   }
+  return fine;
 }
 
 template <int Dim>
@@ -129,7 +122,6 @@ Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& gri
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template Surface<Dim> subdivided<Dim>(const Surface<Dim>&, double);                                                 \
   template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
   template Surface<Dim> surface_before<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
   template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \

@@ -8,6 +8,8 @@
 
 namespace shellmatch {
 
+using Words = std::vector<std::string>;  ///< of a command line
+
 struct ProgramResult {
   int exit_code = -1;        ///< 128 + signal where a signal ended it
   std::string out, err;
@@ -19,7 +21,7 @@ class Program {
  public:
   /// \param words   those after the program's name
   /// \param folder  working folder; empty for the present one
-  explicit Program(const std::vector<std::string>& words, const std::string& folder = "");
+  explicit Program(const Words& words, const std::string& folder = "");
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

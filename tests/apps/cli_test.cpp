@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::vector<std::string>;
 
 std::string joined(const Words& words) {
   std::string text = "shellmatch";

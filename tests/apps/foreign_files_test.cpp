@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 using testing::contents_of;
 using testing::put;
 using testing::TemporaryFolder;
-using Words = std::vector<std::string>;
 
 Words match(const std::string& out, const Words& more = {}, const std::string& levels = "3:4") {
   Words words{"match", "generate:circle", "generate:ellipse", "-o", out, "--levels", levels};

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 using testing::contents_of;
 using testing::put;
 using testing::TemporaryFolder;
-using Words = std::vector<std::string>;
 
 Words match(const std::string& reference, const std::string& out, const Words& more = {}) {
   Words words{"match", reference, "generate:ellipse", "-o", out, "--levels", "3:3"};

@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 using testing::contents_of;
 using testing::put;
 using testing::TemporaryFolder;
-using Words = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
 Words match(const std::string& out, const std::string& levels, const Words& more = {}) {

@@ -17,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::contents_of;
 using testing::TemporaryFolder;
-using Words = std::vector<std::string>;
 
 // Pictures, which take a second in all, leave the time to send a signal.
 Words match(const std::string& out, const Words& more = {}) {

@@ -96,20 +96,21 @@ void read_summary_file(std::string_view bytes) {
   demand(summary_json(read_summary(written.path())) == summary_json(summary), "a summary that is written is read back");
 }
 
+// What read() finds in the file, and text_of() writes, is read back the same.
+void demand_round_trip(std::string_view bytes, auto read, auto text_of, const char* what) {
+  const auto found = read(MemoryFile(bytes).path());
+  if (!found) return;
+  const std::string text = text_of(*found);
+  const auto again = read(MemoryFile(text).path());
+  demand(again && text_of(*again) == text, what);
+}
+
 void read_manifest_file(std::string_view bytes) {
-  const auto manifest = read_manifest(MemoryFile(bytes).path());
-  if (!manifest) return;
-  const std::string text = manifest_json(*manifest);
-  const auto again = read_manifest(MemoryFile(text).path());
-  demand(again && manifest_json(*again) == text, "a manifest that is written is read back");
+  demand_round_trip(bytes, read_manifest, manifest_json, "a manifest that is written is read back");
 }
 
 void read_list_of_files(std::string_view bytes) {
-  const auto files = parse_file_list(MemoryFile(bytes).path());
-  if (!files) return;
-  const std::string text = file_list_json(*files);
-  const auto again = parse_file_list(MemoryFile(text).path());
-  demand(again && file_list_json(*again) == text, "a list of files that is written is read back");
+  demand_round_trip(bytes, parse_file_list, file_list_json, "a list of files that is written is read back");
 }
 
 void read_result_of_run(std::string_view bytes) {

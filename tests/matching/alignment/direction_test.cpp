@@ -2,13 +2,17 @@
 
 #include "matching/alignment/prepare_pair.h"
 
+#include "base/error.h"
 #include "geometry/repair/make_shape.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/shape_source.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_shapes.h"
 #include "matching/result/correspondence.h"
+#include "matching/run_gradient_check.h"
+#include "matching/run_matching.h"
 #include "matching/write_result.h"
+#include "tests/matching/alignment/letter.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <Eigen/Geometry>
@@ -19,6 +23,8 @@
 namespace shellmatch {
 namespace {
 
+using testing::letter;
+using testing::message_of;
 using testing::TemporaryFolder;
 
 template <int Dim>
@@ -133,18 +139,20 @@ TEST(MatchBackward, ThePoseOfLandmarksCarriesTheTemplateOntoTheReference) {
   for (const Landmark<2>& l : landmarks) EXPECT_LT((pose(l.on_template) - l.on_reference).norm(), 1e-9);
 }
 
-/// A letter U whose arms are 0.3 thick and 1 high.
-Shape<2> letter(double gap) {
-  const double arm = 0.3, w = 2 * arm + gap;
-  const Vec<2> corners[] = {{0, 0}, {w, 0}, {w, 1}, {w - arm, 1}, {w - arm, 0.3}, {arm, 0.3}, {arm, 1}, {0, 1}};
-  OriginalShape<2> outline;
-  outline.polygons.emplace_back();
-  for (int c = 0; c < 8; ++c)
-    for (int i = 0; i < 50; ++i) {
-      outline.polygons[0].push_back(static_cast<Index>(outline.vertices.size()));
-      outline.vertices.push_back(corners[c] + (corners[(c + 1) % 8] - corners[c]) * (i / 50.0));
-    }
-  return make_shape(std::move(outline), "letter");
+TEST(MatchBackward, DerivativesAreCheckedWhereTheMatchingEnded) {
+  const TemporaryFolder tmp;
+  ExperimentOptions o = options_to(5, MatchDirection::backward);
+  o.input.reference = "generate:circle";
+  o.input.template_file = "generate:ellipse/long";
+  Observer quiet;
+  run_matching(o, tmp / "out", {}, quiet);
+  GradientCheckRequest request;
+  request.state = CheckState::parse(tmp / "out");
+  EXPECT_TRUE(run_gradient_check(o, request, quiet).passed());
+  // The map of the other direction is no state of this problem.
+  o.align.direction = MatchDirection::forward;
+  const std::string told = message_of<InputError>([&] { run_gradient_check(o, request, quiet); });
+  EXPECT_NE(told.find("align.direction"), std::string::npos) << told;
 }
 
 TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {

@@ -125,10 +125,10 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   ExperimentOptions same = o;
   same.cascade.max_level = 4;
   const auto reference = run<2>("circle", "ellipse/long", same, steps);
-  const Deformation<2> before_map{reference.grid, reference.phi, {}};
+  const Deformation<2> before_map{{}, reference.grid, reference.phi};
   const auto fine = run<2>("circle", "ellipse/long", o, stop);
   EXPECT_TRUE(fine.interrupted);
-  const Deformation<2> after{fine.grid, fine.phi, {}};
+  const Deformation<2> after{{}, fine.grid, fine.phi};
   EXPECT_GT(fine.grid.n_nodes(), reference.grid.n_nodes());
   for (const auto& x : points) EXPECT_LT((before_map.apply_in_unit_domain(x) - after.apply_in_unit_domain(x)).norm(), 1e-14);
 }

@@ -34,7 +34,7 @@ Octree<Dim> refined_grid(int min_level, int max_level) {
 // Values of all sizes, whose every bit counts.
 template <int Dim>
 Deformation<Dim> some_deformation(int min_level = 1, int max_level = 4) {
-  Deformation<Dim> d{refined_grid<Dim>(min_level, max_level), {}, {}};
+  Deformation<Dim> d{{}, refined_grid<Dim>(min_level, max_level), {}};
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> number(-1, 1);
   for (Index i = 0; i < d.grid.n_nodes(); ++i) {

@@ -19,7 +19,7 @@ namespace {
 /// x -> A x + b on a grid, with a placement that is neither a shift nor a scaling alone.
 template <int Dim>
 Deformation<Dim> linear_map(const Mat<Dim>& a, const Vec<Dim>& b) {
-  Deformation<Dim> d{Octree<Dim>(2), {}, {}};
+  Deformation<Dim> d{{}, Octree<Dim>(2), {}};
   for (Index node = 0; node < d.grid.n_nodes(); ++node) d.phi.push_back(a * d.grid.node_position(node) + b);
   d.placement.scale = 0.01;
   d.placement.offset = Vec<Dim>::LinSpaced(0.3, 0.2);
