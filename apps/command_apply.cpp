@@ -61,9 +61,15 @@ void apply(const ApplyCommand& command) {
   OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
   for (const std::string& note : notes) std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr);
 
+  if (command.keep_pose && deformation.pose.is_identity())
+    std::fputs("no motion was taken out before this matching: --keep-pose changes nothing\n", stderr);
+  if (command.keep_pose && command.inverse)
+    for (Vec<Dim>& x : shape.vertices) x = deformation.from_reference_pose(x);
   const PointMap<Dim> map(deformation, command.inverse ? Toward::reference : Toward::template_shape);
   if (map.is_inverse()) move_back(map, command.file, shape.vertices);
   else move(deformation, shape.vertices);
+  if (command.keep_pose && !command.inverse)
+    for (Vec<Dim>& x : shape.vertices) x = deformation.to_reference_pose(x);
   write_output_file(command.output, shape);
 }
 

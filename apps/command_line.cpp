@@ -144,6 +144,8 @@ void describe(CLI::App& app, Commands& commands) {
   apply->add_option("FILE", commands.apply.file, "mesh, contour or points to move")->required()->type_name("");
   apply->add_option("-o,--output", commands.apply.output, "the file to write (required)")->type_name("FILE");
   apply->add_flag("--inverse", commands.apply.inverse, "by the inverse map, from the template back to the reference");
+  apply->add_flag("--keep-pose", commands.apply.keep_pose,
+                  "without the motion that alignment took out: what is on the template is where the reference lies");
   apply->add_flag("--force", commands.apply.force, "replace the file if it exists");
 
   CLI::App* inspect = add_command(app, "inspect", help_text::inspect, help_text::inspect_footer);

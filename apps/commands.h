@@ -45,6 +45,7 @@ struct GenerateCommand {
 struct ApplyCommand {
   std::string deformation, file, output;
   bool inverse = false;  ///< from the template back to the reference
+  bool keep_pose = false;  ///< points on the template are in the pose of the reference
   bool force = false;
 };
 

@@ -61,12 +61,14 @@ inline constexpr const char* apply = "Move something else by a deformation that 
 
 inline constexpr const char* apply_footer = R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
 outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
-those of the reference.
+those of the reference. With --keep-pose the result stays where the reference lies: it is deformed, but neither turned, moved nor scaled
+by the motion that alignment found. Together with --inverse the file lies there.
 
 Examples:
   shellmatch apply out other.ply -o moved.ply
   shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv
-  shellmatch apply out on_template.ply -o on_reference.ply --inverse)";
+  shellmatch apply out on_template.ply -o on_reference.ply --inverse
+  shellmatch apply out reference.ply -o deformed_in_place.ply --keep-pose)";
 
 inline constexpr const char* inspect = "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
 

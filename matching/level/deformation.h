@@ -22,6 +22,11 @@ struct MapFrame {
   bool is_backward = false;
 
   Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
+
+  /// A point of the template moved by the inverse of the pose of the reference onto the template: from where the template lies
+  /// to where the reference does.
+  Vec<Dim> to_reference_pose(const Vec<Dim>& y) const { return is_backward ? pose(y) : pose.inverse(y); }
+  Vec<Dim> from_reference_pose(const Vec<Dim>& y) const { return is_backward ? pose.inverse(y) : pose(y); }
 };
 
 template <int Dim>
