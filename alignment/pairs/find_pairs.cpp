@@ -80,7 +80,8 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
   double runner_up = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < result.candidates.size(); ++i) runner_up = std::min(runner_up, result.candidates[i].score);
+  for (std::size_t i = 1; i < result.candidates.size(); ++i)
+    if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored) runner_up = std::min(runner_up, result.candidates[i].score);
   result.margin = runner_up / std::max(result.candidates[0].score, 1e-12);
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
   project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);

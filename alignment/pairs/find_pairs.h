@@ -24,7 +24,7 @@ struct PairCandidate {
 struct AutomaticPairs {
   PreparedSurface reference, template_surface;
   std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score
-  double margin = 0;                      ///< score of the best of the others over that of the first; infinite without others
+  double margin = 0;                      ///< score of the best other of the same handedness over that of the first; infinite without
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }
   /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the

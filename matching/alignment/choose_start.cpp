@@ -59,7 +59,7 @@ class Choosing {
     choice.index = best;
     choice.margin = std::numeric_limits<double>::infinity();
     for (const std::size_t i : usable_)
-      if (i != best)
+      if (i != best && starts_[i].is_mirrored == starts_[best].is_mirrored)
         choice.margin = std::min(choice.margin, trials_[i] ? merit[i] / merit[best] : starts_[i].score / starts_[best].score);
   }
 

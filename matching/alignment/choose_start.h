@@ -16,6 +16,7 @@ struct Start {
   std::size_t n_pairs = 0;    ///< found, though they may have no weight
   double score = 0;           ///< of the pairs, 0 is best; comparable within one search
   bool is_identity = false;   ///< began with the shapes as they lie
+  bool is_mirrored = false;   ///< found for the mirrored reference
 
   /// Fewer pairs are no ground for anything.
   bool is_usable() const { return n_pairs >= 10; }
@@ -26,13 +27,14 @@ template <int Dim>
 struct StartSearch {
   /// At least one. The first is the best by score, or as good and preferred, as the shapes as they lie are.
   std::vector<Start<Dim>> starts;
-  double margin = 0;  ///< least score of the others over that of the first
+  double margin = 0;  ///< least score of the others of the same handedness over that of the first
 };
 
 struct StartChoice {
   std::size_t index = 0;
   /// By which factor the others are worse, at least: sqrt(ratio of scores * ratio of energies) for those tried, the ratio of
-  /// scores for the others; infinite without others.
+  /// scores for the others; infinite without others. Others of the other handedness do not count: on a shape that is its own
+  /// mirror image they are as good, and right as well.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
   bool is_doubtful = true;  ///< not usable, options.align.doubtful_score or doubtful_margin

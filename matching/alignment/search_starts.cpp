@@ -35,6 +35,7 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   start.n_pairs = candidate.pairs.size();
   start.score = std::max(0.0, candidate.score);  // rounding
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
+  start.is_mirrored = candidate.is_mirrored;
   if (!start.is_usable()) return start;
   start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
   start.alignment.spread = spread;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -120,6 +121,21 @@ TEST(FindPairs, AMirroredShapeIsFoundWhereMirrorsAreAllowed) {
   EXPECT_LT(share_beyond(0.01, found, mirrored.vertices), 0.01);
   EXPECT_TRUE(fit_pose(found.pairs(), PoseKind::similarity, Mirroring::allowed).is_mirrored());
   EXPECT_FALSE(find_pairs(hand(), turned(hand()), options).candidates[0].is_mirrored);
+}
+
+TEST(FindPairs, AMirrorImageDoesNotLowerTheMargin) {
+  // A dolphin at rest is its own mirror image.
+  const Surface<3> shape = generated_surface("dolphin", "straight", 0.02);
+  AlignmentOptions options = quick();
+  options.mirror = true;
+  const AutomaticPairs found = find_pairs(shape, turned(shape), options);
+  double same = std::numeric_limits<double>::infinity(), other = same;
+  for (std::size_t i = 1; i < found.candidates.size(); ++i) {
+    double& least = found.candidates[i].is_mirrored == found.candidates[0].is_mirrored ? same : other;
+    least = std::min(least, found.candidates[i].score / found.candidates[0].score);
+  }
+  EXPECT_LT(other, same);
+  EXPECT_EQ(found.margin, same);
 }
 
 TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {

@@ -130,6 +130,19 @@ TEST(ChooseStart, ThePreferredFirstIsTriedWithThoseThatScoreAsWell) {
   EXPECT_EQ(choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, o).n_tried, 0u);
 }
 
+TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
+  const ShapePair<2> circles = generated<2>("circle", "ellipse");
+  Start<2> other = scored(0.50);
+  other.is_identity = false;
+  const double clear = 5;  // of the search
+  EXPECT_TRUE(choice_of<2>(circles, {scored(0.50), other}, clear, quick()).is_doubtful);
+  other.is_mirrored = true;
+  const StartChoice choice = choice_of<2>(circles, {scored(0.50), other, scored(0.8)}, clear, quick());
+  EXPECT_EQ(choice.n_tried, 2u);
+  EXPECT_FALSE(choice.is_doubtful);
+  EXPECT_NEAR(choice.margin, 1.6, 1e-12);
+}
+
 TEST(Trial, ReportsEnergyAndCoverage) {
   Observer quiet;
   const ShapePair<3> hands = generated<3>("hand", "hand/bent");
