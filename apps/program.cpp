@@ -1,0 +1,76 @@
+#include "apps/program.h"
+
+#include "apps/command_line.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/limits.h"
+#include "base/error.h"
+#include "base/printable.h"
+#include "base/stop.h"
+
+#include <fmt/core.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace shellmatch;
+
+enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, limit_reached = 4, internal_error = 70 };
+
+int fail(ExitCode code, const std::string& text) {
+  std::fputs(fmt::format("shellmatch: error: {}\n", printable(text, max_message_length)).c_str(), stderr);
+  return code;
+}
+
+// What to do where a limit was reached; the message before it says what has been kept.
+int fail_at_limit(const KeptLimits& limits, StopCause cause, const std::string& text) {
+  return fail(limit_reached, fmt::format("{}: {}{}", limits.text(cause), text,
+                                         cause == StopCause::memory_limit ? "; give more, or match to a lower finest level (--levels)" : ""));
+}
+
+int perform(const Invocation& invocation) {
+  const bool is_study = std::holds_alternative<StudyCommand>(invocation.command);
+  const KeptLimits limits(invocation.limits, is_study ? KeptLimits::Memory::of_runs : KeptLimits::Memory::of_process);
+  try {
+    std::visit([](const auto& c) { execute(c); }, invocation.command);
+    if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
+    return success;
+  } catch (const Stopped& stopped) {
+    if (stopped.cause() != StopCause::request) return fail_at_limit(limits, stopped.cause(), stopped.what());
+    std::fputs(fmt::format("shellmatch: {}\n", printable(stopped.what(), max_message_length)).c_str(), stderr);
+    return interrupt_exit_code();
+  } catch (const std::bad_alloc&) {
+    if (!invocation.limits.memory.empty()) return fail_at_limit(limits, StopCause::memory_limit, "not enough memory");
+    return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
+  }
+}
+
+}  // namespace
+
+int shellmatch_main(int argc, char** argv) {
+  // A file that grows beyond its limit (ulimit -f) is an error of the write, which is reported and cleaned up.
+  std::signal(SIGXFSZ, SIG_IGN);
+  // Whoever started this program may ignore it; how the runs of a study end would then be forgotten.
+  std::signal(SIGCHLD, SIG_DFL);
+  try {
+    return perform(parse_command_line(std::vector<std::string>(argv + 1, argv + argc)));
+  } catch (const CheckFailed& error) {
+    return fail(check_failed, error.what());
+  } catch (const InputError& error) {
+    return fail(input_error, error.what());
+  } catch (const EnvironmentError& error) {
+    return fail(environment_error, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(environment_error, error.what());
+  } catch (const std::exception& error) {
+    return fail(internal_error, error.what());
+  }
+}
