@@ -9,8 +9,11 @@ set(SHELLMATCH_PACKAGE_VARIANTS "" CACHE STRING "Build trees of the further vari
 find_library(SHELLMATCH_SHARED_CERES NAMES libceres.so REQUIRED)
 set_target_properties(Ceres::ceres PROPERTIES IMPORTED_LOCATION ${SHELLMATCH_SHARED_CERES} IMPORTED_LOCATION_RELEASE ${SHELLMATCH_SHARED_CERES})
 set(exports ${PROJECT_SOURCE_DIR}/cmake/package/exports.map)
-target_compile_options(shellmatch_flags INTERFACE -fvisibility=hidden
-  # The same bytes whatever the folders of sources and builds are called; the last one counts.
+# The same bytes whatever the folders of sources and builds are called, and where ccache makes paths relative (base_dir). The last
+# option that fits counts.
+file(RELATIVE_PATH to_sources ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/CMakeLists.txt)
+get_filename_component(to_sources ${to_sources} DIRECTORY)
+target_compile_options(shellmatch_flags INTERFACE -fvisibility=hidden -ffile-prefix-map=${to_sources}/=
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/)
 # Without the table of symbols (-s), which has the names of files in it and enters the build's identifier.
 set(link_options -s -Wl,--as-needed -Wl,-z,defs -Wl,-z,relro,-z,now)

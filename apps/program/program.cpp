@@ -1,4 +1,4 @@
-#include "apps/program.h"
+#include "apps/program/program.h"
 
 #include "apps/command_line.h"
 #include "apps/process/interrupt.h"
