@@ -20,14 +20,15 @@ foreach(module ${modules})
     PATTERN "*.h" PATTERN "cgal_*.h" EXCLUDE)
 endforeach()
 
+# The component `program` is what a package holds (cmake/Package.cmake).
 if(TARGET shellmatch)
-  install(TARGETS shellmatch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS shellmatch RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
 
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS)
-install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch)
-install(DIRECTORY studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program USE_SOURCE_PERMISSIONS)
+install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch COMPONENT program)
+install(DIRECTORY studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies COMPONENT program)
 
 configure_package_config_file(cmake/ShellmatchConfig.cmake.in ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake
   INSTALL_DESTINATION ${shellmatch_package_dir})

@@ -14,9 +14,13 @@ if(SHELLMATCH_WERROR)
 endif()
 add_library(shellmatch_flags INTERFACE)
 target_link_libraries(shellmatch_flags INTERFACE shellmatch_warnings)
+# 512-bit registers are made available to the packs of quadrature points (energies/), where the processors have them.
+set(shellmatch_built_for "${SHELLMATCH_ARCHITECTURE}")
 if(SHELLMATCH_NATIVE)
-  # Makes 512-bit registers available to the packs of quadrature points (energies/), where the machine has them.
-  target_compile_options(shellmatch_flags INTERFACE -march=native -mprefer-vector-width=512)
+  set(shellmatch_built_for native)
+endif()
+if(shellmatch_built_for)
+  target_compile_options(shellmatch_flags INTERFACE -march=${shellmatch_built_for} -mprefer-vector-width=512)
 endif()
 if(SHELLMATCH_SANITIZE)
   target_compile_options(shellmatch_flags INTERFACE -fsanitize=${SHELLMATCH_SANITIZE} -fno-omit-frame-pointer

@@ -1,5 +1,6 @@
 # Runs at every build: writes the revision of the sources in SOURCE_DIR to the file OUTPUT, if it has changed.
-execute_process(COMMAND git describe --always --dirty --tags WORKING_DIRECTORY ${SOURCE_DIR}
+# Twelve digits in every clone: git's own choice depends on what else the clone holds.
+execute_process(COMMAND git describe --always --dirty --tags --abbrev=12 WORKING_DIRECTORY ${SOURCE_DIR}
   OUTPUT_VARIABLE revision ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed)
 if(failed)
   set(revision "")

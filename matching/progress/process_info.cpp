@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 namespace shellmatch {
 
@@ -74,6 +75,22 @@ std::string compiler_name() {
 #else
   return "unknown";
 #endif
+}
+
+std::string vector_code() {
+#if defined(__AVX512F__)
+  const std::string units = "AVX-512";
+#elif defined(__AVX2__)
+  const std::string units = "AVX2";
+#elif defined(__AVX__)
+  const std::string units = "AVX";
+#elif defined(__SSE2__)
+  const std::string units = "SSE2";
+#else
+  const std::string units = "of the compiler's default";
+#endif
+  constexpr std::string_view architecture = SHELLMATCH_BUILT_FOR;
+  return architecture.empty() ? units : fmt::format("{} (-march={})", units, architecture);
 }
 
 std::string program_version() { return SHELLMATCH_VERSION; }

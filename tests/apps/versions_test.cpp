@@ -1,9 +1,11 @@
 // `shellmatch --version -v` and docs/licences.md tell the same of what is linked.
 
 #include "matching/progress/linked_libraries.h"
+#include "matching/progress/process_info.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/support/folders.h"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +45,14 @@ TEST(Versions, AreThoseOfTheLinkedLibraries) {
     EXPECT_TRUE(has(verbose.out, library.name) && has(verbose.out, library.version) && has(verbose.out, library.licence)) << library.name;
     EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(library.version[0]))) << library.name << " " << library.version;
   }
+}
+
+TEST(Versions, SayWhichVectorCodeRuns) {
+  // Tests are compiled with the flags of the program; Eigen knows what they allow.
+  constexpr int n_lanes = Eigen::internal::packet_traits<double>::size;
+  const char* units = n_lanes == 8 ? "AVX-512" : n_lanes == 4 ? "AVX" : "SSE2";
+  EXPECT_TRUE(vector_code().starts_with(units)) << vector_code() << ", " << n_lanes;
+  EXPECT_TRUE(has(run_program({"--version", "-v"}).out, "\nvector code: " + vector_code() + "\n"));
 }
 
 TEST(Versions, LicencesAreThoseOfTheDocument) {

@@ -1,4 +1,4 @@
-// The program: parses the command line, executes the command and translates failures to exit codes.
+#include "apps/program/program.h"
 
 #include "apps/command_line.h"
 #include "apps/process/interrupt.h"
@@ -55,7 +55,7 @@ int perform(const Invocation& invocation) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int shellmatch_main(int argc, char** argv) {
   // A file that grows beyond its limit (ulimit -f) is an error of the write, which is reported and cleaned up.
   std::signal(SIGXFSZ, SIG_IGN);
   // Whoever started this program may ignore it; how the runs of a study end would then be forgotten.

@@ -1,0 +1,17 @@
+# CPack runs this on the files of the package before it packs them (cmake/Package.cmake): a manual page is added, and times and rights are set.
+set(ENV{LC_ALL} C.UTF-8)
+set(root ${CPACK_TEMPORARY_DIRECTORY})
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# The manual page is what the program says of itself.
+file(MAKE_DIRECTORY ${root}/usr/share/man/man1)
+run(help2man --no-info --no-discard-stderr --name=${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
+    --output=${root}/usr/share/man/man1/shellmatch.1 ${root}/usr/bin/shellmatch)
+run(gzip -9n ${root}/usr/share/man/man1/shellmatch.1)
+
+# Neither the umask of who builds nor the time of the build is in the package.
+run(chmod -R u=rwX,go=rX ${root})
+run(find ${root} -exec touch --no-dereference --date=@$ENV{SOURCE_DATE_EPOCH} {} +)
