@@ -64,7 +64,7 @@ void apply(const ApplyCommand& command) {
   const PointMap<Dim> map(deformation, command.inverse ? Toward::reference : Toward::template_shape);
   if (map.is_inverse()) move_back(map, command.file, shape.vertices);
   else move(deformation, shape.vertices);
-  write_output_file(command.output, shape);
+  write_output_file(command.output, shape, command.force);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
-#include "base/replace_file.h"
+#include "base/partial_file.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
 #include "matching/progress/process_info.h"
@@ -82,7 +82,7 @@ class ActiveRun {
     result_.seconds = end->seconds;
     result_.peak_memory_bytes = end->peak_memory_bytes;
     judge(end->end);
-    remove_leftovers(folder_.path_of("output"));
+    remove_hidden(folder_.path_of("output"));
     write_run_result(result_, folder_.path_of("result.json"));
     folder_.commit();
     return true;

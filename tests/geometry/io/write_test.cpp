@@ -1,5 +1,5 @@
 // Writing: what is written reads back the same; what cannot be written leaves nothing.
-#include "base/replace_file.h"
+#include "base/partial_file.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "tests/geometry/io/files.h"
@@ -137,14 +137,6 @@ TEST(Write, WhatCannotBeWrittenLeavesNothing) {
   std::signal(SIGXFSZ, handler);
   EXPECT_FALSE(std::filesystem::exists(folder.path("c.ply")));
   EXPECT_EQ(partial_files(folder.path("")), 0);
-}
-
-// Each file that is being written has a name that nothing had before, so that nothing is written through a link.
-TEST(Write, PartialNamesAreNew) {
-  const TempFolder folder;
-  const std::string path = folder.path(std::string(250, 'a') + ".ply"), first = create_partial_file(path), second = create_partial_file(path);
-  EXPECT_NE(first, second);
-  EXPECT_TRUE(first.ends_with(".ply") && is_partial_file_name(std::filesystem::path(first).filename().string()) && std::filesystem::exists(first) && std::filesystem::exists(second));
 }
 
 }  // namespace
