@@ -21,10 +21,35 @@ int synchronise(const std::string& path);
 /// \return 0, EEXIST if the name is taken, or another of the system's error numbers
 int rename_to_new(const std::string& from, const std::string& to);
 
+/// Whether a file of this name may have been left by a process that was killed while it wrote: `.NAME.partial-RANDOM.EXTENSION`.
+bool is_partial_file_name(std::string_view name);
+
+/// An empty file in the folder of `path`, with such a name that nothing had before: no link is followed and no file is lost.
+/// Its extension is that of `path`, for writers that go by it. It is locked while this object lives, and removed at its end.
+class PartialFile {
+ public:
+  /// Removes in addition what killed processes have left of `path`: files of such names that nobody has locked.
+  /// \throws EnvironmentError naming `path`
+  explicit PartialFile(const std::string& path);
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// The file has got another name, and stays.
+  void keep() { is_kept_ = true; }
+
+ private:
+  std::string name_;
+  int file_ = -1;
+  bool is_kept_ = false;
+};
+
 /// What becomes of a file that has the name.
 enum class Existing { is_replaced, is_kept };
 
-/// Calls `write` with the name of a file beside `path` (base/partial_file.h) and renames it to `path`.
+/// Calls `write` with the name of a file beside `path` (PartialFile) and renames it to `path`.
 /// \throws InputError if the name is taken and what has it is kept, EnvironmentError if the file cannot be created or renamed, and
 /// whatever `write` throws; nothing is left then
 void publish_file(const std::string& path, Existing existing, const std::function<void(const std::string&)>& write);

@@ -130,12 +130,16 @@ void remove_written_files(const std::string& folder) {
   if (!list) return;
   const Listed listed(*list);
   std::vector<fs::path> files, folders;
+  bool is_done = true;
   std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
     const std::string name = name_in(folder, entry.path());
-    if (is_real_file(entry) && listed.files.contains(name)) files.push_back(entry.path());
-    if (is_real_folder(entry) && listed.folders.contains(name)) folders.push_back(entry.path());
+    std::error_code unknown;
+    const fs::file_status status = entry.symlink_status(unknown);
+    if (fs::is_regular_file(status) && listed.files.contains(name)) files.push_back(entry.path());
+    if (fs::is_directory(status) && listed.folders.contains(name)) folders.push_back(entry.path());
+    if (!fs::status_known(status)) is_done = false;
   });
-  bool is_done = !error;
+  if (error) is_done = false;
   for (const fs::path& file : files) is_done = (fs::remove(file, error), !error) && is_done;
   // Inner folders first; those that hold anything else stay.
   std::ranges::sort(folders, std::ranges::greater{}, [](const fs::path& p) { return p.native().size(); });

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
-#include "base/partial_file.h"
+#include "base/replace_file.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
 #include "matching/progress/process_info.h"

@@ -1,7 +1,6 @@
 #include "base/replace_file.h"
 
 #include "base/error.h"
-#include "base/partial_file.h"
 
 #include <gtest/gtest.h>
 

@@ -59,7 +59,9 @@ class Disturbance:
             return ["prlimit", f"--data={1024 * self.n}"]
         if not self.call:
             return []
-        trace = ["strace", *(["-f", "--seccomp-bpf"] if with_children else []), "-qq", "-y", "-o", str(record)]
+        # Signals are not injected where seccomp leaves out what is not traced (strace 6.1).
+        follow = ["-f", *(["--seccomp-bpf"] if self.kind != "KILL" else [])]
+        trace = ["strace", *(follow if with_children else []), "-q", "-y", "-o", str(record)]
         what = "signal=KILL" if self.kind == "KILL" else f"error={self.kind}"
         return [*trace, "-e", f"trace={self.call}", "-e", f"inject={self.call}:{what}:when={self.n}"]
 

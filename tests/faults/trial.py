@@ -36,8 +36,8 @@ class Stage:
         self.before = snapshot(self.work)
         self.run_whole()
         self.after = snapshot(self.work)
-        begin = time.monotonic()
         self.restore()
+        begin = time.monotonic()
         self.run_whole()
         self.seconds = time.monotonic() - begin
         if difference := differences(self.after, snapshot(self.work)):
@@ -99,9 +99,11 @@ class Stage:
         os.close(readable)
         outcome.code = process.returncode
         if disturbance.call and disturbance.kind != "memory":
-            hit = [line for line in self.record.read_text(errors="replace").splitlines() if "INJECTED" in line or "killed by" in line]
-            outcome.was_disturbed = bool(hit)
-            outcome.what = hit[0].partition(" ")[2].strip() if hit else ""
+            lines = self.record.read_text(errors="replace").splitlines()
+            # A call in which a process is killed has no result.
+            hit = [line for line in lines if "INJECTED" in line or disturbance.kills and (line.endswith("= ?") or "unfinished" in line)]
+            outcome.was_disturbed = bool(hit) if not disturbance.kills else any("killed by SIGKILL" in line for line in lines)
+            outcome.what = hit[-1].partition(" ")[2].strip() if hit else ""
         return process.returncode, out.decode(errors="replace"), err.decode(errors="replace")
 
     def check_end(self, disturbance, done, outcome):
@@ -137,9 +139,10 @@ class Stage:
         elif self.scenario.in_place:
             pass  # moved file by file: only what a repetition makes of it counts
         elif now != whole and (now != earlier or done[0] == 0 and not disturbance.kills):
-            if not self.lacks_pictures_only(now, whole, done[2]):
+            if not self.lacks_pictures_only(now, whole, done[2]) and not self.has_other_fonts(now, whole, outcome.what):
                 bad(f"neither the earlier nor the new result, nor none: {differences(whole, now)}")
-        if not disturbance.kills and disturbance.call not in REMOVING | LOOKING:
+        # A run that has succeeded may not have come by what it was to remove; the next one must.
+        if not disturbance.kills and done[0] != 0 and disturbance.call not in REMOVING | LOOKING and "O_DIRECTORY" not in outcome.what:
             left = [name for name in found if name not in self.before and name not in self.after
                     and Path(name).name.startswith(".") and "/" not in name.removeprefix(result).strip("/")]
             if left:
@@ -151,6 +154,11 @@ class Stage:
         missing = [name for name in whole if name not in now]
         return bool(missing) and all(name.endswith((".png", "/pictures")) for name in missing) and err.count("is missing") == sum(name.endswith(".png") for name in missing) and not [
             n for n in now if now[n] != whole.get(n) and not n.endswith("files.json")]
+
+    @staticmethod
+    def has_other_fonts(now, whole, what):
+        """Where the system's fonts or their settings cannot be read, pictures have others."""
+        return "font" in what and now.keys() == whole.keys() and all(name.endswith((".png", "files.json")) for name in now if now[name] != whole[name])
 
     def check_runs(self, disturbance, now, earlier, whole, bad):
         """Each run of a study is that of before or after, or a failure that says why."""

@@ -1,5 +1,5 @@
 // Writing: what is written reads back the same; what cannot be written leaves nothing.
-#include "base/partial_file.h"
+#include "base/replace_file.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "tests/geometry/io/files.h"
