@@ -241,7 +241,6 @@ void write_png(const Image& image, const std::string& path) {
 Image read_png(const std::string& path) {
   const OwnSurface surface(cairo_image_surface_create_from_png(path.c_str()));
   const cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS) throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
   // Cairo uses other pixel formats only for pictures with 16 bits per channel.
   const cairo_format_t format = cairo_image_surface_get_format(surface.get());
