@@ -70,7 +70,7 @@ void apply(const ApplyCommand& command) {
   else move(deformation, shape.vertices);
   if (command.keep_pose && !command.inverse)
     for (Vec<Dim>& x : shape.vertices) x = deformation.to_reference_pose(x);
-  write_output_file(command.output, shape);
+  write_output_file(command.output, shape, command.force);
 }
 
 }  // namespace

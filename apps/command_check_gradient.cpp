@@ -6,7 +6,6 @@
 #include "apps/output_file.h"
 #include "apps/progress.h"
 #include "base/error.h"
-#include "base/replace_file.h"
 #include "matching/run_gradient_check.h"
 
 #include <charconv>
@@ -40,7 +39,7 @@ void execute(const CheckGradientCommand& command) {
   report.source = command.config;
   progress.finished();
   if (command.settings.verbosity != Verbosity::quiet) std::cout << gradient_report_text(report);
-  if (!command.json.empty()) replace_file(command.json, gradient_report_json(report));
+  if (!command.json.empty()) write_report_file(command.json, gradient_report_json(report), command.settings.force);
   if (!report.passed()) throw CheckFailed(fmt::format("{}: wrong derivatives: {}", command.config, report.failed_terms()));
 }
 

@@ -77,7 +77,7 @@ void execute(const GenerateCommand& command) {
   check_output_file(command.output, info.dimension, command.force);
   const double edge_length = command.edge_length.empty() ? 0 : to_number(command.edge_length, "--edge-length");
   const auto shape = generate_shape(name, variant, edge_length, parameters_of(command));
-  std::visit([&](const auto& s) { write_output_file(command.output, s); }, shape);
+  std::visit([&](const auto& s) { write_output_file(command.output, s, command.force); }, shape);
 }
 
 }  // namespace shellmatch

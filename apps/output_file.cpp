@@ -33,7 +33,16 @@ void check_output_file(const std::string& path, int dimension, bool force) {
   check_report_file(path, force);
 }
 
-void write_output_file(const std::string& path, const OriginalShape<2>& shape) { write_outline_csv(path, shape); }
-void write_output_file(const std::string& path, const OriginalShape<3>& shape) { write_shape(path, shape); }
+static Existing existing_file(bool force) { return force ? Existing::is_replaced : Existing::is_kept; }
+
+void write_output_file(const std::string& path, const OriginalShape<2>& shape, bool force) {
+  write_outline_csv(path, shape, existing_file(force));
+}
+
+void write_output_file(const std::string& path, const OriginalShape<3>& shape, bool force) {
+  write_shape(path, shape, existing_file(force));
+}
+
+void write_report_file(const std::string& path, const std::string& text, bool force) { publish_file(path, existing_file(force), text); }
 
 }  // namespace shellmatch

@@ -15,8 +15,12 @@ void check_output_file(const std::string& path, int dimension, bool force);
 /// The same for a report, whose extension is arbitrary. \throws InputError
 void check_report_file(const std::string& path, bool force);
 
-/// Writes a shape in the format of the file's extension, atomically. \throws EnvironmentError
-void write_output_file(const std::string& path, const OriginalShape<2>& shape);
-void write_output_file(const std::string& path, const OriginalShape<3>& shape);
+/// Writes a shape in the format of the file's extension, atomically. \throws EnvironmentError, and InputError if `force` is false
+/// and the file has come into being since the check
+void write_output_file(const std::string& path, const OriginalShape<2>& shape, bool force);
+void write_output_file(const std::string& path, const OriginalShape<3>& shape, bool force);
+
+/// The same for a report. \throws as write_output_file
+void write_report_file(const std::string& path, const std::string& text, bool force);
 
 }  // namespace shellmatch

@@ -45,7 +45,10 @@ void Progress::clear() {
 }
 
 void Progress::line(const std::string& text) {
-  if (verbosity_ == Verbosity::quiet) return;
+  if (verbosity_ != Verbosity::quiet) warn(text);
+}
+
+void Progress::warn(const std::string& text) {
   clear();
   std::fputs(fmt::format("{}\n", printable(text, max_message_length)).c_str(), stderr);
 }

@@ -20,6 +20,7 @@ class Progress final : public Observer {
   ~Progress() override;
 
   void note(const std::string& text) override;
+  void warn(const std::string& text) override;
   void stage(const std::string& name) override;
   void trial_iterated() override;
   void minimisation_started(const LevelStart& start) override;

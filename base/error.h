@@ -24,6 +24,13 @@ class EnvironmentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// There is not enough memory for something that the text names. A command for which the user has set a limit of memory ends
+/// as at that limit.
+class MemoryError : public EnvironmentError {
+ public:
+  using EnvironmentError::EnvironmentError;
+};
+
 /// Throws InputError with a formatted text: `throw_input_error("{}: no faces; ...", path)`.
 template <class... Args>
 [[noreturn]] void throw_input_error(fmt::format_string<Args...> text, Args&&... args) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Replaces files so that a reader sees the old contents or the new, never a part, also after a power cut.
+/// Writes files so that a reader sees the old contents or the new, never a part, also after a power cut.
 
 #include <functional>
 #include <string>
@@ -15,18 +15,52 @@ int write_bytes(int descriptor, std::string_view bytes);
 /// \return 0, or the system's error number
 int synchronise(const std::string& path);
 
-/// Whether a file of this name has been left by a process that was killed while it wrote: `.partial-RANDOM.EXTENSION`.
+/// Renames a file or folder to a name that is free. A name that is taken, be it by a link that leads nowhere, stays what it is, also
+/// if it came into being a moment ago. On file systems that have neither such a rename nor hard links the name is taken by an
+/// empty file or folder first, which remains if the process is killed there.
+/// \return 0, EEXIST if the name is taken, or another of the system's error numbers
+int rename_to_new(const std::string& from, const std::string& to);
+
+/// Whether a file of this name may have been left by a process that was killed while it wrote: `.NAME.partial-RANDOM.EXTENSION`.
 bool is_partial_file_name(std::string_view name);
 
-/// Creates an empty file of such a name in the folder of `path`, with a name that nothing had before: no link
-/// is followed and no file is lost. Its extension is that of `path`. \throws EnvironmentError naming `path`
-std::string create_partial_file(const std::string& path);
+/// An empty file in the folder of `path`, with such a name that nothing had before: no link is followed and no file is lost.
+/// Its extension is that of `path`, for writers that go by it. It is locked while this object lives, and removed at its end.
+class PartialFile {
+ public:
+  /// Removes in addition what killed processes have left of `path`: files of such names that nobody has locked.
+  /// \throws EnvironmentError naming `path`
+  explicit PartialFile(const std::string& path);
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
 
-/// Calls `write` with the name of such a file and renames it to `path`. \throws EnvironmentError if it cannot be created
-/// or renamed, and whatever `write` throws; no partial file is left
-void replace_file(const std::string& path, const std::function<void(const std::string&)>& write);
+  const std::string& name() const { return name_; }
+
+  /// The file has got another name, and stays.
+  void keep() { is_kept_ = true; }
+
+ private:
+  std::string name_;
+  int file_ = -1;
+  bool is_kept_ = false;
+};
+
+/// What becomes of a file that has the name.
+enum class Existing { is_replaced, is_kept };
+
+/// Calls `write` with the name of a file beside `path` (PartialFile) and renames it to `path`.
+/// \throws InputError if the name is taken and what has it is kept, EnvironmentError if the file cannot be created or renamed, and
+/// whatever `write` throws; nothing is left then
+void publish_file(const std::string& path, Existing existing, const std::function<void(const std::string&)>& write);
 
 /// The same with these contents. \throws EnvironmentError naming `path`: disk full, no permission
-void replace_file(const std::string& path, std::string_view bytes);
+void publish_file(const std::string& path, Existing existing, std::string_view bytes);
+
+/// publish_file() where what has the name is replaced.
+inline void replace_file(const std::string& path, std::string_view bytes) { publish_file(path, Existing::is_replaced, bytes); }
+inline void replace_file(const std::string& path, const std::function<void(const std::string&)>& write) {
+  publish_file(path, Existing::is_replaced, write);
+}
 
 }  // namespace shellmatch

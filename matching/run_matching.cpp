@@ -42,6 +42,9 @@ class Run {
       throw Stopped(fmt::format("{}: {}", stopped.what(), stopped_text()), stopped.cause());
     } catch (const Stopped& stopped) {
       throw Stopped(stopped_text(), stopped.cause());
+    } catch (const MemoryError& want) {
+      if (memory_limit_bytes() == 0) throw;
+      throw Stopped(fmt::format("{}: {}", want.what(), stopped_text()), StopCause::memory_limit);
     } catch (const std::bad_alloc&) {
       if (memory_limit_bytes() > 0) throw Stopped(stopped_text(), StopCause::memory_limit);
       throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", stopped_text());

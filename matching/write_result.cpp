@@ -59,7 +59,7 @@ void draw(OutputFolder& folder, const std::string& name, Observer& observer,
   }
   std::error_code error;
   std::filesystem::remove(path, error);
-  observer.note(fmt::format("{} is missing: {}", name, why));
+  observer.warn(fmt::format("{} is missing: {}", name, why));
 }
 
 template <int Dim>

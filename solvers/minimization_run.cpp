@@ -84,6 +84,12 @@ void MinimizationRun::finish(StopReason reason, std::string message) {
   summary_.message = message.empty() ? monitor_.message(reason) : std::move(message);
 }
 
+void MinimizationRun::finish_without_descent(std::span<const double> infeasible) {
+  if (over_) return;
+  std::string message = monitor_.message(StopReason::no_descent);
+  finish(StopReason::no_descent, infeasible.empty() || out_of_time() ? message : explained(std::move(message), infeasible));
+}
+
 MinimizerSummary MinimizationRun::summary() const {
   MinimizerSummary s = summary_;
   s.seconds = monitor_.seconds();

@@ -50,6 +50,10 @@ class MinimizationRun {
   /// by the description of the reason. If the time limit has been reached, that is the reason.
   void finish(StopReason reason, std::string message = {});
 
+  /// Ends the run because no step lowers the value. The message says what is not finite at `infeasible`, the last trial point
+  /// if it could not be evaluated, and otherwise empty.
+  void finish_without_descent(std::span<const double> infeasible);
+
   double start_value() const { return summary_.initial_value; }
   double start_gradient_norm() const { return start_.gradient_norm; }
   const Evaluation& start_evaluation() const { return start_; }

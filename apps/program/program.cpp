@@ -12,10 +12,10 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -47,6 +47,9 @@ int perform(const Invocation& invocation) {
     if (stopped.cause() != StopCause::request) return fail_at_limit(limits, stopped.cause(), stopped.what());
     std::fputs(fmt::format("shellmatch: {}\n", printable(stopped.what(), max_message_length)).c_str(), stderr);
     return interrupt_exit_code();
+  } catch (const MemoryError& want) {
+    if (invocation.limits.memory.empty()) throw;
+    return fail_at_limit(limits, StopCause::memory_limit, want.what());
   } catch (const std::bad_alloc&) {
     if (!invocation.limits.memory.empty()) return fail_at_limit(limits, StopCause::memory_limit, "not enough memory");
     return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
@@ -68,7 +71,7 @@ int shellmatch_main(int argc, char** argv) {
     return fail(input_error, error.what());
   } catch (const EnvironmentError& error) {
     return fail(environment_error, error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
+  } catch (const std::system_error& error) {  // of file systems, and of threads that cannot be started
     return fail(environment_error, error.what());
   } catch (const std::exception& error) {
     return fail(internal_error, error.what());

@@ -56,7 +56,7 @@ std::string word_of(std::string name) {
 
 }  // namespace
 
-void write_ply(const std::string& path, const OriginalShape<3>& shape) {
+void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   std::size_t n_corners = 0, longest = 0;
   for (const auto& polygon : shape.polygons) {
     n_corners += polygon.size();
@@ -90,7 +90,7 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape) {
     append_value(bytes, count_type, static_cast<double>(polygon.size()));
     for (const Index v : polygon) append(bytes, static_cast<std::int32_t>(v));
   }
-  replace_file(path, bytes);
+  publish_file(path, existing, bytes);
 }
 
 }  // namespace shellmatch

@@ -33,7 +33,7 @@ void append_point_line(std::string& text, const OriginalShape<Dim>& shape, std::
 }
 
 template <int Dim>
-void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
+void write_csv(const std::string& path, const OriginalShape<Dim>& shape, Existing existing) {
   check_attributes(shape);
   std::string text = Dim == 2 ? "x,y" : "x,y,z";
   for (const VertexAttribute& a : shape.attributes) text += fmt::format(",{}", a.name);
@@ -47,7 +47,7 @@ void write_csv(const std::string& path, const OriginalShape<Dim>& shape) {
     append_point_line(text, shape, v);
     if (last[v] && v + 1 < shape.vertices.size()) text.push_back('\n');
   }
-  replace_file(path, text);
+  publish_file(path, existing, text);
 }
 
 const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::string_view name) {
@@ -56,7 +56,7 @@ const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::strin
   return nullptr;
 }
 
-void write_obj(const std::string& path, const OriginalShape<3>& shape) {
+void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   std::string text;
   const VertexAttribute* const colours[] = {attribute_named(shape, "red"), attribute_named(shape, "green"),
                                             attribute_named(shape, "blue")};
@@ -74,10 +74,10 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape) {
     for (const Index v : polygon) text += fmt::format(" {}", v + 1);
     text.push_back('\n');
   }
-  replace_file(path, text);
+  publish_file(path, existing, text);
 }
 
-void write_off(const std::string& path, const OriginalShape<3>& shape) {
+void write_off(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   std::string text = fmt::format("OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
   for (const Vec<3>& x : shape.vertices)
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
@@ -86,10 +86,10 @@ void write_off(const std::string& path, const OriginalShape<3>& shape) {
     for (const Index v : polygon) text += fmt::format(" {}", v);
     text.push_back('\n');
   }
-  replace_file(path, text);
+  publish_file(path, existing, text);
 }
 
-void write_stl(const std::string& path, const OriginalShape<3>& shape) {
+void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   if (shape.polygons.empty())
     throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
   const Triangles triangles = triangulate(shape);
@@ -105,22 +105,22 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape) {
       for (int k = 0; k < 3; ++k) append(static_cast<float>(x[k]));
     append(std::uint16_t{0});
   }
-  replace_file(path, bytes);
+  publish_file(path, existing, bytes);
 }
 
 }  // namespace
 
-void write_outline_csv(const std::string& path, const OriginalShape<2>& shape) { write_csv(path, shape); }
-void write_points_csv(const std::string& path, const OriginalShape<3>& shape) { write_csv(path, shape); }
+void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing) { write_csv(path, shape, existing); }
+void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Existing existing) { write_csv(path, shape, existing); }
 
-void write_shape(const std::string& path, const OriginalShape<3>& shape) {
+void write_shape(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   check_attributes(shape);
   const std::string extension = file_extension(path);
-  if (extension == ".ply") return write_ply(path, shape);
-  if (extension == ".csv") return write_points_csv(path, shape);
-  if (extension == ".obj") return write_obj(path, shape);
-  if (extension == ".off") return write_off(path, shape);
-  if (extension == ".stl") return write_stl(path, shape);
+  if (extension == ".ply") return write_ply(path, shape, existing);
+  if (extension == ".csv") return write_points_csv(path, shape, existing);
+  if (extension == ".obj") return write_obj(path, shape, existing);
+  if (extension == ".off") return write_off(path, shape, existing);
+  if (extension == ".stl") return write_stl(path, shape, existing);
   throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl or .csv, not as '{}'", path, extension);
 }
 

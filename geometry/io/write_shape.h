@@ -2,8 +2,10 @@
 /// \file
 /// Writing of shapes. Every file is written under a temporary name and then renamed (base/replace_file.h), so that an
 /// existing file is always complete. All functions throw EnvironmentError where the file cannot be written, and remove
-/// the temporary file.
+/// the temporary file. Where an existing file is to be kept they throw InputError if there is one, also if it came into being
+/// during the writing.
 
+#include "base/replace_file.h"
 #include "geometry/surface/surface.h"
 
 #include <string>
@@ -13,17 +15,17 @@ namespace shellmatch {
 /// Binary little endian PLY: vertices as double, attributes with their own types (values of integer types are
 /// rounded and clamped to the type's range), polygons not triangulated. Points without polygons have no
 /// faces.
-void write_ply(const std::string& path, const OriginalShape<3>& shape);
+void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);
 
 /// Text with a line of names, "x,y" and the attributes, one point per line, a blank line after every ring.
-void write_outline_csv(const std::string& path, const OriginalShape<2>& shape);
+void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing = Existing::is_replaced);
 
 /// Text as above with "x,y,z", without polygons.
-void write_points_csv(const std::string& path, const OriginalShape<3>& shape);
+void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);
 
 /// Writes the format of the file name's extension: .ply and .csv as above; .obj, with colours if there are
 /// any; .off; .stl (binary, single precision, polygons triangulated). These formats omit other attributes.
 /// \throws InputError for other extensions, and for STL without faces.
-void write_shape(const std::string& path, const OriginalShape<3>& shape);
+void write_shape(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);
 
 }  // namespace shellmatch

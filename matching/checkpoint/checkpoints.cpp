@@ -211,7 +211,7 @@ void CheckpointFolder::remove() {
   fs::rename(path_, hidden, error);
   if (error) return;
   remove_written_files(hidden);
-  if (fs::exists(hidden, error)) fs::rename(hidden, path_, error);  // something came in meanwhile
+  if (first_foreign_thing(hidden, ChangedFiles::are_written)) fs::rename(hidden, path_, error);  // it came in meanwhile
 }
 
 std::string CheckpointFolder::foreign_text() const {

@@ -17,13 +17,32 @@
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <array>
+#include <new>
 #include <span>
 
 namespace shellmatch {
 
 namespace {
+
+/// VTK's writer reads through a null pointer where its compressor finds no memory. The file names VTK's class.
+class Compressor final : public vtkZLibDataCompressor {
+ public:
+  static Compressor* New() {
+    auto* compressor = new Compressor;
+    compressor->InitializeObjectBase();
+    return compressor;
+  }
+
+ protected:
+  std::size_t CompressBuffer(const unsigned char* data, std::size_t size, unsigned char* to, std::size_t space) override {
+    const std::size_t n = vtkZLibDataCompressor::CompressBuffer(data, size, to, space);
+    if (n == 0) throw std::bad_alloc();
+    return n;
+  }
+};
 
 template <class Array>
 vtkNew<Array> new_array(const std::string& name, int n_components, Eigen::Index n_tuples) {
@@ -139,7 +158,8 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
+  const vtkNew<Compressor> compressor;
+  writer->SetCompressor(compressor);
   writer->SetCompressionLevel(1);  // higher levels take four times as long for a tenth less
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)

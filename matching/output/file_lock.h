@@ -19,7 +19,7 @@ class FileLock {
   /// Creates the file where it is missing and tries to lock it, without waiting. \throws EnvironmentError if it cannot
   /// be opened
   FileLock(const std::string& path, Kind kind);
-  /// Releases the lock; an exclusive one also removes its file.
+  /// Releases the lock; an exclusive one also removes its file, and so does one that is unsupported if it created it.
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -30,6 +30,7 @@ class FileLock {
   std::string path_;
   Kind kind_;
   int file_ = -1;
+  bool is_own_ = false;  // created by this object
   State state_ = State::unsupported;
 };
 

@@ -6,6 +6,7 @@
 #include "matching/output/written_files.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -44,6 +45,14 @@ void remove_partial_folders(const std::string& path, bool is_replaced) {
 void remove_leftovers(const std::string& path) {
   const FileLock lock(lock_name(path), FileLock::Kind::exclusive);
   if (lock.state() == FileLock::State::held) remove_partial_folders(path, holds_result(path));
+}
+
+void remove_hidden(const std::string& path) noexcept try {
+  remove_partial_folders(path, holds_result(path));
+  std::error_code error;
+  fs::remove(lock_name(path), error);
+} catch (const std::exception&) {
+  // They stay; nothing reads them.
 }
 
 void remove_leftovers_in(const std::string& parent) {

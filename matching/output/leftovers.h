@@ -10,7 +10,10 @@ namespace shellmatch {
 /// \throws EnvironmentError if nothing can be written beside it
 void remove_leftovers(const std::string& path);
 
-/// The same for all output folders in `parent`, found by the names of locks and hidden folders. Each lock is held for a
+/// The same where nobody else works, as within the folder of a run that has ended, and the lock as well. Nothing is thrown.
+void remove_hidden(const std::string& path) noexcept;
+
+/// The same as remove_leftovers() for all output folders in `parent`, found by the names of locks and hidden folders. Each lock is held for a
 /// moment while it is examined; \pre no run is about to start in `parent`. Files that cannot be removed stay.
 void remove_leftovers_in(const std::string& parent);
 

@@ -1,6 +1,7 @@
 #include "matching/output/output_folder.h"
 
 #include "base/error.h"
+#include "base/replace_file.h"
 #include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/mount_point.h"
@@ -38,11 +39,20 @@ int move_entries(const fs::path& from, const fs::path& to, const std::string& na
   if (error) return error.value();
   std::ranges::partition(entries, [&](const std::string& file) { return (file == written_files_name) == list_first; });
   for (const std::string& file : entries) {
-    fs::rename(from / file, to / file, error);
-    if (error) return error.value();
+    // What came into being there after it was checked is not replaced.
+    if (const int cause = rename_to_new((from / file).string(), (to / file).string()); cause != 0) return cause;
     moved.push_back(file);
   }
   return 0;
+}
+
+// The list names files alone, so that a folder without any would be of no run: that of pictures, none of which could be drawn.
+void remove_empty_folders(const fs::path& top) {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (auto at = fs::recursive_directory_iterator(top, error); !error && at != fs::end(at); at.increment(error))
+    if (at->is_directory()) folders.push_back(at->path());
+  for (auto inner = folders.rbegin(); inner != folders.rend(); ++inner) fs::remove(*inner, error);
 }
 
 void check_place(const fs::path& path, bool force, ChangedFiles changed) {
@@ -131,6 +141,7 @@ std::string OutputFolder::path_of(std::string_view name) {
 void OutputFolder::commit() {
   SHELLMATCH_CHECK(!committed_, "an output folder is committed once");
   std::error_code error;
+  remove_empty_folders(partial_);
   write_file_list(partial_);
   std::vector<std::string> folders{partial_};
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
@@ -199,11 +210,13 @@ void OutputFolder::fill_in_place() {
   if (!earlier.empty()) remove_earlier(old);
 }
 
-// What came into the folder after it was checked is kept under a name that no run uses.
+// What came into the folder after it was checked is kept under a name that no run uses. Files of the earlier run that the
+// system does not remove stay under the hidden name, and the next run removes them.
 void OutputFolder::remove_earlier(const std::string& folder) {
   remove_written_files(folder);
   std::error_code error;
-  if (fs::exists(folder, error)) fs::rename(folder, fmt::format("{}.kept-{}", final_, ::getpid()), error);
+  if (first_foreign_thing(folder, ChangedFiles::are_written))
+    fs::rename(folder, fmt::format("{}.kept-{}", final_, ::getpid()), error);
 }
 
 }  // namespace shellmatch

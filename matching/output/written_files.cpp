@@ -66,7 +66,8 @@ bool has_contents(const fs::path& path, const WrittenFile& file) {
 std::vector<WrittenFile> list_files(const std::string& folder) {
   std::vector<WrittenFile> files;
   const std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
-    if (const std::string name = name_in(folder, entry.path()); is_real_file(entry) && name != written_files_name)
+    // Throws where the status cannot be had: a file that is left out of the list would be of no run.
+    if (const std::string name = name_in(folder, entry.path()); fs::is_regular_file(entry.symlink_status()) && name != written_files_name)
       files.push_back({name, entry.file_size(), file_checksum(entry.path().string())});
   });
   if (error) cannot_write(folder, error.value());
@@ -129,16 +130,22 @@ void remove_written_files(const std::string& folder) {
   if (!list) return;
   const Listed listed(*list);
   std::vector<fs::path> files, folders;
+  bool is_done = true;
   std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
     const std::string name = name_in(folder, entry.path());
-    if (is_real_file(entry) && listed.files.contains(name)) files.push_back(entry.path());
-    if (is_real_folder(entry) && listed.folders.contains(name)) folders.push_back(entry.path());
+    std::error_code unknown;
+    const fs::file_status status = entry.symlink_status(unknown);
+    if (fs::is_regular_file(status) && listed.files.contains(name)) files.push_back(entry.path());
+    if (fs::is_directory(status) && listed.folders.contains(name)) folders.push_back(entry.path());
+    if (!fs::status_known(status)) is_done = false;
   });
-  for (const fs::path& file : files) fs::remove(file, error);
+  if (error) is_done = false;
+  for (const fs::path& file : files) is_done = (fs::remove(file, error), !error) && is_done;
   // Inner folders first; those that hold anything else stay.
   std::ranges::sort(folders, std::ranges::greater{}, [](const fs::path& p) { return p.native().size(); });
-  for (const fs::path& inner : folders) fs::remove(inner, error);
-  fs::remove(fs::path(folder) / written_files_name, error);
+  for (const fs::path& inner : folders)
+    is_done = (fs::remove(inner, error), !error || error == std::errc::directory_not_empty) && is_done;
+  if (is_done) fs::remove(fs::path(folder) / written_files_name, error);
   fs::remove(folder, error);
 }
 

@@ -18,8 +18,8 @@ struct WrittenFile {
   std::string checksum;  ///< matching/output/checksum.h
 };
 
-/// Lists the files of a folder and its subfolders, without files.json, sorted by name. \throws EnvironmentError if one of
-/// them cannot be read
+/// Lists the files of a folder and its subfolders, without files.json, sorted by name. \throws EnvironmentError or
+/// std::filesystem::filesystem_error if one of them cannot be looked at or read
 std::vector<WrittenFile> list_files(const std::string& folder);
 
 /// Writes files.json into the folder. \throws EnvironmentError
@@ -49,7 +49,7 @@ std::string foreign_text(const ForeignThing& thing);
 bool holds_result(const std::string& folder);
 
 /// Removes the files of the list, the list itself and the folders that are empty then. Everything else stays, also if it
-/// came after a check, and so does what cannot be removed; a folder without list stays as it is.
+/// came after a check, and so does what cannot be removed, with the list; a folder without list stays as it is.
 void remove_written_files(const std::string& folder);
 
 /// The text of the list, and its contents; nothing for text that is no list.

@@ -18,6 +18,7 @@ class Recorder final : public Observer {
   explicit Recorder(Observer& next);
 
   void note(const std::string& text) override { next_.note(text); }
+  void warn(const std::string& text) override { next_.warn(text); }
   void stage(const std::string& name) override { next_.stage(name); }
   void trial_iterated() override { next_.trial_iterated(); }
   void minimisation_started(const LevelStart& start) override;

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/printable.h"
 #include "render/canvas/canvas.h"
 
 #include <cairo-svg.h>
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <memory>
+#include <new>
 #include <numbers>
 
 namespace shellmatch {
@@ -35,10 +38,26 @@ struct Canvas::State {
 
 namespace {
 
-cairo_status_t append(void* text, const unsigned char* data, unsigned int length) {
+// Called by cairo, which is written in C: no exception may leave it.
+cairo_status_t append(void* text, const unsigned char* data, unsigned int length) noexcept try {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
+} catch (const std::bad_alloc&) {
+  return CAIRO_STATUS_NO_MEMORY;
 }
+
+// Throws std::bad_alloc for want of memory, and for what is no fault of the machine's tells the broken invariant. Encoding a
+// picture in memory fails for want of it alone.
+void check(cairo_status_t status, const char* invariant) {
+  if (status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_PNG_ERROR) throw std::bad_alloc();
+  if (status == CAIRO_STATUS_FREETYPE_ERROR) throw_environment_error("no text can be drawn ({})", cairo_status_to_string(status));
+  SHELLMATCH_CHECK(status == CAIRO_STATUS_SUCCESS, invariant);
+}
+
+struct Destroyed {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using OwnSurface = std::unique_ptr<cairo_surface_t, Destroyed>;
 
 void write_bytes(const std::string& bytes, const std::string& path) {
   std::ofstream out(path, std::ios::binary);
@@ -51,23 +70,22 @@ void write_bytes(const std::string& bytes, const std::string& path) {
 
 std::string png_bytes(cairo_surface_t* surface) {
   std::string bytes;
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append, &bytes);
-  SHELLMATCH_CHECK(status == CAIRO_STATUS_SUCCESS, "a picture in memory must be encodable as PNG");
+  check(cairo_surface_write_to_png_stream(surface, append, &bytes), "a picture in memory must be encodable as PNG");
   return bytes;
 }
 
-cairo_surface_t* surface_of(const Image& picture) {
-  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height);
-  SHELLMATCH_CHECK(cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS, "the picture's size must be valid");
-  unsigned char* data = cairo_image_surface_get_data(surface);
-  const int stride = cairo_image_surface_get_stride(surface);
+OwnSurface surface_of(const Image& picture) {
+  OwnSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width, picture.height));
+  check(cairo_surface_status(surface.get()), "the picture's size must be valid");
+  unsigned char* data = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const std::uint8_t* p = picture.at(x, y);
       const std::uint32_t word = (std::uint32_t{p[0]} << 16) | (std::uint32_t{p[1]} << 8) | p[2];
       std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &word, 4);
     }
-  cairo_surface_mark_dirty(surface);
+  cairo_surface_mark_dirty(surface.get());
   return surface;
 }
 
@@ -105,7 +123,7 @@ Canvas::Canvas(int width, int height, CanvasKind kind, const Color& background)
   s.surface = kind == CanvasKind::raster ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)
                                          : cairo_svg_surface_create_for_stream(append, &s.svg, width, height);
   s.cairo = cairo_create(s.surface);
-  SHELLMATCH_CHECK(cairo_status(s.cairo) == CAIRO_STATUS_SUCCESS, "the canvas must be creatable");
+  check(cairo_status(s.cairo), "the canvas must be creatable");
   s.set_color(background, 1);
   cairo_paint(s.cairo);
   cairo_set_line_join(s.cairo, CAIRO_LINE_JOIN_ROUND);
@@ -154,7 +172,8 @@ void Canvas::disc(const Vec<2>& centre, double radius, const Color& color, doubl
 double Canvas::text_width(const std::string& words, const TextStyle& style) {
   state_->set_font(style);
   cairo_text_extents_t extents;
-  cairo_text_extents(state_->cairo, words.c_str(), &extents);
+  // Cairo draws nothing any more after a text that is no UTF-8.
+  cairo_text_extents(state_->cairo, printable(words).c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -167,18 +186,17 @@ void Canvas::text(const std::string& words, const Vec<2>& position, const TextSt
   cairo_rotate(s.cairo, -style.turn * std::numbers::pi / 180);
   cairo_move_to(s.cairo, -style.anchor_x * width, style.anchor_y * cap_height);
   s.set_color(style.color, 1);
-  cairo_show_text(s.cairo, words.c_str());
+  cairo_show_text(s.cairo, printable(words).c_str());
   cairo_new_path(s.cairo);
   cairo_restore(s.cairo);
 }
 
 void Canvas::image(const Image& picture, int x, int y) {
   State& s = *state_;
-  cairo_surface_t* source = surface_of(picture);
-  cairo_set_source_surface(s.cairo, source, x, y);
+  const OwnSurface source = surface_of(picture);
+  cairo_set_source_surface(s.cairo, source.get(), x, y);
   cairo_paint(s.cairo);
   cairo_set_source_rgb(s.cairo, 0, 0, 0);
-  cairo_surface_destroy(source);
 }
 
 void Canvas::clip(const Vec<2>& upper_left, const Vec<2>& size) {
@@ -189,13 +207,17 @@ void Canvas::unclip() { cairo_reset_clip(state_->cairo); }
 
 Image Canvas::to_image() const {
   SHELLMATCH_CHECK(state_->kind == CanvasKind::raster, "only a raster canvas becomes an image");
+  check(cairo_status(state_->cairo), "everything must have been drawn");
   return image_of(state_->surface);
 }
 
 void Canvas::write(const std::string& path) {
   State& s = *state_;
+  // Where a drawing fails, cairo remembers the error and ignores what follows.
+  check(cairo_status(s.cairo), "everything must have been drawn");
   if (s.kind == CanvasKind::raster) return write_bytes(png_bytes(s.surface), path);
   cairo_surface_finish(s.surface);
+  check(cairo_surface_status(s.surface), "everything must have been drawn");
   write_bytes(s.svg, path);
 }
 
@@ -213,27 +235,18 @@ void Image::set(int x, int y, const Color& color) {
 }
 
 void write_png(const Image& image, const std::string& path) {
-  cairo_surface_t* surface = surface_of(image);
-  const std::string bytes = png_bytes(surface);
-  cairo_surface_destroy(surface);
-  write_bytes(bytes, path);
+  write_bytes(png_bytes(surface_of(image).get()), path);
 }
 
 Image read_png(const std::string& path) {
-  cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
-  if (const cairo_status_t status = cairo_surface_status(surface); status != CAIRO_STATUS_SUCCESS) {
-    cairo_surface_destroy(surface);
-    throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
-  }
+  const OwnSurface surface(cairo_image_surface_create_from_png(path.c_str()));
+  const cairo_status_t status = cairo_surface_status(surface.get());
+  if (status != CAIRO_STATUS_SUCCESS) throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
   // Cairo uses other pixel formats only for pictures with 16 bits per channel.
-  const cairo_format_t format = cairo_image_surface_get_format(surface);
-  if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24) {
-    cairo_surface_destroy(surface);
+  const cairo_format_t format = cairo_image_surface_get_format(surface.get());
+  if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)
     throw_input_error("{}: a PNG picture of more than 8 bits a channel; convert it to 8 bits", path);
-  }
-  Image image = image_of(surface);
-  cairo_surface_destroy(surface);
-  return image;
+  return image_of(surface.get());
 }
 
 }  // namespace shellmatch

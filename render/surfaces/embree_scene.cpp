@@ -42,7 +42,7 @@ struct RayScene::State {
 namespace {
 
 [[noreturn]] void throw_embree_error(RTCError error) {
-  if (error == RTC_ERROR_OUT_OF_MEMORY) throw_environment_error("not enough memory to draw a picture of surfaces");
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw MemoryError("not enough memory to draw a picture of surfaces");
   throw_environment_error("the ray caster cannot work on this machine (Embree error {})", static_cast<int>(error));
 }
 
@@ -71,7 +71,7 @@ RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::ma
     auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), surface.facets.size()));
     if (!points || !corners)
-      throw_environment_error("not enough memory to draw a picture of {} triangles", surface.facets.size());
+      throw MemoryError(fmt::format("not enough memory to draw a picture of {} triangles", surface.facets.size()));
     for (const Vec<3>& v : surface.vertices)
       for (int k = 0; k < 3; ++k) *points++ = static_cast<float>(s.scale * (v[k] - s.centre[k]));
     for (const auto& facet : surface.facets)

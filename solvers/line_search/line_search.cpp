@@ -103,10 +103,12 @@ LineSearchResult search_line(Line& line, double first_alpha, const LineSearchOpt
     }
   }
   result.success = low.alpha > 0;
+  result.ends_infeasible = result.n_trials > 0 && !last.feasible;
   if (!result.success) return result;
   if (last.alpha != low.alpha || !low.has_gradient) low = line.at(low.alpha, true);
   result.point = low;
   result.success = low.feasible;  // the gradient may turn out not to be finite
+  result.ends_infeasible = !low.feasible;
   return result;
 }
 

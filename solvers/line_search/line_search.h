@@ -68,9 +68,15 @@ class Line {
 /// Outcome of a search. On success, line.x and line.gradient belong to `point`.
 struct LineSearchResult {
   bool success = false;
+  bool ends_infeasible = false;  ///< the last trial, line.x, could not be evaluated
   LinePoint point;
   int n_trials = 0;
 };
+
+/// The last trial of a search that failed if it could not be evaluated, otherwise empty.
+inline std::span<const double> infeasible_end(const Line& line, const LineSearchResult& found) {
+  return found.ends_infeasible ? std::span<const double>(line.x) : std::span<const double>();
+}
 
 /// Finds a step that lowers the value and satisfies the Armijo condition (3.4) and, if options.curvature > 0,
 /// the weak Wolfe condition (3.6b). The first trial is `first_alpha` > 0. A trial that cannot be evaluated

@@ -85,7 +85,7 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {
       if (beta == 0 || run.out_of_time()) {
-        run.finish(StopReason::no_descent);
+        run.finish_without_descent(infeasible_end(line, found));
       } else {
         beta = 0;  // next, the steepest descent with a new first step
         last.alpha = 0;

@@ -39,7 +39,7 @@ MinimizerSummary Lbfgs::minimize(Objective& objective, std::vector<double>& x, c
     line.lay(x, d, value, size.slope);
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {
-      if (inverse_hessian.empty() || run.out_of_time()) run.finish(StopReason::no_descent);
+      if (inverse_hessian.empty() || run.out_of_time()) run.finish_without_descent(infeasible_end(line, found));
       inverse_hessian.clear();
       continue;
     }

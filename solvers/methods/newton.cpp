@@ -122,10 +122,14 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
       model->precondition(g, d);
       scale(-1.0, d);
       size = direction_size(g, d);
+      if (!(size.slope < 0)) {
+        run.finish(StopReason::no_descent, model->what_of_model_is_not_finite(x));
+        break;
+      }
       line.lay(x, d, value, size.slope);
       found = search_line(line, 1.0, search);
       if (!found.success) {
-        run.finish(StopReason::no_descent);
+        run.finish_without_descent(infeasible_end(line, found));
         break;
       }
     }

@@ -6,7 +6,20 @@
 
 #include <cmath>
 
+// Of libgomp, which CHOLMOD brings along where it was built with OpenMP.
+extern "C" [[gnu::weak]] void omp_set_max_active_levels(int);
+
 namespace shellmatch {
+
+namespace {
+
+// CHOLMOD's loops stay in the calling thread, as the number of threads is the user's choice (base/parallel.h). Where the system
+// refused a thread, libgomp would end the program. They hold none of the work: that is BLAS'.
+void keep_to_one_thread() {
+  if (omp_set_max_active_levels != nullptr) omp_set_max_active_levels(0);
+}
+
+}  // namespace
 
 /// Owns CHOLMOD's objects. Every solve writes to the workspace, so solves must not run in parallel.
 struct SparseFactor::Content {
@@ -17,6 +30,7 @@ struct SparseFactor::Content {
   cholmod_dense *in = nullptr, *permuted = nullptr, *out = nullptr, *y = nullptr, *e = nullptr;
 
   Content(Eigen::SparseMatrix<double> m, int n) : matrix(std::move(m)), n_components(n) {
+    keep_to_one_thread();
     cholmod_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -27,6 +41,10 @@ struct SparseFactor::Content {
     cholmod_free_factor(&factor, &common);
     for (cholmod_dense** d : {&in, &permuted, &out, &y, &e}) cholmod_free_dense(d, &common);
     cholmod_finish(&common);
+  }
+
+  [[noreturn]] static void throw_no_memory_to_solve() {
+    throw MemoryError("there is not enough memory to solve with the factor of the metric; use solver.metric l2, or a coarser grid");
   }
 
   std::size_t n_rows() const { return static_cast<std::size_t>(matrix.rows()); }
@@ -46,18 +64,19 @@ struct SparseFactor::Content {
     factor = cholmod_analyze(&lower, &common);
     if (factor != nullptr) cholmod_factorize(&lower, factor, &common);
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-      throw_environment_error(
-          "there is not enough memory for the factor of the metric on {} nodes; use solver.metric l2, or a coarser grid",
-          n_rows());
+      throw MemoryError(fmt::format(
+          "there is not enough memory for the factor of the metric on {} nodes; use solver.metric l2, or a coarser grid", n_rows()));
     if (common.status != CHOLMOD_OK)
       throw_input_error(
           "the metric's matrix is not positive definite (pivot {} of {}); use solver.metric l2, or weights > 0",
           factor == nullptr ? 0 : factor->minor, n_rows());
     in = cholmod_zeros(n_rows(), static_cast<std::size_t>(n_components), CHOLMOD_REAL, &common);
+    if (in == nullptr) throw_no_memory_to_solve();
   }
 
   /// out = second(first(in)), where both are CHOLMOD's codes of partial solves.
   void solve(std::span<const double> from, int first, int second, std::span<double> to) {
+    keep_to_one_thread();  // of whatever thread calls
     double* values = static_cast<double*>(in->x);
     const std::size_t n = n_rows(), m = static_cast<std::size_t>(n_components);
     for (std::size_t i = 0; i < n; ++i)
@@ -65,7 +84,7 @@ struct SparseFactor::Content {
     const bool solved =
         cholmod_solve2(first, factor, in, nullptr, &permuted, nullptr, &y, &e, &common) != 0 &&
         cholmod_solve2(second, factor, permuted, nullptr, &out, nullptr, &y, &e, &common) != 0;
-    if (!solved) throw_environment_error("there is not enough memory to solve with the factor of the metric");
+    if (!solved) throw_no_memory_to_solve();
     const double* result = static_cast<const double*>(out->x);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < m; ++k) to[i * m + k] = result[k * n + i];

@@ -82,7 +82,7 @@ class ActiveRun {
     result_.seconds = end->seconds;
     result_.peak_memory_bytes = end->peak_memory_bytes;
     judge(end->end);
-    remove_leftovers(folder_.path_of("output"));
+    remove_hidden(folder_.path_of("output"));
     write_run_result(result_, folder_.path_of("result.json"));
     folder_.commit();
     return true;

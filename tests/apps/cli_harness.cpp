@@ -1,7 +1,9 @@
 #include "tests/apps/cli_harness.h"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -109,6 +111,31 @@ bool Program::wait_for_stderr(const std::string& text, std::chrono::milliseconds
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder,
                           std::chrono::milliseconds limit) {
   return Program(words, folder).wait(limit);
+}
+
+ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return {};
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!prepare()) _exit(99);
+    const ProgramResult result = run_program(words);
+    if (write(pipe_ends[1], result.err.data(), std::min<std::size_t>(result.err.size(), 60000)) < 0) _exit(98);
+    _exit(result.exit_code);
+  }
+  close(pipe_ends[1]);
+  ProgramResult result;
+  char buffer[4096];
+  for (ssize_t n = 0; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;) result.err.append(buffer, static_cast<std::size_t>(n));
+  close(pipe_ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+bool obey_permissions() {
+  return geteuid() != 0 || (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0);
 }
 
 }  // namespace shellmatch

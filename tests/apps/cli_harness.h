@@ -3,6 +3,7 @@
 /// Runs the real program as a user would.
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,11 @@ inline bool has(const std::string& text, const std::string& part) { return text.
 /// Starts the program and waits for its end.
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
                           std::chrono::milliseconds limit = std::chrono::seconds(60));
+
+/// Starts the program in a process that `prepare` has changed: limits and rights cannot be taken back. Its exit code (128 + signal) and stderr.
+ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare);
+
+/// For run_in_child(): the rights of root that go beyond those of a file's owner are given up; others have none.
+bool obey_permissions();
 
 }  // namespace shellmatch

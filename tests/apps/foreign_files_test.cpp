@@ -5,16 +5,13 @@
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <linux/capability.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <functional>
+#include <iterator>
 
 namespace shellmatch {
 namespace {
@@ -208,28 +205,6 @@ TEST(ForeignFiles, AParentThatIsNotThereIsPassedOver) {
   EXPECT_FALSE(fs::exists(tmp / "nope"));
 }
 
-// In a process of its own, because limits and rights cannot be taken back.
-ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare) {
-  int pipe_ends[2];
-  if (pipe(pipe_ends) != 0) return {};
-  const pid_t child = fork();
-  if (child == 0) {
-    if (!prepare()) _exit(99);
-    const ProgramResult result = run_program(words);
-    if (write(pipe_ends[1], result.err.data(), std::min<std::size_t>(result.err.size(), 60000)) < 0) _exit(98);
-    _exit(result.exit_code);
-  }
-  close(pipe_ends[1]);
-  ProgramResult result;
-  char buffer[4096];
-  for (ssize_t n = 0; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;) result.err.append(buffer, static_cast<std::size_t>(n));
-  close(pipe_ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
-}
-
 TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
   const TemporaryFolder tmp;
   const auto limit_to = [](rlim_t bytes) {
@@ -246,6 +221,9 @@ TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
   const ProgramResult without = run_in_child(match(tmp / "o"), limit_to(64000));
   EXPECT_EQ(without.exit_code, 0) << without.err;
   EXPECT_TRUE(has(without.err, "pictures/result.png is missing")) << without.err;
+  const ProgramResult quiet = run_in_child(match(tmp / "quiet", {"-q"}), limit_to(64000));
+  EXPECT_EQ(quiet.exit_code, 0) << quiet.err;
+  EXPECT_TRUE(has(quiet.err, "pictures/result.png is missing")) << quiet.err;
   const Words names = tmp.entries();
   EXPECT_TRUE(contains_name(names, "o/summary.json"));
   EXPECT_FALSE(contains_name(names, "o/pictures/result.png"));
@@ -266,11 +244,6 @@ TEST(ForeignFiles, WantOfMemoryIsToldAsSuch) {
     told += result.err;
   }
   EXPECT_TRUE(has(told, "not enough memory")) << told;
-}
-
-// The rights of root that go beyond those of a file's owner are given up; others have none.
-bool obey_permissions() {
-  return geteuid() != 0 || (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0);
 }
 
 TEST(ForeignFiles, AFolderThatCannotBeLookedIntoIsRefusedBeforeAnyWork) {
@@ -312,6 +285,22 @@ TEST(ForeignFiles, AFolderInAParentThatMayNotBeWrittenIsFilledInPlace) {
   EXPECT_TRUE(fs::exists(mine + "/summary.json"));
   for (const fs::directory_entry& entry : fs::directory_iterator(mine))
     EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
+}
+
+// What the system does not remove is no file of the user's, and goes with the next run.
+TEST(ForeignFiles, FilesOfARunThatCannotBeRemovedStayHidden) {
+  const TemporaryFolder tmp;
+  const std::string out = tmp / "o";
+  ASSERT_EQ(run_program(match(out, {"-q"})).exit_code, 0);
+  fs::permissions(out + "/pictures", fs::perms(0555));
+  const ProgramResult result = run_in_child(match(out, {"-q", "--force"}), obey_permissions);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tmp / "."))
+    if (entry.is_directory()) fs::permissions(entry, fs::perms(0755));
+  for (const fs::directory_entry& entry : fs::directory_iterator(tmp / "."))
+    EXPECT_TRUE(entry.path().filename() == "o" || entry.path().filename().string().starts_with(".o.partial-")) << entry.path();
+  EXPECT_EQ(run_program(match(out, {"-q", "--force"})).exit_code, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(tmp / "."), fs::directory_iterator()), 1);
 }
 
 }  // namespace

@@ -139,13 +139,5 @@ TEST(Write, WhatCannotBeWrittenLeavesNothing) {
   EXPECT_EQ(partial_files(folder.path("")), 0);
 }
 
-// Each file that is being written has a name that nothing had before, so that nothing is written through a link.
-TEST(Write, PartialNamesAreNew) {
-  const TempFolder folder;
-  const std::string path = folder.path(std::string(250, 'a') + ".ply"), first = create_partial_file(path), second = create_partial_file(path);
-  EXPECT_NE(first, second);
-  EXPECT_TRUE(first.ends_with(".ply") && is_partial_file_name(std::filesystem::path(first).filename().string()) && std::filesystem::exists(first) && std::filesystem::exists(second));
-}
-
 }  // namespace
 }  // namespace shellmatch::testing

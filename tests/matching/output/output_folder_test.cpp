@@ -327,5 +327,19 @@ TEST(OutputFolderTest, APictureThatCannotBeDrawnIsToldAndRemoved) {
   EXPECT_EQ(tmp.entries(), (Names{"out", "out/files.json", "out/pictures", "out/pictures/c.png"}));
 }
 
+// A folder that is in no list would be of no run, and could not be replaced.
+TEST(OutputFolderTest, WithoutAnyPictureThereIsNoFolderOfPictures) {
+  const TemporaryFolder tmp;
+  {
+    OutputFolder folder(tmp / "out", false);
+    Observer observer;
+    draw(folder, "pictures/a.png", observer, [](const std::string&) { throw std::bad_alloc(); });
+    write_file(folder.path_of("summary.json"), "{}");
+    folder.commit();
+  }
+  EXPECT_EQ(tmp.entries(), (Names{"out", "out/files.json", "out/summary.json"}));
+  EXPECT_NO_THROW(OutputFolder(tmp / "out", true));
+}
+
 }  // namespace
 }  // namespace shellmatch

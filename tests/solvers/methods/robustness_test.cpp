@@ -45,6 +45,39 @@ TEST_P(AnyMinimizer, SaysThatTheStartCannotBeEvaluated) {
   EXPECT_EQ(outside, std::vector<double>(3, -1.0));
 }
 
+// A bowl that is finite at its start alone, or whose gradient is.
+struct FiniteAtItsStart final : testing::UnitModel {
+  bool only_gradient = false;
+  std::size_t size() const override { return 2; }
+  static bool is_start(std::span<const double> x) { return x[0] == 1 && x[1] == 1; }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    value = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      value += 0.5 * x[i] * x[i];
+      if (!gradient.empty()) gradient[i] = is_start(x) ? x[i] : nan;
+    }
+    if (!only_gradient && !is_start(x)) value = nan;
+    return true;
+  }
+  std::string what_is_not_finite(std::span<const double> x) override { return is_start(x) ? "" : "the term wall is not finite there"; }
+};
+
+TEST(LineSearchMethods, SayWhatIsNotFiniteAlongTheLine) {
+  for (const std::string name : {"newton", "lbfgs", "fletcher_reeves"})
+    for (const bool only_gradient : {false, true}) {
+      FiniteAtItsStart objective;
+      objective.only_gradient = only_gradient;
+      SolverOptions options;
+      options.name = name;
+      std::vector<double> x{1, 1};
+      const auto summary = make_minimizer(options)->minimize(objective, x, long_run);
+      EXPECT_EQ(summary.reason, StopReason::no_descent) << name;
+      EXPECT_EQ(summary.message, "no lower value can be found along the steepest descent: the term wall is not finite there") << name;
+      EXPECT_EQ(x, (std::vector<double>{1, 1})) << name;
+    }
+}
+
 TEST_P(AnyMinimizer, StopsAtOnceWhereTheGradientIsZero) {
   const auto problem = testing::extended_rosenbrock(4);
   std::vector<double> x(4, 1.0);
