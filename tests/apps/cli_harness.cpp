@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <stdexcept>
+#include <thread>
 
 namespace shellmatch {
 
@@ -68,6 +70,16 @@ Program::~Program() {
 }
 
 void Program::send_signal(int signal) const { check(kill(pid_, signal) == 0, "kill"); }
+
+bool Program::wait_for_handler(int signal, std::chrono::milliseconds limit) const {
+  const std::string key = "SigCgt:";  // a mask in hexadecimal digits, proc(5)
+  for (const Clock::time_point deadline = Clock::now() + limit; Clock::now() < deadline; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with(key) && (std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1) != 0) return true;
+  }
+  return false;
+}
 
 // One round of reading; false when both streams have ended or the time is over.
 bool Program::collect(Clock::time_point deadline) {

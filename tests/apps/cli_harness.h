@@ -28,6 +28,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void send_signal(int signal) const;
+  /// Waits until the program has a handler for the signal; false if the time is over before.
+  bool wait_for_handler(int signal, std::chrono::milliseconds limit = std::chrono::seconds(60)) const;
   /// Collects its output until it ends or the time is over.
   ProgramResult wait(std::chrono::milliseconds limit = std::chrono::seconds(60));
   /// Collects until `text` has appeared on stderr; false if the program ended or the time was over before.

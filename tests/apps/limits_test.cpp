@@ -10,7 +10,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 namespace shellmatch {
 namespace {
@@ -196,7 +195,7 @@ TEST(Signals, TheEndOfTheTerminalStopsARunInOrder) {
 TEST(Signals, AShapeThatIsBeingMadeIsGivenUpInOrder) {
   const TemporaryFolder tmp;
   Program program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ASSERT_TRUE(program.wait_for_handler(SIGTERM));
   program.send_signal(SIGTERM);
   const ProgramResult stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 143);
