@@ -6,6 +6,7 @@
 #include <cairo.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -114,6 +115,15 @@ void trace(cairo_t* cairo, std::span<const Vec<2>> points, bool closed) {
   if (closed) cairo_close_path(cairo);
 }
 
+// Where cairo's rasteriser finds no memory it leaves its error handling by a frame that has gone (1.16): it must find some when it
+// begins. Its own needs are a share of this.
+void require_memory_to_draw() {
+  constexpr std::size_t enough = std::size_t{8} << 20;
+  void* volatile room = std::malloc(enough);  // volatile: compilers may leave out an allocation that is not used
+  if (room == nullptr) throw std::bad_alloc();
+  std::free(room);
+}
+
 }  // namespace
 
 Canvas::Canvas(int width, int height, CanvasKind kind, const Color& background)
@@ -124,6 +134,7 @@ Canvas::Canvas(int width, int height, CanvasKind kind, const Color& background)
                                          : cairo_svg_surface_create_for_stream(append, &s.svg, width, height);
   s.cairo = cairo_create(s.surface);
   check(cairo_status(s.cairo), "the canvas must be creatable");
+  require_memory_to_draw();
   s.set_color(background, 1);
   cairo_paint(s.cairo);
   cairo_set_line_join(s.cairo, CAIRO_LINE_JOIN_ROUND);

@@ -2,6 +2,7 @@
 
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
+#include "tests/support/sanitized.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -231,6 +232,7 @@ TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
 
 // With so little memory the ray caster of the pictures cannot begin, or cannot go on.
 TEST(ForeignFiles, WantOfMemoryIsToldAsSuch) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const TemporaryFolder tmp;
   std::string told;
   for (const rlim_t megabytes : {230, 260}) {

@@ -86,7 +86,7 @@ TEST(HostileInput, AByteOrderMarkIsNoPartOfACorrespondence) {
 
 TEST(HostileInput, PointsWithoutCoordinatesAreRefused) {
   const TemporaryFolder tmp;
-  put(tmp / "a.ply", std::string("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nend_header\n\0\0\0\0", 91));
+  put(tmp / "a.ply", std::string("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nend_header\n") + std::string(4, '\0'));
   EXPECT_TRUE(has(refusal({"inspect", tmp / "a.ply"}), "x, y and z"));
 }
 

@@ -5,6 +5,7 @@
 #include "matching/output/summary.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +34,7 @@ std::string last_line(const std::string& text) {
 }
 
 TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
+  SHELLMATCH_SKIP_IF_SANITIZED("a level takes longer than the limit");
   const TemporaryFolder tmp;
   const auto begin = Clock::now();
   const ProgramResult stopped = run_program(match(tmp / "o", "2:7", {"--max-seconds", "3"}));
@@ -49,6 +51,7 @@ TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
 }
 
 TEST(Limits, ALevelThatDoesNotFitIsNotBegun) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const TemporaryFolder tmp;
   const ProgramResult stopped = run_program(match(tmp / "o", "3:7", {"--max-memory", "180MB"}));
   EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
@@ -124,6 +127,7 @@ TEST(Limits, AStudyKeepsItsResults) {
 }
 
 TEST(Limits, ResidentMemoryIsWatchedWhereNothingIsForeseen) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const TemporaryFolder tmp;
   const ProgramResult result = run_program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-memory", "30MB"});
   EXPECT_EQ(result.exit_code, 4) << result.err;
@@ -133,6 +137,7 @@ TEST(Limits, ResidentMemoryIsWatchedWhereNothingIsForeseen) {
 
 // In a process of its own.
 TEST(Limits, AllocationsFarBeyondFail) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const auto allocate = [](const std::string& limit) {
     const KeptLimits limits({"", limit}, KeptLimits::Memory::of_process);
     try {
@@ -147,6 +152,7 @@ TEST(Limits, AllocationsFarBeyondFail) {
 }
 
 TEST(Limits, TextsThatAreNoneAreRefused) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   for (const Words& words : {Words{"--max-memory", "4"}, Words{"--max-memory", "many"}, Words{"--max-memory", "-1GB"},
                              Words{"--max-memory", "1e30GB"}, Words{"--max-seconds", "0"}, Words{"--max-seconds", "5s"},
                              Words{"--max-seconds", "nan"}}) {

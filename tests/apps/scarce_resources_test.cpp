@@ -2,6 +2,7 @@
 
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
+#include "tests/support/sanitized.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ class WantOfMemory : public ::testing::TestWithParam<const char*> {};
 
 // From a limit at which nothing begins to one that suffices.
 TEST_P(WantOfMemory, EndsInAMessageWhereverItComes) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const TemporaryFolder tmp;
   put(tmp / "study.yaml", R"(version: 1
 set: {threads: 1, pictures: none, align: {mode: none}, cascade: {min_level: 3, max_level: 3}}
@@ -74,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, WantOfMemory,
 
 // The factor of a metric is made by a library in C, whose loops ask for threads as well.
 TEST(Factor, WantOfMemoryIsALimitWhereTheUserHasSetOne) {
+  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   const TemporaryFolder tmp;
   const Words words{"match", "generate:sphere", "generate:ellipsoid", "--levels", "4:4", "--align", "none", "--set", "solver.name=lbfgs", "--set",
                     "solver.metric=h1", "--set", "solver.fallback=[]", "--set", "solver.stop.max_iterations=1", "--set", "pictures=none", "--threads", "1",

@@ -1,6 +1,7 @@
 // The self-test of the program as a user runs it. What it says of planted errors: tests/matching/self_test.
 
 #include "tests/apps/cli_harness.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -11,6 +12,7 @@ namespace shellmatch {
 namespace {
 
 TEST(SelfTestCommand, PassesWithinSeconds) {
+  SHELLMATCH_SKIP_IF_SANITIZED("it takes minutes");
   rusage before{}, after{};
   getrusage(RUSAGE_CHILDREN, &before);
   const ProgramResult result = run_program({"self-test"});

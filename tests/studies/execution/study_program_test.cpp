@@ -10,6 +10,7 @@
 
 #include "matching/output/file_lock.h"
 #include "tests/studies/execution/study_harness.h"
+#include "tests/support/sanitized.h"
 
 namespace shellmatch {
 namespace {
@@ -147,6 +148,7 @@ TEST_F(StudyProgram, CtrlCStopsAndTheSameCommandGoesOn) {
 }
 
 TEST_F(StudyProgram, WhatMisbehavesCostsItsOwnRow) {
+  SHELLMATCH_SKIP_IF_SANITIZED("signals are the sanitizer's");
   const std::string study = write("study.yaml", R"(version: 1
 limits: {seconds: 5, grace_seconds: 0.3, memory_mb: 300}
 set:
