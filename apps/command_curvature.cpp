@@ -13,7 +13,7 @@
 #include "matching/experiment/generated_source.h"
 #include "matching/output/output_folder.h"
 #include "matching/output/write_file.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/experiment/yaml_options.h"
 

@@ -1,6 +1,6 @@
 #include "apps/commands.h"
 #include "matching/shape_report/inspection.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 
 #include <iostream>
 

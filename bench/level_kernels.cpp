@@ -13,11 +13,11 @@
 #include "bench/traffic.h"
 #include "energies/assembly/element_oracle.h"
 #include "energies/terms/term_names.h"
-#include "matching/cascade/cascade.h"
+#include "matching/cascade/schedule.h"
 #include "matching/derivative_check/check_state.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/shape_fields.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

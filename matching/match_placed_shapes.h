@@ -7,7 +7,7 @@
 #include "matching/alignment/prepare_pair.h"
 #include "matching/cascade/cascade.h"
 #include "matching/result/correspondence.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/result/match_result.h"
 #include "matching/result/recorder.h"

@@ -14,7 +14,7 @@ namespace shellmatch {
 
 /// Finds the map that carries the reference onto the template: places both in the unit domain by one similarity, runs
 /// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
-/// polygons, `open_shape` (matching/experiment/shape_source.h) from a file.
+/// polygons, `open_shape` (matching/input/shape_source.h) from a file.
 /// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement and margin
 ///   are used; of `landmarks` all but the files; `pictures` and `resume` are ignored. `threads` is set for the whole process.
 /// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing

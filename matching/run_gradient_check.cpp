@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "matching/cascade/cascade.h"
+#include "matching/cascade/schedule.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/level/shape_fields.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/alignment/prepare_pair.h"

@@ -1,6 +1,6 @@
 #include "apps/program/program.h"
 
-#include "apps/command_line.h"
+#include "apps/command_line/command_line.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/limits.h"
 #include "base/error.h"

@@ -4,7 +4,7 @@
 
 #include "matching/alignment/alignment.h"
 #include "matching/experiment/options.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 #include "matching/progress/observer.h"
 
 #include <vector>

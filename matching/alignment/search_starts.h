@@ -4,7 +4,7 @@
 
 #include "matching/alignment/choose_start.h"
 #include "matching/experiment/align_options.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 
 namespace shellmatch {
 

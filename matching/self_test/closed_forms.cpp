@@ -1,7 +1,7 @@
 #include "energies/densities/thin_shell.h"
 #include "geometry/distance/signed_distance.h"
 #include "matching/experiment/generated_source.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/self_test/known_cases.h"
 #include "matching/shape_report/curvature_comparison.h"

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "matching/cascade/cascade.h"
+#include "matching/cascade/schedule.h"
 #include "matching/output/checksum.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/option_text.h"

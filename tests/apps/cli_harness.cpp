@@ -120,6 +120,11 @@ bool Program::wait_for_stderr(const std::string& text, std::chrono::milliseconds
   return true;
 }
 
+std::string last_line(const std::string& text) {
+  const std::size_t begin = text.rfind('\n', text.size() - 2);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1);
+}
+
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder,
                           std::chrono::milliseconds limit) {
   return Program(words, folder).wait(limit);

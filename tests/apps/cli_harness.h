@@ -44,6 +44,9 @@ class Program {
 
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// The last line of a text that ends in one.
+std::string last_line(const std::string& text);
+
 /// Starts the program and waits for its end.
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
                           std::chrono::milliseconds limit = std::chrono::seconds(60));

@@ -2,7 +2,6 @@
 
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
-#include "tests/support/sanitized.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -230,24 +229,6 @@ TEST(ForeignFiles, AFileThatMayNotGrowIsAnErrorAndLeavesNothing) {
   EXPECT_FALSE(contains_name(names, "o/pictures/result.png"));
 }
 
-// With so little memory the ray caster of the pictures cannot begin, or cannot go on.
-TEST(ForeignFiles, WantOfMemoryIsToldAsSuch) {
-  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
-  const TemporaryFolder tmp;
-  std::string told;
-  for (const rlim_t megabytes : {230, 260}) {
-    const ProgramResult result =
-        run_in_child({"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / std::to_string(megabytes), "--levels", "2:2"}, [&] {
-          const rlimit limit{megabytes << 20, megabytes << 20};
-          return setrlimit(RLIMIT_AS, &limit) == 0;
-        });
-    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << megabytes << " MB: " << result.exit_code << " " << result.err;
-    EXPECT_FALSE(has(result.err, "Embree error")) << result.err;
-    told += result.err;
-  }
-  EXPECT_TRUE(has(told, "not enough memory")) << told;
-}
-
 TEST(ForeignFiles, AFolderThatCannotBeLookedIntoIsRefusedBeforeAnyWork) {
   const TemporaryFolder tmp;
   fs::create_directories(tmp / "o");
@@ -303,6 +284,20 @@ TEST(ForeignFiles, FilesOfARunThatCannotBeRemovedStayHidden) {
     EXPECT_TRUE(entry.path().filename() == "o" || entry.path().filename().string().starts_with(".o.partial-")) << entry.path();
   EXPECT_EQ(run_program(match(out, {"-q", "--force"})).exit_code, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(tmp / "."), fs::directory_iterator()), 1);
+}
+
+// Both have seen that there is no such file.
+TEST(WithoutForce, TwoProgramsDoNotWriteOneFile) {
+  const TemporaryFolder tmp;
+  for (int i = 0; i < 10; ++i) {
+    const std::string file = tmp / fmt::format("o{}.csv", i);
+    Program first({"generate", "circle", "-o", file}), second({"generate", "circle", "-o", file});
+    const ProgramResult a = first.wait(), b = second.wait();
+    EXPECT_EQ(a.exit_code + b.exit_code, 2) << a.exit_code << " " << a.err << b.exit_code << " " << b.err;
+    EXPECT_TRUE(has(a.err + b.err, "exists")) << a.err << b.err;
+    EXPECT_TRUE(fs::exists(file));
+  }
+  EXPECT_EQ(tmp.entries().size(), 10u);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "matching/output/summary.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/slowdown.h"
 
 #include <gtest/gtest.h>
 
@@ -28,17 +28,11 @@ Words match(const std::string& out, const std::string& levels, const Words& more
   return words;
 }
 
-std::string last_line(const std::string& text) {
-  const std::size_t begin = text.rfind('\n', text.size() - 2);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1);
-}
-
 TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
-  SHELLMATCH_SKIP_IF_SANITIZED("a level takes longer than the limit");
   const TemporaryFolder tmp;
   const auto begin = Clock::now();
   const ProgramResult stopped = run_program(match(tmp / "o", "2:7", {"--max-seconds", "3"}));
-  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(6));
+  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(3 + 3 * test::slowdown));
   EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
   const std::string told = last_line(stopped.err);
   EXPECT_TRUE(has(told, "--max-seconds 3 is over: stopped in level")) << told;
@@ -48,25 +42,6 @@ TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
   const ProgramResult resumed = run_program(match(tmp / "o", "2:7", {"--max-seconds", "1"}));
   EXPECT_EQ(resumed.exit_code, 4);
   EXPECT_TRUE(has(resumed.err, "going on after level")) << resumed.err;
-}
-
-TEST(Limits, ALevelThatDoesNotFitIsNotBegun) {
-  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
-  const TemporaryFolder tmp;
-  const ProgramResult stopped = run_program(match(tmp / "o", "3:7", {"--max-memory", "180MB"}));
-  EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
-  const std::string told = last_line(stopped.err);
-  EXPECT_TRUE(has(told, "--max-memory 180MB does not suffice: level ") && has(told, " would need about ") && has(told, "give more")) << told;
-  EXPECT_TRUE(has(told, "is kept in")) << told;
-  EXPECT_FALSE(fs::exists(tmp / "o"));
-  const MatchSummary kept = read_summary(tmp / "o.unfinished/summary.json");
-  EXPECT_LT(kept.run.peak_memory_bytes, 180000000u);
-  ASSERT_TRUE(kept.run.level_memory_estimates && kept.run.level_memory_peaks);
-  EXPECT_EQ(kept.run.level_memory_estimates->size(), kept.levels.size());
-  // What cannot suffice for any level is refused before the first.
-  const ProgramResult refused = run_program(match(tmp / "p", "3:9", {"--max-memory", "180MB"}));
-  EXPECT_EQ(refused.exit_code, 4) << refused.err;
-  EXPECT_TRUE(has(refused.err, "level 9 would need at least") && has(refused.err, "nothing was written")) << refused.err;
 }
 
 // Of every level, not of the finest alone, which needs no new nodes of the shapes' own grids.
@@ -126,33 +101,7 @@ TEST(Limits, AStudyKeepsItsResults) {
   EXPECT_TRUE(has(small.err, "out_of_memory")) << small.err;
 }
 
-TEST(Limits, ResidentMemoryIsWatchedWhereNothingIsForeseen) {
-  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
-  const TemporaryFolder tmp;
-  const ProgramResult result = run_program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-memory", "30MB"});
-  EXPECT_EQ(result.exit_code, 4) << result.err;
-  EXPECT_TRUE(has(result.err, "--max-memory 30MB does not suffice: stopped; nothing was written")) << result.err;
-  EXPECT_EQ(tmp.entries(), Words{});
-}
-
-// In a process of its own.
-TEST(Limits, AllocationsFarBeyondFail) {
-  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
-  const auto allocate = [](const std::string& limit) {
-    const KeptLimits limits({"", limit}, KeptLimits::Memory::of_process);
-    try {
-      const std::vector<char> large(std::size_t{1} << 30);
-      _exit(large.empty() ? 2 : 0);
-    } catch (const std::bad_alloc&) {
-      _exit(1);
-    }
-  };
-  EXPECT_EXIT(allocate("4GB"), ::testing::ExitedWithCode(0), "");
-  EXPECT_EXIT(allocate("100MB"), ::testing::ExitedWithCode(1), "");
-}
-
 TEST(Limits, TextsThatAreNoneAreRefused) {
-  SHELLMATCH_SKIP_IF_SANITIZED("memory is not what the program takes");
   for (const Words& words : {Words{"--max-memory", "4"}, Words{"--max-memory", "many"}, Words{"--max-memory", "-1GB"},
                              Words{"--max-memory", "1e30GB"}, Words{"--max-seconds", "0"}, Words{"--max-seconds", "5s"},
                              Words{"--max-seconds", "nan"}}) {

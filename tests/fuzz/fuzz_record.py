@@ -18,7 +18,7 @@ READERS = {
                 "geometry/repair/make_shape.cpp", "geometry/repair/cgal_repair.cpp", "geometry/repair/cgal_repair_flat.cpp",
                 "geometry/repair/cgal_repair_nesting.cpp"],
     "repair2": ["geometry/repair/repair_outline.cpp", "geometry/repair/cgal_repair_crossings.cpp"],
-    "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/option_text.cpp"],
+    "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/yaml_syntax.cpp", "matching/experiment/option_text.cpp"],
     "experiment": ["matching/experiment/yaml_options.cpp", "matching/experiment/level_overrides.cpp"],
     "study": ["studies/study_file.cpp"],
     "map": ["matching/map_file/vtu_file.cpp", "matching/map_file/xml_head.cpp", "matching/map_file/read_deformation.cpp",

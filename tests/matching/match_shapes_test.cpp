@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/history_file.h"
 #include "matching/write_result.h"

@@ -36,7 +36,7 @@ const std::vector<Adapter>& adapter_table() {
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},
-      {"CLI11", {"CLI/"}, {"apps/*.cpp"}},
+      {"CLI11", {"CLI/"}, {"apps/command_line/*.cpp"}},
       {"nanoflann", {"nanoflann"}, {"grid/fits/*.cpp"}},
       {"fmt", {"fmt/"}, {"base/error.h", "*/*.cpp", "*/*/*.cpp"}},
       {"Google Benchmark", {"benchmark/"}, {"bench/*.cpp"}},

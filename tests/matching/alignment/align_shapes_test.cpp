@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
 #include "matching/experiment/generated_source.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_shapes.h"
 #include "matching/result/correspondence.h"

@@ -3,7 +3,7 @@
 #include "matching/alignment/choose_start.h"
 
 #include "matching/experiment/generated_source.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/result/correspondence.h"
 
 #include <Eigen/Geometry>

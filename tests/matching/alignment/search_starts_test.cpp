@@ -1,6 +1,6 @@
 #include "matching/alignment/search_starts.h"
 
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 
 #include <gtest/gtest.h>
 

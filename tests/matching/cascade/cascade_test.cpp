@@ -4,7 +4,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade/cascade.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/cascade/schedule.h"
+#include "matching/input/shape_source.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // under compression.
 
 #include "matching/cascade/cascade.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "energies/terms/term_names.h"
 
 #include <gtest/gtest.h>

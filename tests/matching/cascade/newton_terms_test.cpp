@@ -6,10 +6,11 @@
 #include "examples/normal_alignment.h"
 #include "grid/fields/mass.h"
 #include "matching/cascade/cascade.h"
+#include "matching/cascade/schedule.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
 #include "matching/level/shape_fields.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "solvers/options.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "base/error.h"
 #include "grid/octree/octree.h"
 #include "matching/level/field_grid.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

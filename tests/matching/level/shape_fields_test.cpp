@@ -1,7 +1,7 @@
 #include "matching/level/shape_fields.h"
 
 #include "matching/level/level_energy.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "energies/terms/term_names.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Coverage: which pairs it makes, and what it wins.
 
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 #include "matching/level/shape_fields.h"
 #include "matching/match_shapes.h"
 #include "matching/pairs/coverage.h"

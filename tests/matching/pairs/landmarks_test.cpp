@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/derivative_check/gradient_report.h"
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 #include "matching/match_shapes.h"
 #include "matching/run_gradient_check.h"
 #include "tests/matching/output/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "matching/shape_report/curvature_report.h"
 #include "matching/experiment/generated_source.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "matching/experiment/shape_pair.h"
+#include "matching/input/shape_pair.h"
 
 #include "base/error.h"
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 
 namespace shellmatch {
 

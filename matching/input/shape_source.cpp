@@ -1,4 +1,4 @@
-#include "matching/experiment/shape_source.h"
+#include "matching/input/shape_source.h"
 
 #include "geometry/repair/make_shape.h"
 #include "matching/experiment/generated_source.h"

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// The minimisations on the grid of one level.
+
+#include "energies/terms/term_values.h"
+#include "grid/octree/octree.h"
+#include "matching/cascade/level_result.h"
+#include "matching/experiment/options.h"
+#include "matching/level/level_energy.h"
+#include "matching/pairs/coverage.h"
+#include "matching/progress/observer.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// The energy on one grid and its minimisations, which start from phi and replace it by their result.
+template <int Dim>
+class LevelMinimisation {
+ public:
+  /// \param grid, options  outlive this object
+  /// \param coverage       null where it does not act; outlives this object
+  LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
+                    const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage);
+
+  /// All steps of the schedule of `level`. \param interrupted set where the observer ends it
+  /// \throws InputError where the energy of the very first phi is no finite number
+  LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted);
+
+  /// Adds the energy by a finer quadrature, the measures of the band and the folds to the result of minimise().
+  void report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const;
+
+ private:
+  LevelStart start_of(int level) const;
+  std::vector<double> minimise_once(const LevelStart& start, const TermValues& weights, const std::vector<double>& mass,
+                                    const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
+                                    Observer& observer, LevelResult& result);
+  [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+                                 const std::string& message) const;
+  void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
+             Observer& observer);
+  std::vector<double> lumped_mass_of(std::span<const Index> nodes) const;
+
+  const ExperimentOptions& options_;
+  const Octree<Dim>& grid_;
+  LevelEnergy<Dim> level_;
+  const Coverage<Dim>* coverage_;
+  TermValues weights_;  ///< of the last minimisation
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,10 @@
+#pragma once
+/// \file
+/// How many times as long as usual a test may take.
+
+namespace shellmatch::test {
+
+/// 1, or 20 with sanitizers (tests/CMakeLists.txt).
+inline constexpr int slowdown = SHELLMATCH_SLOWDOWN;
+
+}  // namespace shellmatch::test
