@@ -9,19 +9,36 @@
 #include "matching/result/verdict.h"
 #include "matching/run_matching.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace shellmatch {
 
 namespace {
 
+// The verdicts that --fail-on makes a failure.
+std::vector<std::string> failures(const std::string& fail_on) {
+  if (fail_on.empty()) return {};
+  if (fail_on == "not-matched") return {"not-matched"};
+  if (fail_on == "look-here") return {"look-here", "not-matched"};
+  throw_input_error("--fail-on {}: expected look-here or not-matched", fail_on);
+}
+
 void match(const ExperimentOptions& options, const std::string& output, const RunSettings& settings) {
+  const std::vector<std::string> failing = failures(settings.fail_on);
   catch_interrupts();
   Progress progress(settings.verbosity, options.cascade.max_level);
   const AnyMatchResult result =
       run_matching(options, output, {.force = settings.force, .restart = settings.restart}, progress);
-  for (const std::string& line : verdict(summary_of(result))) progress.note(line);
+  const MatchSummary& summary = summary_of(result);
+  for (const std::string& line : verdict_lines(summary)) progress.note(line);
   progress.note(fmt::format("written: {}", output));
+  if (std::ranges::find(failing, summary.verdict->outcome) == failing.end()) return;
+  progress.finished();
+  throw CheckFailed(fmt::format("{}: the verdict is {} (--fail-on {}): {}", output, summary.verdict->outcome, settings.fail_on,
+                                summary.verdict->reasons.front().what));
 }
 
 }  // namespace

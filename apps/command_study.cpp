@@ -7,6 +7,7 @@
 #include "base/printable.h"
 #include "base/replace_file.h"
 #include "base/stop.h"
+#include "matching/experiment/option_text.h"
 #include "matching/progress/process_info.h"
 #include "studies/report/collect.h"
 
@@ -88,6 +89,28 @@ std::string contents_of(const std::string& file) {
   return text.str();
 }
 
+// The study's text with the folder to which its paths are relative, so that the copy can be run from where it lies.
+std::string text_of_copy(const Study& study) {
+  std::string text = contents_of(study.file);
+  if (!study.options.folder.empty()) return text;
+  const std::string entry = "folder: " + scalar_text(std::filesystem::absolute(study.file).parent_path().lexically_normal().string(), OptionKind::text);
+  // A map in braces, or one with a key on each line.
+  std::size_t begin = 0;
+  while (begin < text.size() && (std::isspace(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '#'))
+    begin = text[begin] == '#' ? std::min(text.find('\n', begin), text.size()) : begin + 1;
+  if (begin < text.size() && text[begin] == '{') return text.insert(begin + 1, entry + ", ");
+  const std::size_t line = text.rfind('\n', begin);
+  const std::string indentation(begin - (line == std::string::npos ? 0 : line + 1), ' ');
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  return text + indentation + entry + "\n";
+}
+
+// The study's own file may lie where its results go.
+bool is_file_in(const std::string& file, const std::string& folder) {
+  std::error_code error;
+  return std::filesystem::equivalent(file, std::filesystem::path(folder) / "study.yaml", error);
+}
+
 // A study.yaml in a folder without runs is not the copy that a study has made.
 void check_study_file(const std::string& folder, const std::string& text) {
   const std::filesystem::path place = folder, file = place / "study.yaml";
@@ -118,10 +141,11 @@ void execute(const StudyCommand& command) {
 
   const std::string output =
       command.output.empty() ? "out/" + std::filesystem::path(command.study).stem().string() : command.output;
-  const std::string text = contents_of(command.study);
+  const bool is_its_own = is_file_in(study.file, output);
+  const std::string text = is_its_own ? contents_of(study.file) : text_of_copy(study);
   check_study_file(output, text);
   const StudyFolder folder(output, command.only.empty());
-  replace_file(folder.path() + "/study.yaml", text);
+  if (!is_its_own) replace_file(folder.path() + "/study.yaml", text);
   catch_interrupts();
   StudyProgress progress(command.verbosity == Verbosity::quiet);
   if (!command.collect && !run_study(study, runs, folder, settings, progress))

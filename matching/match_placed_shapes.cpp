@@ -1,6 +1,7 @@
 #include "matching/match_placed_shapes.h"
 
 #include "geometry/distance/surface_distance.h"
+#include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
@@ -15,8 +16,10 @@ namespace shellmatch {
 
 namespace {
 
-ShapeSummary shape_summary(const auto& shape) {
-  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes};
+template <int Dim>
+ShapeSummary shape_summary(const Shape<Dim>& shape) {
+  const Topology parts = topology(shape.surface);
+  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes, parts.n_components, parts.genus};
 }
 
 void add_level_figure(std::optional<std::vector<double>>& list, double entry) {
@@ -37,7 +40,13 @@ class Matching {
         d2_(is_backward_ ? reference_.surface : template_.surface) {}
 
   MatchResult<Dim> go() {
-    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_);
+    summary_.reference = shape_summary(reference_);
+    summary_.template_shape = shape_summary(template_);
+    summary_.unit = options_.input.unit;
+    summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
+                                 (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
+    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_).figures;
+    if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
     for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks, inputs_.prepared.alignment,
                                               options_, inputs_.prepared.placement, d1_, d2_))
@@ -55,6 +64,7 @@ class Matching {
     MatchResult<Dim> complete = measured(std::move(result));
     phase.stop();
     complete.summary = summary_so_far();
+    complete.summary.verdict = judge(complete.summary, places_);
     complete.history = std::move(recorder_.history);
     return complete;
   }
@@ -79,9 +89,10 @@ class Matching {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
-    if constexpr (Dim == 3) s.distance = two_sided_distance(deformed, template_distance_);
-    else s.distance = two_sided_distance(deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi),
-                                         template_distance_);
+    const MeasuredDistance<Dim> distance = two_sided_distance(measured_surface(deformed, state), template_distance_);
+    s.distance = distance.figures;
+    places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
+    places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
@@ -95,11 +106,24 @@ class Matching {
     return is_backward_ ? surface_before(reference, grid, phi) : deformed_surface(reference, grid, phi);
   }
 
+  // In the plane segments bend within themselves.
+  Surface<Dim> measured_surface(const Surface<Dim>& deformed, const LevelState<Dim>& state) const {
+    if constexpr (Dim == 3) return deformed;
+    else return deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi);
+  }
+
+  std::vector<double> coordinates_of_template(const Vec<Dim>& in_unit_domain) const {
+    Vec<Dim> y = inputs_.prepared.placement.inverse(in_unit_domain);
+    if (is_backward_) y = inputs_.prepared.alignment.pose.inverse(y);  // it has moved the template
+    return {y.begin(), y.end()};
+  }
+
   // The result without summary and history.
   MatchResult<Dim> measured(CascadeResult<Dim> result) {
     Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
     add_distortion(summary_, reference_.surface, deformed, template_distance_);
+    places_.distorted = coordinates_of_template(most_distorted_place(reference_.surface, deformed));
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     if (!inputs_.truth.empty()) {
@@ -122,8 +146,6 @@ class Matching {
     s.version = program_version();
     s.profile = enum_name(options_.profile);
     s.dimension = Dim;
-    s.reference = shape_summary(reference_);
-    s.template_shape = shape_summary(template_);
     s.placement = {std::string(enum_name(options_.input.placement)), inputs_.prepared.placement.scale,
                    {inputs_.prepared.placement.offset.begin(), inputs_.prepared.placement.offset.end()}};
     s.direction = inputs_.prepared.direction;
@@ -142,6 +164,7 @@ class Matching {
   SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
   const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;
   MatchSummary summary_;
+  VerdictPlaces places_;  ///< after the last level
 };
 
 }  // namespace

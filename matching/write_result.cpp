@@ -26,7 +26,7 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
   picture.reference = &s.reference;
   picture.template_shape = &s.template_shape;
   picture.deformed = &s.deformed;
-  picture.distance = s.distance;
+  add_distances(picture, s.distance, result.summary);
   if constexpr (Dim == 2) {
     // The grid shows how phi deforms the reference; backward it deforms the template.
     if (!result.map.is_backward) {
@@ -37,7 +37,7 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
   draw(folder, "pictures/result.png", observer, [&](const std::string& path) { write_level_picture(picture, path); });
   if constexpr (Dim == 3)
     draw(folder, "pictures/grid.png", observer, [&](const std::string& path) {
-      write_grid_picture(result.map.grid, s.reference, s.template_shape, "", path);
+      write_grid_picture(result.map.grid, s.reference, s.template_shape, "reference (orange), template (blue), cells of the finest grid (grey)", path);
     });
   draw(folder, "pictures/energy.png", observer, [&](const std::string& path) { write_plot(energy_plot(result.history), path); });
 }

@@ -41,7 +41,7 @@ struct FreeSection {
 /// The options of a study's file.
 struct StudyOptions {
   int version = 1;
-  std::string title;
+  std::string title, folder;
   int repeats = 1;
   RunLimits limits;
   FreeSection set, problems, solvers, metrics, parameters;
@@ -49,6 +49,7 @@ struct StudyOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("version", self.version, {.min = 1, .meaning = "of the form of this file; 1"});
     visit("title", self.title, {.meaning = "heading of the summary"});
+    visit("folder", self.folder, {.meaning = "absolute folder to which the paths of this file are relative; empty: that of the file. The copy in the output folder names it, so that the copy can be run from anywhere"});
     visit("repeats", self.repeats,
           {.unit = "runs",
            .min = 1,

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/printable.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
 #include "studies/study.h"
@@ -17,7 +18,15 @@ constexpr int known_version = 1;
 // Reads the parts of a study's file.
 class Reader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)), experiment_tree_(option_tree(experiment_)) {}
+  explicit Reader(std::string file)
+      : file_(std::move(file)), folder_(std::filesystem::path(file_).parent_path()), experiment_tree_(option_tree(experiment_)) {}
+
+  void set_folder(const std::string& folder) {
+    folder_ = folder;
+    if (!folder_.is_absolute()) throw_input_error("{}: folder: {} is no absolute path, one that begins with /", file_, printable(folder));
+  }
+
+  std::string path_of(const std::string& name) const { return (folder_ / name).lexically_normal().string(); }
 
   std::string at(const YamlValue& value, const std::string& path) const {
     return fmt::format("{}:{}: {}", file_, value.line, path);
@@ -46,7 +55,7 @@ class Reader {
     const OptionNode* option = find_option(experiment_tree_, key);
     const bool to_the_letter = option != nullptr && option->kind == OptionKind::text && !option->is_list &&
                                value.kind == YamlValue::Kind::scalar;
-    return beside_file({key, to_the_letter ? value.text : value.flow_text(), at(value, path)}, file_);
+    return beside_file({key, to_the_letter ? value.text : value.flow_text(), at(value, path)}, folder_ / "study.yaml");
   }
 
   std::vector<Override> list(const YamlValue& value, const std::string& path, const std::string& key) const {
@@ -68,12 +77,12 @@ class Reader {
 
  private:
   std::string file_;
+  std::filesystem::path folder_;  // to which paths are relative
   ExperimentOptions experiment_;
   OptionNode experiment_tree_;
 };
 
-StudyChoice read_problem(const Reader& reader, const std::string& name, const YamlValue& value,
-                         const std::string& file) {
+StudyChoice read_problem(const Reader& reader, const std::string& name, const YamlValue& value) {
   const std::string path = "problems." + name;
   reader.check_name(value, "problems", name);
   reader.demand_map(value, path, "base: FILE.yaml, or set: with input.reference and input.template, or both");
@@ -82,7 +91,7 @@ StudyChoice read_problem(const Reader& reader, const std::string& name, const Ya
     if (key == "base") {
       if (part.kind != YamlValue::Kind::scalar || part.text.empty())
         throw_input_error("{}: expected the YAML file of an experiment", reader.at(part, path + ".base"));
-      problem.base = (std::filesystem::path(file).parent_path() / part.text).lexically_normal().string();
+      problem.base = reader.path_of(part.text);
       if (std::error_code error; !std::filesystem::exists(problem.base, error))
         throw_input_error("{}: {}: no such file", reader.at(part, path + ".base"), problem.base);
     } else if (key == "set") {
@@ -142,7 +151,7 @@ void fill(const Reader& reader, const OptionNode& root, const OptionNode& sectio
 
 Study read_study(const std::string& path, std::vector<Override> overrides) {
   const YamlValue document = YamlDocument::from_file(path).tree();
-  const Reader reader(path);
+  Reader reader(path);
   Study study;
   study.file = path;
 
@@ -168,6 +177,7 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
     else
       study.overrides.push_back(std::move(change));
   }
+  if (!study.options.folder.empty()) reader.set_folder(study.options.folder);
   if (find("version") == nullptr)
     throw_input_error("{}: version is missing; expected version: {} at the top", path, known_version);
 
@@ -179,7 +189,7 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
         "{{NAME: {{base: FILE.yaml}}}}",
         problems == nullptr ? path : reader.at(*problems, "problems"));
   for (const auto& [name, value] : problems->entries)
-    study.problems.push_back(read_problem(reader, name, value, path));
+    study.problems.push_back(read_problem(reader, name, value));
   if (const YamlValue* solvers = find("solvers")) study.solvers = read_solvers(reader, *solvers);
   if (study.solvers.empty())
     throw_input_error(

@@ -73,6 +73,8 @@ void add_output_settings(CLI::App& command, RunSettings& settings, const std::st
 
 void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
   add_output_settings(command, settings, output_meaning);
+  command.add_option("--fail-on", settings.fail_on, "exit code 1 for this verdict or a worse one; the result is written all the same")
+      ->type_name("look-here|not-matched");
   command.add_flag("--restart", settings.restart, "begin anew where the same command was stopped before");
 }
 

@@ -5,6 +5,7 @@
 #include "apps/process/limits.h"
 #include "base/error.h"
 #include "base/printable.h"
+#include "matching/experiment/several_errors.h"
 #include "base/stop.h"
 
 #include <fmt/core.h>
@@ -67,6 +68,9 @@ int shellmatch_main(int argc, char** argv) {
     return perform(parse_command_line(std::vector<std::string>(argv + 1, argv + argc)));
   } catch (const CheckFailed& error) {
     return fail(check_failed, error.what());
+  } catch (const SeveralInputErrors& errors) {
+    for (const std::string& text : errors.texts()) fail(input_error, text);
+    return input_error;
   } catch (const InputError& error) {
     return fail(input_error, error.what());
   } catch (const EnvironmentError& error) {

@@ -98,18 +98,21 @@ std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surfa
 }
 
 template <int Dim>
+std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
+  std::vector<char> away(deformed.facets.size());
+  parallel_for(
+      deformed.facets.size(), [&](std::size_t f) {
+        Vec<Dim> centre = Vec<Dim>::Zero();
+        for (const Index v : deformed.facets[f]) centre += deformed.vertices[v] / Dim;
+        const Vec<Dim> normal = facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
+        away[f] = facet_normal(deformed, static_cast<Index>(f)).dot(normal) < 0;
+      }, 256);
+  return away;
+}
+
+template <int Dim>
 std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
-  return parallel_sum(deformed.facets.size(), 256, std::size_t{0}, [&](const Chunk& chunk) {
-    std::size_t count = 0;
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      Vec<Dim> centre = Vec<Dim>::Zero();
-      for (const Index v : deformed.facets[f]) centre += deformed.vertices[v] / Dim;
-      const Vec<Dim> normal =
-          facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
-      if (facet_normal(deformed, static_cast<Index>(f)).dot(normal) < 0) ++count;
-    }
-    return count;
-  });
+  return static_cast<std::size_t>(std::ranges::count(facing_away(deformed, template_distance), 1));
 }
 
 Quantiles quantiles(std::vector<double> values) {
@@ -138,6 +141,8 @@ template std::vector<double> vertex_measure_ratios(const Surface<2>&, const Surf
 template std::vector<double> vertex_measure_ratios(const Surface<3>&, const Surface<3>&);
 template std::vector<double> angle_distortions(const Surface<2>&, const Surface<2>&);
 template std::vector<double> angle_distortions(const Surface<3>&, const Surface<3>&);
+template std::vector<char> facing_away(const Surface<2>&, const SignedDistance<2>&);
+template std::vector<char> facing_away(const Surface<3>&, const SignedDistance<3>&);
 template std::size_t count_facing_away(const Surface<2>&, const SignedDistance<2>&);
 template std::size_t count_facing_away(const Surface<3>&, const SignedDistance<3>&);
 template Distortion<2> distortion(const Surface<2>&, const Surface<2>&, const SignedDistance<2>&);

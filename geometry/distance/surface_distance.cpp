@@ -75,9 +75,14 @@ MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistan
     const DistanceStatistics s = statistics(std::move(distances));
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
   };
+  const auto farthest = [](const std::vector<Vec<Dim>>& points, const std::vector<double>& distances) {
+    return points[static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin())];
+  };
+  const std::vector<Vec<Dim>> deformed_points = used_vertices(deformed);
+  const std::vector<double> there = distances_to(deformed_points, template_distance);
   const std::vector<double> back = distances_to(template_points, SignedDistance<Dim>(deformed));
-  return {summary(distances_to(used_vertices(deformed), template_distance)), summary(back),
-          share_beyond(template_distance.surface(), back, covered_within * diagonal)};
+  return {summary(there), summary(back), share_beyond(template_distance.surface(), back, covered_within * diagonal),
+          farthest(deformed_points, there), farthest(template_points, back)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);

@@ -33,6 +33,8 @@ struct MatchQuality {
   DistanceStatistics template_to_deformed;  ///< vertices of the template to the deformed reference's surface
   /// Share of the template's area (length) that is farther than `covered_within` diagonals from the deformed reference.
   double uncovered;
+  /// The vertices with the greatest distances.
+  Vec<Dim> farthest_of_deformed, farthest_of_template;
 };
 
 /// Two-sided distances. Vertices without a facet are ignored. \pre neither surface is empty.

@@ -64,7 +64,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
     if (!std::isfinite(with_pairs)) return result;
     result.with_pairs = with_pairs;
     result.energy = with_pairs - (start.pairs.empty() ? 0 : terms[terms.size() - 1]);
-    result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2).template_to_deformed.mean;
+    result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2).figures.template_to_deformed.mean;
   } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
   }
   return result;

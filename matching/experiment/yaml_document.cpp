@@ -1,6 +1,7 @@
 #include "matching/experiment/yaml_document.h"
 
 #include "base/error.h"
+#include "matching/experiment/several_errors.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_syntax.h"
 
@@ -98,7 +99,10 @@ struct YamlDocument::Content {
     option.set(parse_node(option, value, place(option.path)));
   }
 
+  std::vector<std::string> mistakes;  // of the entries filled so far
+
   void fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section);
+  void fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root, const OptionNode& section);
   void fill_levels(const YAML::Node& map, const OptionNode& section, const OptionNode& option);
   void fill_settings(const YAML::Node& map, const OptionNode& section, const std::string& entry_path,
                      const std::string& prefix, LevelOverrides::Entry& entry);
@@ -149,28 +153,36 @@ void YamlDocument::Content::fill_settings(const YAML::Node& map, const OptionNod
 
 void YamlDocument::Content::fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section) {
   for (const auto& entry : map) {
-    const int line = entry.first.Mark().line + 1;
-    if (!entry.first.IsScalar())
-      throw_input_error("{}:{}: {}: a key must be a word", name, line,
-                        section.path.empty() ? "at the top" : section.path);
-    const std::string& key = entry.first.Scalar();
-    const auto option = std::find_if(section.children.begin(), section.children.end(),
-                                     [&](const OptionNode& child) { return child.name == key; });
-    if (option == section.children.end())
-      throw_input_error("{}:{}: {}", name, line, unknown_key_text(root, section, key));
-    note_line(option->path, line);
-    if (option->kind == OptionKind::level_overrides) {
-      fill_levels(entry.second, section, *option);
-    } else if (option->kind != OptionKind::section) {
-      fill_option(entry.second, *option);
-    } else if (entry.second.IsMap()) {
-      fill_section(entry.second, root, *option);
-    } else {
-      std::vector<std::string> names;
-      for (const OptionNode& child : option->children) names.push_back(child.name);
-      throw_input_error("{}: {}; expected a section with some of the keys {}", place(option->path),
-                        entry.second.IsNull() ? "the section is empty" : "is no section", fmt::join(names, ", "));
+    try {
+      fill_entry(entry.first, entry.second, root, section);
+    } catch (const InputError& mistake) {
+      mistakes.emplace_back(mistake.what());
     }
+  }
+}
+
+void YamlDocument::Content::fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root, const OptionNode& section) {
+  const int line = key_node.Mark().line + 1;
+  if (!key_node.IsScalar())
+    throw_input_error("{}:{}: {}: a key must be a word", name, line,
+                      section.path.empty() ? "at the top" : section.path);
+  const std::string& key = key_node.Scalar();
+  const auto option = std::find_if(section.children.begin(), section.children.end(),
+                                   [&](const OptionNode& child) { return child.name == key; });
+  if (option == section.children.end())
+    throw_input_error("{}:{}: {}", name, line, unknown_key_text(root, section, key));
+  note_line(option->path, line);
+  if (option->kind == OptionKind::level_overrides) {
+    fill_levels(value, section, *option);
+  } else if (option->kind != OptionKind::section) {
+    fill_option(value, *option);
+  } else if (value.IsMap()) {
+    fill_section(value, root, *option);
+  } else {
+    std::vector<std::string> names;
+    for (const OptionNode& child : option->children) names.push_back(child.name);
+    throw_input_error("{}: {}; expected a section with some of the keys {}", place(option->path),
+                      value.IsNull() ? "the section is empty" : "is no section", fmt::join(names, ", "));
   }
 }
 
@@ -181,7 +193,7 @@ YamlDocument::~YamlDocument() = default;
 YamlDocument YamlDocument::from_file(const std::string& path) { return from_text(read_yaml_file(path), path); }
 
 YamlDocument YamlDocument::from_text(const std::string& text, const std::string& name) {
-  return YamlDocument(std::make_unique<Content>(Content{name, parse_yaml_map(text, name), {}}));
+  return YamlDocument(std::make_unique<Content>(Content{name, parse_yaml_map(text, name), {}, {}}));
 }
 
 std::string YamlDocument::place(const std::string& path) const { return content_->place(path); }
@@ -200,8 +212,18 @@ void YamlDocument::fill_one(const OptionNode& root, const std::string& key) {
 }
 
 void YamlDocument::fill(const OptionNode& root) {
+  constexpr std::size_t most_told = 10;
   content_->lines.clear();
+  content_->mistakes.clear();
   content_->fill_section(content_->top, root, root);
+  std::vector<std::string> mistakes = std::move(content_->mistakes);
+  if (mistakes.empty()) return;
+  if (mistakes.size() == 1) throw InputError(mistakes.front());
+  if (const std::size_t n = mistakes.size(); n > most_told) {
+    mistakes.resize(most_told);
+    mistakes.push_back(fmt::format("{}: {} mistakes more", content_->name, n - most_told));
+  }
+  throw SeveralInputErrors(std::move(mistakes));
 }
 
 std::vector<OptionScalar> parse_value(const OptionNode& option, const std::string& text, const std::string& where) {

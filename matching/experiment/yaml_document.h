@@ -48,8 +48,8 @@ class YamlDocument {
   /// Sets the one top-level option `key` if the document has it, and checks nothing else.
   void fill_one(const OptionNode& root, const std::string& key);
 
-  /// Sets every option that the document has. \throws InputError at the first unknown or repeated key, missing value,
-  /// wrong type or value out of range
+  /// Sets every option that the document has. \throws InputError for unknown or repeated keys, missing values, wrong types and
+  /// values out of range: a line for each, up to ten
   void fill(const OptionNode& root);
 
   /// The whole document. \throws InputError for repeated keys, keys that are no scalars, and tags

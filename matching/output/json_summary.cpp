@@ -20,7 +20,9 @@ static void describe(S& s, Member&& member) {
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, DistortionSummary>
-static void describe(S& s, Member&& member) { member("mean", s.mean), member("min", s.min), member("max", s.max); }
+static void describe(S& s, Member&& member) {
+  member("mean", s.mean), member("min", s.min), member("max", s.max), member("p5", s.p5), member("p95", s.p95);
+}
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, FoldReport>
@@ -65,6 +67,7 @@ requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
 static void describe(S& s, Member&& member) {
   member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
       member("notes", s.notes);
+  member("components", s.n_components), member("genus", s.genus);
 }
 
 template <class S, class Member>
@@ -97,16 +100,27 @@ static void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, VerdictReason>
+static void describe(S& s, Member&& member) {
+  member("what", s.what), member("advice", s.advice), member("shape", s.shape), member("place", s.place);
+}
+
+template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, Verdict>
+static void describe(S& s, Member&& member) { member("outcome", s.outcome), member("reasons", s.reasons); }
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, MatchSummary>
 static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
   member("interrupted", s.interrupted), member("reference", s.reference),
       member("template", s.template_shape);
+  member("unit", s.unit), member("template_diagonal", s.template_diagonal), member("verdict", s.verdict);
   member("placement", s.placement), member("direction", s.direction), member("alignment", s.alignment), member("distance_before", s.distance_before),
       member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);
-  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets);
+  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets), member("flipped_share", s.flipped_share);
   member("levels", s.levels), member("gradient_checks", s.gradient_checks), member("run", s.run);
 }
 

@@ -56,8 +56,9 @@ std::vector<ScalarPanel> scalar_panels(const LevelPicture<Dim>& picture) {
 
 std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   const int size = picture.panel_size > 0 ? picture.panel_size : 440;
-  const Surface<3>* all[] = {picture.reference, picture.template_shape, picture.deformed};
-  const Camera camera = fit_camera(all, 1);
+  // All levels are seen from one place; what is between the two lies within the wider margin.
+  const Surface<3>* both[] = {picture.reference, picture.template_shape};
+  const Camera camera = fit_camera(both, 1, {.margin = 0.08});
   const RenderOptions options{.width = size,
                               .height = size,
                               .samples = picture.draft ? 2 : 3,
@@ -157,6 +158,15 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
 }  // namespace
 
 template <int Dim>
+void add_distances(LevelPicture<Dim>& picture, std::vector<double> distance, const MatchSummary& summary) {
+  const double diagonal = bounding_box(picture.template_shape->vertices).diagonal();
+  const double scale = summary.template_diagonal.value_or(diagonal) / diagonal;
+  for (double& d : distance) d *= scale;
+  picture.distance = std::move(distance);
+  picture.distance_label = fmt::format("distance to template ({})", summary.unit.value_or("").empty() ? "unit of the files" : *summary.unit);
+}
+
+template <int Dim>
 void write_level_picture(const LevelPicture<Dim>& picture, const std::string& path) {
   SHELLMATCH_CHECK(picture.reference && picture.template_shape && picture.deformed,
                    "a picture needs three shapes");
@@ -170,6 +180,8 @@ void write_level_picture(const LevelPicture<Dim>& picture, const std::string& pa
 
 std::string level_picture_name(int level) { return fmt::format("pictures/level_{:02d}.png", level); }
 
+template void add_distances<2>(LevelPicture<2>&, std::vector<double>, const MatchSummary&);
+template void add_distances<3>(LevelPicture<3>&, std::vector<double>, const MatchSummary&);
 template void write_level_picture<2>(const LevelPicture<2>&, const std::string&);
 template void write_level_picture<3>(const LevelPicture<3>&, const std::string&);
 

@@ -4,6 +4,7 @@
 
 #include "geometry/surface/surface.h"
 #include "grid/octree/octree.h"
+#include "matching/result/match_summary.h"
 
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ struct LevelPicture {
   int panel_size = 0;                          ///< side of a panel in pixels; 0 chooses one
   bool draft = false;  ///< in space: coarser samples without soft shadows, in a sixth of the time
 };
+
+/// Adds the panel of distances, in the unit of the files. \pre template_shape is set
+/// \param distance of each deformed vertex to the template, in the unit of the surfaces
+template <int Dim>
+void add_distances(LevelPicture<Dim>& picture, std::vector<double> distance, const MatchSummary& summary);
 
 /// Draws a row of panels with a pattern that the deformation carries along. \pre reference, template_shape and deformed
 /// are set and not empty \throws EnvironmentError if the file cannot be written

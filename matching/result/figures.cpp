@@ -6,15 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
 
 template <int Dim>
-TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
-  const auto quality = match_quality(deformed, template_distance);
+MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
+  const MatchQuality<Dim> quality = match_quality(deformed, template_distance);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
-  return {one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered};
+  return {{one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered},
+          quality.farthest_of_deformed,
+          quality.farthest_of_template};
 }
 
 LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
@@ -56,18 +59,22 @@ template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance) {
   const auto weighted = [&](const std::vector<double>& values) {
-    DistortionSummary d{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    double total = 0;
+    std::vector<std::pair<double, double>> shares;  // value and area
+    double total = 0, sum = 0;
     for (std::size_t f = 0; f < values.size(); ++f) {
       if (!std::isfinite(values[f])) continue;
-      const double w = facet_measure(reference, static_cast<Index>(f));
-      d.mean += w * values[f];
-      total += w;
-      d.min = std::min(d.min, values[f]);
-      d.max = std::max(d.max, values[f]);
+      shares.emplace_back(values[f], facet_measure(reference, static_cast<Index>(f)));
+      total += shares.back().second;
+      sum += shares.back().first * shares.back().second;
     }
-    d.mean /= total;
-    return d;
+    std::ranges::sort(shares);
+    const auto quantile_of = [&](double q) {
+      double area = 0;
+      for (const auto& [value, share] : shares)
+        if ((area += share) >= q * total) return value;
+      return shares.empty() ? std::numeric_limits<double>::quiet_NaN() : shares.back().first;
+    };
+    return DistortionSummary{sum / total, quantile_of(0), quantile_of(1), quantile_of(0.05), quantile_of(0.95)};
   };
   summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
   if constexpr (Dim == 3) {
@@ -76,11 +83,37 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
     for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
     summary.angle_distortion = weighted(degrees);
   }
-  summary.n_flipped_facets = count_facing_away(deformed, template_distance);
+  const std::vector<char> flipped = facing_away(deformed, template_distance);
+  double area = 0, flipped_area = 0;
+  for (std::size_t f = 0; f < flipped.size(); ++f) {
+    const double share = facet_measure(reference, static_cast<Index>(f));
+    area += share;
+    if (flipped[f]) flipped_area += share;
+  }
+  summary.n_flipped_facets = static_cast<std::size_t>(std::ranges::count(flipped, 1));
+  summary.flipped_share = flipped_area / area;
+}
+
+template <int Dim>
+Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  const std::vector<double> ratios = facet_measure_ratios(reference, deformed), angles = angle_distortions(reference, deformed);
+  std::vector<double> sum(reference.vertices.size(), 0.0), area(reference.vertices.size(), 0.0);
+  for (std::size_t f = 0; f < ratios.size(); ++f) {
+    const double change = std::max(std::abs(std::log(ratios[f])), std::log(angles[f]));
+    const double share = facet_measure(reference, static_cast<Index>(f));
+    for (const Index v : reference.facets[f]) {
+      // A facet that has collapsed counts as one that has shrunk to a millionth.
+      sum[v] += share * (std::isfinite(change) ? std::min(change, 14.0) : 14.0);
+      area[v] += share;
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = area[v] > 0 ? sum[v] / area[v] : 0;
+  return deformed.vertices[static_cast<std::size_t>(std::ranges::max_element(sum) - sum.begin())];
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
-  template TwoSidedDistance two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&); \
+  template MeasuredDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&); \
+  template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \
                                     const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);

@@ -9,8 +9,15 @@
 
 namespace shellmatch {
 
+/// Both distances, and where they are greatest.
 template <int Dim>
-TwoSidedDistance two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
+struct MeasuredDistance {
+  TwoSidedDistance figures;
+  Vec<Dim> farthest_of_deformed, farthest_of_template;  ///< vertices
+};
+
+template <int Dim>
+MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
@@ -18,5 +25,9 @@ LevelSummary level_summary(const LevelResult& result, const IterationRecord& las
 template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance);
+
+/// The vertex of the deformed surface around which areas and angles (lengths) have changed most.
+template <int Dim>
+Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
 }  // namespace shellmatch

@@ -30,6 +30,7 @@ struct TwoSidedDistance {
 /// Mean and range of a ratio or an angle over the deformed surface, weighted by the reference's area.
 struct DistortionSummary {
   double mean = 0, min = 0, max = 0;
+  std::optional<double> p5 = {}, p95 = {};  ///< quantiles
 };
 
 struct LevelSummary {
@@ -57,6 +58,8 @@ struct ShapeSummary {
   std::string file;
   std::size_t n_vertices = 0, n_facets = 0;  ///< of the closed surface that was matched
   std::vector<std::string> notes;            ///< repairs
+  std::optional<std::size_t> n_components = {};
+  std::optional<int> genus = {};             ///< sum over the components; 0 in the plane
 };
 
 struct PlacementSummary {
@@ -107,6 +110,20 @@ struct GradientCheckSummary {
   double worst_functor_error = 0;  ///< relative, of gradients against the element functors
 };
 
+/// One reason for a verdict.
+struct VerdictReason {
+  std::string what;    ///< with the figure, as "3.4 % of the template is not reached"
+  std::string advice;  ///< what to do
+  std::string shape;   ///< "deformed" or "template" where there is a place
+  std::vector<double> place;  ///< a point of that shape, where to look; in the coordinates of the template's file
+};
+
+/// Whether the shapes match (matching/result/verdict.h).
+struct Verdict {
+  std::string outcome;                 ///< "matched", "look-here" or "not-matched"
+  std::vector<VerdictReason> reasons;  ///< the gravest first; none if matched
+};
+
 struct MatchSummary {
   std::string version, profile;
   int dimension = 0;
@@ -115,6 +132,9 @@ struct MatchSummary {
   PlacementSummary placement;
   std::optional<DirectionSummary> direction;
   std::optional<AlignmentSummary> alignment;
+  std::optional<std::string> unit;          ///< of the coordinates (input.unit); empty where nobody has said
+  std::optional<double> template_diagonal;  ///< of its bounding box, in that unit
+  std::optional<Verdict> verdict;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;
   /// Mean distance from the true positions, relative to the template's diagonal; none where these are unknown.
@@ -125,6 +145,7 @@ struct MatchSummary {
   std::optional<DistortionSummary> angle_distortion;
   /// Number of facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;
+  std::optional<double> flipped_share;  ///< of the reference's area (length)
   std::vector<LevelSummary> levels;  ///< from coarse to fine
   /// Only if they were requested.
   std::optional<std::vector<GradientCheckSummary>> gradient_checks;

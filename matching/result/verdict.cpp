@@ -1,36 +1,152 @@
 #include "matching/result/verdict.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace shellmatch {
 
 namespace {
 
-// Shares of the template's diagonal, and of the reference's facets. After a successful matching the mean distance is at
-// most 0.01 of the diagonal even on coarse grids, and at most a few facets in a thousand are flipped.
-constexpr double far_away = 0.03, many_turned = 0.02;
-// Shares of the template, and of the one before. Where limbs find their places the share falls by half or more from level to level.
+// Limits beyond which a figure is unusual, and beyond which the shapes do not match. docs/verdict.md tells on which runs they rest.
+struct Limits {
+  double look, fail;
+};
+constexpr Limits mean_distance{0.005, 0.03};  // diagonals of the template
+constexpr Limits largest_distance{0.03, 0.2};
+constexpr Limits unreached{0.015, 0.05};      // share of the template's area
+constexpr Limits flipped{0.02, 0.08};         // share of the reference's area
+constexpr Limits turned_angles{20, 60};       // degrees; 95 % of the area have less
+constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
+constexpr double apart = 0.25;                // mean distance in diagonals, before a run
+// Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
+
+// Collects reasons; the verdict is that of the gravest.
+class Reasons {
+ public:
+  // NaN is beyond every limit.
+  void add(double figure, const Limits& limits, VerdictReason reason) {
+    if (figure <= limits.look) return;
+    (figure <= limits.fail ? look_ : fail_).push_back(std::move(reason));
+  }
+  void look(VerdictReason reason) { look_.push_back(std::move(reason)); }
+
+  Verdict verdict() && {
+    Verdict v{fail_.empty() ? look_.empty() ? "matched" : "look-here" : "not-matched", std::move(fail_)};
+    v.reasons.insert(v.reasons.end(), std::make_move_iterator(look_.begin()), std::make_move_iterator(look_.end()));
+    return v;
+  }
+
+ private:
+  std::vector<VerdictReason> look_, fail_;
+};
+
+void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
+  if (!summary.distance) return;
+  const auto& [there, back, uncovered] = *summary.distance;
+  const std::string whole = "are units and poses the same (shellmatch inspect; --align auto), are both shapes whole and of one kind?";
+  reasons.add(there.mean, mean_distance,
+              {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)), whole, "deformed",
+               places.deformed});
+  reasons.add(back.mean, mean_distance,
+              {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)), whole, "template",
+               places.template_shape});
+  if (uncovered)
+    reasons.add(*uncovered, unreached,
+                {fmt::format("{:.2g} % of the template is not reached", 100 * *uncovered),
+                 "--align auto, landmarks there (docs/landmarks.md) or coverage.levels=2 can tell where to go", "template", places.template_shape});
+  reasons.add(there.max, largest_distance,
+              {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
+               "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
+  reasons.add(back.max, largest_distance,
+              {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
+               "the reference may lack it; otherwise a finer level, landmarks or coverage.levels=2 help", "template", places.template_shape});
+}
+
+void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
+  const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: --align auto or landmarks (docs/landmarks.md)";
+  if (summary.flipped_share)
+    reasons.add(*summary.flipped_share, flipped,
+                {fmt::format("{:.2g} % of the surface face away from the template next to them", 100 * *summary.flipped_share),
+                 "look at the pictures; the parts may belong to different limbs", "", {}});
+  if (summary.angle_distortion && summary.angle_distortion->p95)
+    reasons.add(*summary.angle_distortion->p95, turned_angles,
+                {fmt::format("angles on a twentieth of the surface change by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
+                 "deformed", places.distorted});
+  if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
+    const double factor = std::max(*area->p95, 1 / *area->p5);
+    reasons.add(summary.dimension == 2 ? factor * factor : factor, stretched_areas,
+                {fmt::format("{} change by a factor of more than {:.2g} on a twentieth of the {}", summary.dimension == 2 ? "lengths" : "areas",
+                             factor, summary.dimension == 2 ? "curve" : "surface"),
+                 wrong, "deformed", places.distorted});
+  }
+  if (!summary.levels.empty() && summary.levels.back().folds.n_folded_cells > 0)
+    reasons.look({fmt::format("{} cells of the grid are folded", summary.levels.back().folds.n_folded_cells),
+                  "the profile default forbids folds", "", {}});
+}
+
+void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
+  const ShapeSummary&a = summary.reference, &b = summary.template_shape;
+  if (a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
+    reasons.look({fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
+                              *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
+                  "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or squeezed", "", {}});
+  if (summary.alignment && summary.alignment->doubtful)
+    reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks or other starts (docs/alignment.md)", "", {}});
+  if (summary.interrupted)
+    reasons.look({"the run was stopped before its last level", "the same command goes on", "", {}});
+}
 
 }  // namespace
 
-std::vector<std::string> verdict(const MatchSummary& summary) {
+std::string length_text(double diagonals, const MatchSummary& summary) {
+  const std::string relative = fmt::format("{:.2g} diagonals", diagonals);
+  if (!summary.template_diagonal) return relative;
+  const std::string unit = summary.unit.value_or("");
+  return fmt::format("{:.3g}{}{} ({})", diagonals * *summary.template_diagonal, unit.empty() ? "" : " ", unit, relative);
+}
+
+Verdict judge(const MatchSummary& summary, const VerdictPlaces& places) {
+  Reasons reasons;
+  judge_distances(summary, places, reasons);
+  judge_distortion(summary, places, reasons);
+  judge_kinds(summary, reasons);
+  return std::move(reasons).verdict();
+}
+
+std::vector<std::string> verdict_lines(const MatchSummary& summary) {
   std::vector<std::string> lines;
   if (summary.distance) {
     const auto& [there, back, uncovered] = *summary.distance;
-    lines.push_back(fmt::format("distance: mean {:.2g}, largest {:.2g} from the deformed reference to the template, mean {:.2g}, "
-                                "largest {:.2g} back, in diagonals of the template; {} folded cells",
-                                there.mean, there.max, back.mean, back.max,
-                                summary.levels.empty() ? 0 : summary.levels.back().folds.n_folded_cells));
-    if (uncovered) lines.back() += fmt::format("; {:.2g} % of the template uncovered", 100 * *uncovered);
-    if (!(there.mean < far_away && back.mean < far_away))
-      lines.push_back("the shapes do not match: are their units and places the same (shellmatch inspect), are both whole and of one kind?");
+    const auto text = [&](const OneSidedDistance& d) {
+      return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary), length_text(d.max, summary));
+    };
+    lines.push_back(fmt::format("distance of the deformed reference from the template: {}", text(there)));
+    lines.push_back(fmt::format("distance of the template from the deformed reference: {}", text(back)));
+    if (uncovered) lines.back() += fmt::format("; {:.2g} % is not reached", 100 * *uncovered);
   }
-  const auto n = static_cast<double>(summary.reference.n_facets);
-  if (summary.n_flipped_facets && static_cast<double>(*summary.n_flipped_facets) > many_turned * n)
-    lines.push_back(fmt::format("{} of {} facets face away from the template next to them: look at the pictures",
-                                *summary.n_flipped_facets, summary.reference.n_facets));
+  if (!summary.verdict) return lines;
+  const Verdict& v = *summary.verdict;
+  lines.push_back(v.outcome == "matched"     ? "verdict: matched"
+                  : v.outcome == "look-here" ? "verdict: matched, but look here"
+                                             : "verdict: not matched");
+  for (const VerdictReason& r : v.reasons)
+    lines.push_back(fmt::format("  {}{}; {}", r.what,
+                                r.place.empty() ? "" : fmt::format(", near ({:.4g}) of the {}", fmt::join(r.place, ", "), r.shape == "deformed" ? "deformed reference" : r.shape),
+                                r.advice));
   return lines;
+}
+
+std::optional<std::string> far_apart_warning(const MatchSummary& summary) {
+  if (!summary.distance_before) return std::nullopt;
+  const double back = summary.distance_before->template_to_deformed.mean, there = summary.distance_before->deformed_to_template.mean;
+  if (std::max(there, back) <= apart) return std::nullopt;
+  return fmt::format("the shapes begin far apart: the reference lies {} from the template on average, the template {} from the reference; are units "
+                     "and places the same (shellmatch inspect)? --align auto finds a common pose",
+                     length_text(there, summary), length_text(back, summary));
 }
 
 std::optional<std::string> stuck_warning(const std::vector<LevelSummary>& levels) {

@@ -2,6 +2,7 @@
 
 #include "base/printable.h"
 #include "geometry/surface/placement.h"
+#include "geometry/surface/topology.h"
 #include "matching/experiment/options.h"
 
 #include <Eigen/Geometry>
@@ -9,9 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
-#include <utility>
 
 namespace shellmatch {
 
@@ -46,13 +44,6 @@ std::vector<Bend> bends(const Surface<Dim>& s) {
   return result;
 }
 
-std::size_t count_edges(const Surface<3>& s) {
-  std::set<std::pair<Index, Index>> edges;
-  for (const auto& facet : s.facets)
-    for (int k = 0; k < 3; ++k) edges.insert(std::minmax({facet[k], facet[(k + 1) % 3]}));
-  return edges.size();
-}
-
 // The quantile `share` of the curvature, weighted by measure.
 double quantile(std::vector<Bend> all, double share) {
   if (all.empty()) return 0;
@@ -62,30 +53,6 @@ double quantile(std::vector<Bend> all, double share) {
   for (const Bend& b : all)
     if ((sum += b.weight) >= share * total) return b.curvature;
   return all.back().curvature;
-}
-
-template <int Dim>
-std::size_t count_components(const Surface<Dim>& s, std::size_t& n_used) {
-  std::vector<Index> parent(s.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::vector<bool> used(s.vertices.size());
-  for (const auto& facet : s.facets)
-    for (const Index v : facet) {
-      used[v] = true;
-      parent[root(v)] = root(facet[0]);
-    }
-  std::size_t n = 0;
-  n_used = 0;
-  for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
-    if (used[v]) {
-      ++n_used;
-      n += root(v) == v;
-    }
-  return n;
 }
 
 template <int Dim>
@@ -117,11 +84,10 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
   result.notes = shape.notes;
 
   result.n_facets = s.facets.size();
-  result.n_components = count_components(s, result.n_vertices);
-  if constexpr (Dim == 3) {
-    const long euler = static_cast<long>(result.n_vertices + result.n_facets) - static_cast<long>(count_edges(s));
-    result.genus = static_cast<int>(static_cast<long>(result.n_components) - euler / 2);
-  }
+  const Topology shape_topology = topology(s);
+  result.n_vertices = shape_topology.n_vertices;
+  result.n_components = shape_topology.n_components;
+  result.genus = shape_topology.genus;
   for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) result.measure += facet_measure(s, f);
   result.enclosed = enclosed_measure(s);
   const Box<Dim> box = bounding_box(s.vertices);

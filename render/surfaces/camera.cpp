@@ -43,19 +43,22 @@ Camera choose_view(std::span<const Surface<3>* const> surfaces, const ViewOption
       options.azimuth ? std::vector{*options.azimuth} : std::vector<double>{30, -30, 60, -60};
   const std::vector<double> elevations =
       options.elevation ? std::vector{*options.elevation} : std::vector<double>{18, 50};
+  // Scans have their long axis along z, which +y as the upward direction would show end on.
+  const std::vector<Vec<3>> ups = options.up ? std::vector{*options.up} : std::vector<Vec<3>>{Vec<3>::UnitY(), Vec<3>::UnitZ()};
   Camera best;
   double best_score = -1;
-  for (const double e : elevations)
-    for (const double a : azimuths) {
-      const Camera camera = looking_from(a, e, options.up);
-      // Prefers views from the front and from a low elevation unless another one shows clearly more.
-      const double habit = (std::abs(a) > 45 ? 0.85 : 1.0) * (e > 30 ? 0.7 : 1.0) * (a < 0 ? 0.97 : 1.0);
-      const double score = habit * projected_area(surfaces, camera.backward);
-      if (score > best_score) {
-        best_score = score;
-        best = camera;
+  for (std::size_t u = 0; u < ups.size(); ++u)
+    for (const double e : elevations)
+      for (const double a : azimuths) {
+        const Camera camera = looking_from(a, e, ups[u]);
+        // Prefers +y upwards, views from the front and from a low elevation unless another one shows clearly more.
+        const double habit = (std::abs(a) > 45 ? 0.85 : 1.0) * (e > 30 ? 0.7 : 1.0) * (a < 0 ? 0.97 : 1.0) * (u > 0 ? 0.8 : 1.0);
+        const double score = habit * projected_area(surfaces, camera.backward);
+        if (score > best_score) {
+          best_score = score;
+          best = camera;
+        }
       }
-    }
   return best;
 }
 

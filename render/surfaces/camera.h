@@ -29,7 +29,7 @@ Ray camera_ray(const Camera& camera, double x, double y, double clearance);
 struct ViewOptions {
   std::optional<double> azimuth = {};  ///< degrees around the up axis from +z towards +x; chosen if not given
   std::optional<double> elevation = {};  ///< degrees above the horizon; chosen if not given
-  Vec<3> up = Vec<3>::UnitY();
+  std::optional<Vec<3>> up = {};  ///< +y, or +z where the surfaces are so seen better; chosen if not given
   double field_of_view = 18;  ///< vertical angle in degrees; 0 means parallel projection
   double margin = 0.05;       ///< free border, as a share of the picture
 };

@@ -128,9 +128,21 @@ TEST_F(Cli, WrongConfigurationsNameFileAndLine) {
   expect_refused({"run", "none.yaml"}, {"none.yaml", "no such file"}, folder_.string());
   const std::string misspelt = write("misspelt.yaml", "threads: 1\ncascade:\n  max_levle: 5\n");
   expect_refused({"run", misspelt}, {"misspelt.yaml:3:", "max_levle", "did you mean cascade.max_level?"});
+  const ProgramResult twice = run_program({"run", write("twice.yaml", "thread: 1\ncascade: {max_levle: 5}\n")});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_EQ(std::ranges::count(twice.err, '\n'), 2) << twice.err;
+  EXPECT_TRUE(has(twice.err, "\nshellmatch: error: ") && has(twice.err, "did you mean threads?") && has(twice.err, "twice.yaml:2:")) << twice.err;
   expect_refused({"run", write("no_input.yaml", "threads: 1\n")}, {"no_input.yaml", "input.reference", "missing"});
   expect_refused({"run", write("empty.yaml", "")}, {"empty.yaml", "empty"});
-  EXPECT_EQ(n_files(), 3u) << "something was written";
+  EXPECT_EQ(n_files(), 4u) << "something was written";
+}
+
+// A file that sets all options leaves nothing to a profile, which would only be recorded.
+TEST_F(Cli, AProfileThatChangesNothingIsRefused) {
+  const std::string all = write("all.yaml", run_program({"config"}).out), few = write("few.yaml", "threads: 1\n");
+  expect_refused({"run", all, "--profile", "paper"}, {"--profile paper", "all.yaml sets every option in which the profiles differ", "--set"});
+  expect_refused({"run", all, "--profile", "default"}, {"input.reference"});
+  expect_refused({"run", few, "--profile", "paper"}, {"input.reference"});
 }
 
 TEST_F(Cli, MissingShapesAreNamed) {

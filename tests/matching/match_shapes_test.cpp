@@ -14,7 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace shellmatch {
 namespace {
@@ -102,6 +105,44 @@ TEST(MatchShapes, AnObserverStopsItAndTheResultSaysSo) {
   EXPECT_TRUE(r.summary.interrupted);
   EXPECT_EQ(r.summary.levels.back().level, 4);
   EXPECT_EQ(r.history.rows.back().level, 4);
+}
+
+Shape<2> circles(const std::vector<Vec<2>>& centres, double radius) {
+  OriginalShape<2> shape;
+  constexpr int n = 60;
+  for (const Vec<2>& centre : centres) {
+    auto& ring = shape.polygons.emplace_back();
+    for (int i = 0; i < n; ++i) {
+      ring.push_back(static_cast<Index>(shape.vertices.size()));
+      const double t = 2 * std::acos(-1.0) * i / n;
+      shape.vertices.emplace_back(centre + radius * Vec<2>(std::cos(t), std::sin(t)));
+    }
+  }
+  return make_shape(std::move(shape), "circles");
+}
+
+// In the coordinates of the template's file, in whichever direction the map was found.
+TEST(MatchShapes, TheVerdictSaysWhereTheTemplateIsNotReached) {
+  const Vec<2> here(1000, 500), there(1100, 480);
+  for (const MatchDirection direction : {MatchDirection::forward, MatchDirection::backward}) {
+    ExperimentOptions o = options_to(5);
+    o.align.direction = direction;
+    o.align.mode = AlignMode::none;
+    Observer quiet;
+    const MatchResult<2> r = match_shapes(circles({here}, 20), circles({here, there}, 20), o, quiet);
+    const Verdict& v = r.summary.verdict.value();
+    EXPECT_EQ(v.outcome, "not-matched");
+    ASSERT_FALSE(v.reasons.empty());
+    bool found = false;
+    for (const VerdictReason& reason : v.reasons)
+      if (reason.shape == "template") {
+        found = true;
+        EXPECT_NEAR((Vec<2>(reason.place.at(0), reason.place.at(1)) - there).norm(), 20, 2) << enum_name(direction);
+      }
+    EXPECT_TRUE(found);
+    EXPECT_EQ(r.summary.template_shape.n_components, 2u);
+    EXPECT_NEAR(r.summary.template_diagonal.value(), std::hypot(140, 60), 0.5);
+  }
 }
 
 TEST(MatchShapes, OptionsThatAProgramHasSetAreChecked) {

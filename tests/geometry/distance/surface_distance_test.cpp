@@ -49,6 +49,8 @@ TEST(SurfaceDistance, SeesWhatIsMissingOnOneSideOnly) {
   EXPECT_EQ(quality.deformed_to_template.max, 0);
   EXPECT_NEAR(quality.template_to_deformed.max, 5 / std::hypot(7, 2), 1e-15);
   EXPECT_NEAR(quality.uncovered, 0.5, 1e-15);
+  EXPECT_EQ(quality.farthest_of_template, Vec<2>(6, 0));
+  EXPECT_EQ(match_quality(joined(square, far), SignedDistance<2>(square)).farthest_of_deformed, Vec<2>(6, 0));
   EXPECT_EQ(match_quality(joined(square, far), SignedDistance<2>(square)).uncovered, 0);
 }
 

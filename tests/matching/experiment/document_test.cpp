@@ -1,5 +1,6 @@
 // The strict reader on a struct of its own that has every kind of option.
 
+#include "matching/experiment/several_errors.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
 #include "tests/support/expect_input_error.h"
@@ -86,6 +87,30 @@ TEST(YamlDocument, UnknownKeyNamesLineAndNeighbour) {
   expect_refused("inner:\n  flga: true\n", {"test.yaml:2:", "inner", "flga", "did you mean inner.flag?", "flag, counts"});
   expect_refused("flag: true\n", {"test.yaml:1:", "did you mean inner.flag?"});
   expect_refused("<<: {count: 2}\n", {"test.yaml:1:", "unknown key"});
+}
+
+// Of one file: whoever mends it needs not run again to learn of the next.
+TEST(YamlDocument, AllMistakesAreTold) {
+  try {
+    read("count: many\ninner: {flag: perhaps, cuonts: [1]}\nlength: 2\nlenght: 1\n");
+    FAIL() << "accepted";
+  } catch (const SeveralInputErrors& errors) {
+    const std::vector<std::string>& texts = errors.texts();
+    ASSERT_EQ(texts.size(), 4u) << errors.what();
+    EXPECT_NE(texts[0].find(":1: count"), std::string::npos) << texts[0];
+    EXPECT_NE(texts[1].find(":2: inner.flag"), std::string::npos) << texts[1];
+    EXPECT_NE(texts[2].find("did you mean inner.counts?"), std::string::npos) << texts[2];
+    EXPECT_NE(texts[3].find("did you mean length?"), std::string::npos) << texts[3];
+  }
+  std::string many;
+  for (int i = 0; i < 25; ++i) many += fmt::format("unknown_{}: 1\n", i);
+  try {
+    read(many);
+    FAIL() << "accepted";
+  } catch (const SeveralInputErrors& errors) {
+    ASSERT_EQ(errors.texts().size(), 11u);
+    EXPECT_NE(errors.texts().back().find("15 mistakes more"), std::string::npos) << errors.texts().back();
+  }
 }
 
 TEST(YamlDocument, DoubleKeyNamesBothLines) {

@@ -7,49 +7,145 @@
 namespace shellmatch {
 namespace {
 
-MatchSummary matched() {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Of a good matching of surfaces.
+MatchSummary good_summary() {
   MatchSummary s;
+  s.dimension = 3;
   s.reference.n_facets = 1000;
-  s.distance = TwoSidedDistance{{1e-4, 2e-4, 3e-4}, {4e-4, 5e-4, 6e-4}};
-  s.n_flipped_facets = 3;
+  s.reference.n_components = s.template_shape.n_components = 1;
+  s.reference.genus = s.template_shape.genus = 0;
+  s.template_diagonal = 200;
+  s.unit = "mm";
+  s.distance = TwoSidedDistance{{1e-4, 2e-4, 3e-4}, {4e-4, 5e-4, 6e-4}, 0};
+  s.area_distortion = DistortionSummary{1, 0.2, 5, 0.6, 1.7};
+  s.angle_distortion = DistortionSummary{10, 0, 120, 1, 15};
+  s.flipped_share = 0.003;
   s.levels.resize(2);
-  s.levels[1].folds.n_folded_cells = 7;
   return s;
 }
 
-TEST(Verdict, TellsDistancesBothWaysAndFolds) {
-  const auto lines = verdict(matched());
-  ASSERT_EQ(lines.size(), 1u);
-  for (const char* part : {"mean 0.0001, largest 0.0003", "mean 0.0004, largest 0.0006 back", "7 folded cells"})
-    EXPECT_NE(lines[0].find(part), std::string::npos) << lines[0];
+const VerdictPlaces places{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+
+// A figure of the summary, and the limits beyond which it means `look-here` and `not-matched`.
+struct Case {
+  const char* name;
+  void (*set)(MatchSummary&, double);
+  double look, fail;
+  const char* what;
+  std::vector<double> place;
+};
+
+const std::vector<Case> cases = {
+    {"mean there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.mean = x; }, 0.005, 0.03, "deformed reference lies", places.deformed},
+    {"mean back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.mean = x; }, 0.005, 0.03, "template lies", places.template_shape},
+    {"largest there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.max = x; }, 0.03, 0.2, "part of the deformed", places.deformed},
+    {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2, "part of the template", places.template_shape},
+    {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05, "% of the template is not reached", places.template_shape},
+    {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface face away", {}},
+    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 60, "angles on a twentieth", places.distorted},
+    {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor", places.distorted},
+    {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
+};
+
+TEST(Verdict, IsMatchedWithoutReasonsWhereAllIsWell) {
+  const Verdict v = judge(good_summary(), places);
+  EXPECT_EQ(v.outcome, "matched");
+  EXPECT_TRUE(v.reasons.empty());
 }
 
-TEST(Verdict, TellsHowMuchIsNotReached) {
-  MatchSummary s = matched();
-  EXPECT_EQ(verdict(s)[0].find("uncovered"), std::string::npos);
-  s.distance->uncovered = 0.034;
-  EXPECT_NE(verdict(s)[0].find("; 3.4 % of the template uncovered"), std::string::npos) << verdict(s)[0];
-}
-
-TEST(Verdict, TellsWhatDoesNotBelongTogether) {
-  for (const double far : {0.031, std::numeric_limits<double>::quiet_NaN()})
-    for (const bool back : {false, true}) {
-      MatchSummary s = matched();
-      (back ? s.distance->template_to_deformed : s.distance->deformed_to_template).mean = far;
-      const auto lines = verdict(s);
-      ASSERT_EQ(lines.size(), 2u) << far << back;
-      EXPECT_NE(lines[1].find("do not match"), std::string::npos) << lines[1];
+TEST(Verdict, EachFigureHasTwoLimitsAReasonAPlaceAndAdvice) {
+  for (const Case& c : cases)
+    for (const auto& [figure, outcome] : {std::pair(c.look, "look-here"), std::pair(c.fail, "not-matched")}) {
+      SCOPED_TRACE(c.name);
+      MatchSummary s = good_summary();
+      c.set(s, 1.01 * figure);
+      const Verdict v = judge(s, places);
+      EXPECT_EQ(v.outcome, outcome);
+      ASSERT_EQ(v.reasons.size(), 1u);
+      EXPECT_NE(v.reasons[0].what.find(c.what), std::string::npos) << v.reasons[0].what;
+      EXPECT_EQ(v.reasons[0].place, c.place);
+      EXPECT_FALSE(v.reasons[0].advice.empty());
+      // A little less is of no account.
+      c.set(s, 0.99 * figure);
+      EXPECT_EQ(judge(s, places).outcome, figure == c.look ? "matched" : "look-here");
     }
-  MatchSummary s = matched();
-  s.n_flipped_facets = 21;
-  const auto lines = verdict(s);
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_NE(lines[1].find("21 of 1000 facets face away"), std::string::npos) << lines[1];
+}
+
+TEST(Verdict, LengthsInThePlaneMayChangeByTheRootOfWhatAreasMay) {
+  MatchSummary s = good_summary();
+  s.dimension = 2;
+  s.angle_distortion.reset();
+  for (const auto& [factor, outcome] : {std::pair(1.98, "matched"), {2.02, "look-here"}, {3.43, "look-here"}, {3.5, "not-matched"}}) {
+    s.area_distortion->p95 = factor;
+    EXPECT_EQ(judge(s, places).outcome, outcome) << factor;
+  }
+  EXPECT_NE(judge(s, places).reasons[0].what.find("lengths change by a factor of more than 3.5"), std::string::npos);
+}
+
+TEST(Verdict, NoNumberIsNoMatch) {
+  MatchSummary s = good_summary();
+  s.distance->deformed_to_template.mean = nan;
+  EXPECT_EQ(judge(s, places).outcome, "not-matched");
+}
+
+TEST(Verdict, TheGravestReasonIsFirst) {
+  MatchSummary s = good_summary();
+  s.distance->deformed_to_template.mean = 0.01;
+  s.angle_distortion->p95 = 70;
+  const Verdict v = judge(s, places);
+  ASSERT_EQ(v.reasons.size(), 2u);
+  EXPECT_NE(v.reasons[0].what.find("angles"), std::string::npos);
+}
+
+TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
+  using Change = void (*)(MatchSummary&);
+  for (const auto& [change, what] :
+       {std::pair<Change, const char*>([](MatchSummary& s) { s.template_shape.genus = 1; }, "the reference has 1 component and genus 0, the template 1 and 1"),
+        {[](MatchSummary& s) { s.reference.n_components = 2; }, "the reference has 2 components and genus 0"},
+        {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "7 cells of the grid are folded"},
+        {[](MatchSummary& s) { s.alignment.emplace().doubtful = true; }, "no pose that is clearly the best"},
+        {[](MatchSummary& s) { s.interrupted = true; }, "stopped before its last level"}}) {
+    MatchSummary s = good_summary();
+    change(s);
+    const Verdict v = judge(s, places);
+    EXPECT_EQ(v.outcome, "look-here") << what;
+    ASSERT_EQ(v.reasons.size(), 1u) << what;
+    EXPECT_NE(v.reasons[0].what.find(what), std::string::npos) << v.reasons[0].what;
+  }
+}
+
+TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
+  MatchSummary s = good_summary();
+  s.distance->uncovered = 0.034;
+  s.verdict = judge(s, places);
+  const auto lines = verdict_lines(s);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "distance of the deformed reference from the template: mean 0.02 mm (0.0001 diagonals), 95 % 0.04 mm (0.0002 diagonals), "
+                      "largest 0.06 mm (0.0003 diagonals)");
+  EXPECT_NE(lines[1].find("mean 0.08 mm (0.0004 diagonals)"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[1].find("; 3.4 % is not reached"), std::string::npos) << lines[1];
+  EXPECT_EQ(lines[2], "verdict: matched, but look here");
+  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4, 5, 6) of the template; --align auto"), 0u) << lines[3];
+  s.unit = "";
+  EXPECT_NE(verdict_lines(s)[0].find("mean 0.02 (0.0001 diagonals)"), std::string::npos) << verdict_lines(s)[0];
 }
 
 TEST(Verdict, SaysNothingOfWhatIsNotKnown) {
-  EXPECT_TRUE(verdict(MatchSummary{}).empty());
+  EXPECT_TRUE(verdict_lines(MatchSummary{}).empty());
+  EXPECT_EQ(judge(MatchSummary{}, {}).outcome, "matched");
   EXPECT_FALSE(stuck_warning(std::vector<LevelSummary>(4)));
+  EXPECT_FALSE(far_apart_warning(MatchSummary{}));
+}
+
+TEST(FarApart, IsSaidBeforeTheRun) {
+  MatchSummary s = good_summary();
+  s.distance_before = TwoSidedDistance{{0.1, 0.2, 0.4}, {0.24, 0.3, 0.5}};
+  EXPECT_FALSE(far_apart_warning(s));
+  s.distance_before->template_to_deformed.mean = 0.26;
+  ASSERT_TRUE(far_apart_warning(s));
+  EXPECT_NE(far_apart_warning(s)->find("the template 52 mm (0.26 diagonals) from the reference"), std::string::npos) << *far_apart_warning(s);
 }
 
 /// Levels from 3 on with these shares of the template not reached.

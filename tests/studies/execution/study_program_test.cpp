@@ -211,6 +211,28 @@ TEST_F(StudyProgram, RunsOneByOneAndCollected) {
     EXPECT_EQ(columns.at("status"), run == "leaf-newton-energy.delta=1-r1" ? "finished" : "not_run") << run;
 }
 
+// Shapes and base files are found from there, whatever form the file has.
+TEST_F(StudyProgram, TheCopyInTheOutputFolderRunsFromThere) {
+  fs::create_directories(folder_ / "shapes");
+  for (const char* shape : {"circle", "ellipse"}) run_program({"generate", shape, "-o", path(fmt::format("shapes/{}.csv", shape))});
+  write("base.yaml", "input: {reference: shapes/circle.csv, template: shapes/ellipse.csv}\ncascade: {min_level: 3, max_level: 3}\n");
+  int n = 0;
+  for (const char* text : {"# by hand\nversion: 1\nset: {threads: 1, pictures: none}\nproblems: {leaf: {base: base.yaml}}\nsolvers: [newton]",
+                           "{version: 1, set: {threads: 1, pictures: none}, problems: {leaf: {base: base.yaml}}, solvers: [newton]}\n",
+                           "  version: 1\n  problems: {leaf: {base: base.yaml}}\n  solvers: [newton]\n"}) {
+    SCOPED_TRACE(text);
+    const std::string study = write("study.yaml", text), out = path(fmt::format("out{}", ++n)), again = path(fmt::format("again{}", n));
+    ASSERT_EQ(run_program({"study", study, "-o", out, "-q"}).exit_code, 0);
+    const ProgramResult copy = run_program({"study", "study.yaml", "-o", again, "-q"}, out);
+    EXPECT_EQ(copy.exit_code, 0) << copy.err;
+    EXPECT_EQ(lasting_table(out), lasting_table(again));
+    EXPECT_EQ(run_program({"study", study, "-o", out}).err.find("finished after"), std::string::npos) << "the same study";
+  }
+  const ProgramResult relative = run_program({"study", write("study.yaml", fmt::format("folder: here\n{}", small_study)), "-o", path("r")});
+  EXPECT_EQ(relative.exit_code, 2);
+  EXPECT_NE(relative.err.find("folder: here is no absolute path"), std::string::npos) << relative.err;
+}
+
 TEST_F(StudyProgram, MistakesAreRefusedWithOneClearLine) {
   const auto refused = [&](const std::vector<std::string>& words, const std::string& part) {
     const ProgramResult result = run_program(words, folder_.string());

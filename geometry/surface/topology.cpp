@@ -1,0 +1,53 @@
+#include "geometry/surface/topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+namespace {
+
+std::size_t count_edges(const Surface<3>& s) {
+  std::vector<std::pair<Index, Index>> edges;
+  edges.reserve(3 * s.facets.size());
+  for (const auto& facet : s.facets)
+    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({facet[k], facet[(k + 1) % 3]}));
+  std::ranges::sort(edges);
+  return static_cast<std::size_t>(std::ranges::unique(edges).begin() - edges.begin());
+}
+
+}  // namespace
+
+template <int Dim>
+Topology topology(const Surface<Dim>& s) {
+  std::vector<Index> parent(s.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<bool> used(s.vertices.size());
+  for (const auto& facet : s.facets)
+    for (const Index v : facet) {
+      used[v] = true;
+      parent[root(v)] = root(facet[0]);
+    }
+  Topology result;
+  for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
+    if (used[v]) {
+      ++result.n_vertices;
+      result.n_components += root(v) == v;
+    }
+  if constexpr (Dim == 3) {
+    const long euler = static_cast<long>(result.n_vertices + s.facets.size()) - static_cast<long>(count_edges(s));
+    result.genus = static_cast<int>(static_cast<long>(result.n_components) - euler / 2);
+  }
+  return result;
+}
+
+template Topology topology(const Surface<2>&);
+template Topology topology(const Surface<3>&);
+
+}  // namespace shellmatch

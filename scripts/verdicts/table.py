@@ -1,0 +1,38 @@
+"""What was said of each run, as Markdown."""
+BEGIN, END = "<!-- table of scripts/verdict-study -->", "<!-- end of the table of scripts/verdict-study -->"
+OUTCOMES = ("matched", "look-here", "not-matched")
+
+
+def outcome(result):
+    return result.summary["verdict"]["outcome"]
+
+
+def row(result):
+    s = result.summary
+    there, back = s["distance"]["deformed_to_template"], s["distance"]["template_to_deformed"]
+    angle, area = s.get("angle_distortion"), s["area_distortion"]
+    error = s.get("correspondence_error")
+    return [result.case.name, result.case.kind, f"{error:.1e}" if error is not None else "", "right" if result.is_right else "wrong", outcome(result), f"{there['mean']:.1e}", f"{back['mean']:.1e}", f"{back['max']:.1e}",
+            f"{100 * s['distance']['uncovered']:.2g}", f"{100 * s['flipped_share']:.2g}",
+            f"{angle['p95']:.0f}" if angle else "", f"{area['p5']:.2g} to {area['p95']:.2g}"]
+
+
+def table_text(results):
+    head = ["pair", "shapes", "error", "map", "verdict", "to template", "back", "back, largest", "not reached %", "flipped %", "angles 95 %, degrees", "areas, 5 to 95 %"]
+    lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
+
+
+def counts_text(results):
+    done = [r for r in results if not r.error]
+    n = {(right, o): sum(r.is_right == right and outcome(r) == o for r in done) for right in (True, False) for o in OUTCOMES}
+    lines = [["maps", *OUTCOMES], ["---"] * 4]
+    lines += [[f"{sum(n[right, o] for o in OUTCOMES)} {name}", *(str(n[right, o]) for o in OUTCOMES)] for right, name in ((True, "right"), (False, "wrong"))]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def put_into_page(path, text):
+    page = path.read_text()
+    if BEGIN not in page or END not in page:
+        raise SystemExit(f"{path}: the marks of the table are missing")
+    path.write_text(page[:page.index(BEGIN)] + BEGIN + "\n" + text + page[page.index(END):])
