@@ -26,7 +26,7 @@ struct StopOptions {
     visit("relative_decrease", self.relative_decrease,
           {.min = 0, .meaning = "stop when the value fell by less than this share of itself over `decrease_window` iterations"});
     visit("decrease_window", self.decrease_window,
-          {.unit = "iterations", .min = 1, .meaning = "number of iterations over which `relative_decrease` is measured"});
+          {.unit = "iterations", .min = 0, .meaning = "number of iterations over which `relative_decrease` is measured; 0: 1 for Newton's method, 50 for the others, whose steps cost about a fiftieth"});
     visit("gradient_norm", self.gradient_norm,
           {.min = 0, .meaning = "stop when the gradient's norm in the chosen metric is at most this share of its first value"});
     visit("max_seconds", self.max_seconds, {.unit = "seconds", .min = 0, .meaning = "time limit for one minimisation; 0 means none"});

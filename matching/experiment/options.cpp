@@ -8,9 +8,9 @@ ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
   options.solver.name = "newton";
-  // Newton's method takes few, expensive steps; it stops at the first one that gains little.
+  // Newton's method takes few, expensive steps; it stops at the first one that gains little. The others have more.
   options.solver.stop.relative_decrease = 1e-3;
-  options.solver.stop.decrease_window = 1;
+  options.solver.stop.decrease_window = 0;
   options.solver.stop.max_iterations = 300;
   if (profile == Profile::paper) {
     // Section 6: nu is divided by ten and c_vol by two once per refinement, in one step.

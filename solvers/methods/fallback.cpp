@@ -24,6 +24,13 @@ void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.seconds += next.seconds;
 }
 
+/// A step of Newton's method costs about as much as fifty of the others: with one window for all these would stop far from the
+/// minimum (docs/solvers.md).
+StopOptions of_method(StopOptions stop, const std::string& name) {
+  if (stop.decrease_window == 0) stop.decrease_window = name == "newton" ? 1 : 50;
+  return stop;
+}
+
 /// The limits less what the previous methods have used.
 StopOptions remaining(StopOptions stop, const MinimizerSummary& used) {
   stop.max_iterations = std::max(0, stop.max_iterations - used.iterations);
@@ -70,7 +77,7 @@ MinimizerSummary minimize_with_fallback(const SolverOptions& options, Objective&
     const Metric metric = minimizer->uses_metric() ? options.metric : Metric::euclidean;
     const MinimizerSummary before = total;
     MinimizerSummary s =
-        minimize_in_metric(*minimizer, metric, objective, x, remaining(stop, before), [&](const IterationRecord& r) {
+        minimize_in_metric(*minimizer, metric, objective, x, remaining(of_method(stop, names[i]), before), [&](const IterationRecord& r) {
           if (!callback || (i > 0 && r.iteration == 0)) return true;
           return callback(continued(r, names[i], before));
         });

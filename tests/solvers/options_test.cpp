@@ -46,8 +46,8 @@ TEST(MakeMinimizer, OptionsOutOfRangeAreNamed) {
   options.fletcher_reeves.armijo = 0.7;
   EXPECT_TRUE(contains(message_of(options), "solver.fletcher_reeves.armijo = 0.7")) << message_of(options);
   options = {};
-  options.stop.decrease_window = 0;
-  EXPECT_TRUE(contains(message_of(options), "solver.stop.decrease_window = 0")) << message_of(options);
+  options.stop.decrease_window = -1;
+  EXPECT_TRUE(contains(message_of(options), "solver.stop.decrease_window = -1")) << message_of(options);
 }
 
 TEST(MakeMinimizer, CeresOptionsThatDoNotGoTogetherAreRefused) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace shellmatch {
 namespace {
 
@@ -125,6 +127,34 @@ TEST(Fallback, KeepsWithinTheLimits) {
   const auto s = minimize_with_fallback(options, problem, x, stop);
   EXPECT_EQ(s.iterations, 3);
   EXPECT_EQ(s.reason, StopReason::max_iterations);
+}
+
+/// No first-order method is done with it in fifty steps.
+struct SlowBowl final : Objective {
+  std::size_t size() const override { return 400; }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+    value = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double curvature = std::pow(10, 6.0 * static_cast<double>(i) / static_cast<double>(x.size()));
+      value += 0.5 * curvature * x[i] * x[i];
+      if (!gradient.empty()) gradient[i] = curvature * x[i];
+    }
+    return true;
+  }
+};
+
+TEST(Fallback, AWindowOfZeroIsThatOfTheMethod) {
+  const auto stopped = [](const char* name, int window) {
+    SlowBowl problem;
+    SolverOptions options;
+    options.name = name;
+    std::vector<double> x(problem.size(), 1.0);
+    return minimize_with_fallback(options, problem, x, {.max_iterations = 5000, .relative_decrease = 1, .decrease_window = window, .gradient_norm = 0});
+  };
+  for (const char* name : {"lbfgs", "fletcher_reeves", "ceres_ncg", "nlopt_lbfgs"}) {
+    EXPECT_NE(stopped(name, 0).message.find("over 50 iterations"), std::string::npos) << name << ": " << stopped(name, 0).message;
+    EXPECT_NE(stopped(name, 3).message.find("over 3 iterations"), std::string::npos) << name << ": " << stopped(name, 3).message;
+  }
 }
 
 TEST(Fallback, UnknownMethodsAreNamed) {
