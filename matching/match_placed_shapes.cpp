@@ -89,10 +89,7 @@ class Matching {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
-    const MeasuredDistance<Dim> distance = two_sided_distance(measured_surface(deformed, state), template_distance_);
-    s.distance = distance.figures;
-    places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
-    places_.template_shape = coordinates_of_template(distance.farthest_of_template);
+    s.distance = measure_distance(deformed, state.grid, state.phi);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
@@ -106,10 +103,16 @@ class Matching {
     return is_backward_ ? surface_before(reference, grid, phi) : deformed_surface(reference, grid, phi);
   }
 
-  // In the plane segments bend within themselves.
-  Surface<Dim> measured_surface(const Surface<Dim>& deformed, const LevelState<Dim>& state) const {
-    if constexpr (Dim == 3) return deformed;
-    else return deformed_reference(subdivided(reference_.surface, state.grid.finest_side()), state.grid, state.phi);
+  // The distances, and where they are greatest. In the plane segments bend within themselves.
+  TwoSidedDistance measure_distance(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+    const auto measured_surface = [&] {
+      if constexpr (Dim == 3) return deformed;
+      else return deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi);
+    };
+    const MeasuredDistance<Dim> distance = two_sided_distance(measured_surface(), template_distance_);
+    places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
+    places_.template_shape = coordinates_of_template(distance.farthest_of_template);
+    return distance.figures;
   }
 
   std::vector<double> coordinates_of_template(const Vec<Dim>& in_unit_domain) const {
@@ -122,6 +125,8 @@ class Matching {
   MatchResult<Dim> measured(CascadeResult<Dim> result) {
     Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
+    // An earlier run had done all levels, and keeps no places.
+    if (places_.deformed.empty()) measure_distance(deformed, result.grid, result.phi);
     add_distortion(summary_, reference_.surface, deformed, template_distance_);
     places_.distorted = coordinates_of_template(most_distorted_place(reference_.surface, deformed));
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};

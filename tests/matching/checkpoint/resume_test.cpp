@@ -133,6 +133,10 @@ TEST(Resume, AfterAStopAtAnyLevelTheResultIsTheSameToTheBit) {
   ExperimentOptions o = experiment();
   o.coefficients.interpolation = FieldInterpolation::multilinear;
   check_every_stop(o);
+  // Its verdict has reasons with places.
+  o = experiment();
+  o.input.template_file = "generate:leaf";
+  check_every_stop(o);
 }
 
 TEST(Resume, StoppedAgainAndAgainTimesAddUp) {
