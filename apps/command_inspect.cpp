@@ -7,7 +7,7 @@
 namespace shellmatch {
 
 void execute(const InspectCommand& command) {
-  const AnyShape shape = open_shape(command.file);
+  const AnyShape shape = open_shape(command.file, Closing::automatic);
   const Inspection inspection = std::visit([](const auto& s) { return inspect_shape(s); }, shape);
   std::cout << (command.json ? inspection_json(inspection) : inspection_text(inspection));
 }

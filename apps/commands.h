@@ -19,6 +19,7 @@ struct RunSettings {
   std::string output;                ///< output folder
   std::string levels, align, placement, profile, threads;
   std::string landmarks, template_landmarks;  ///< files
+  bool strict = false;                   ///< input.close=never
   std::vector<std::string> assignments;  ///< values of --set, in their order
   std::string fail_on;                   ///< verdict from which on the program fails (run and match)
   Verbosity verbosity = Verbosity::normal;

@@ -26,6 +26,7 @@ std::vector<Override> overrides_of(const RunSettings& settings) {
   add("landmarks.file", settings.landmarks, "--landmarks");
   add("landmarks.template_file", settings.template_landmarks, "--template-landmarks");
   add("input.placement", settings.placement, "--placement");
+  if (settings.strict) overrides.push_back({"input.close", "never", "--strict"});
   add("threads", settings.threads, "--threads");
   for (const std::string& assignment : settings.assignments) overrides.push_back(parse_override(assignment));
   return overrides;

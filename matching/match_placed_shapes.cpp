@@ -19,7 +19,8 @@ namespace {
 template <int Dim>
 ShapeSummary shape_summary(const Shape<Dim>& shape) {
   const Topology parts = topology(shape.surface);
-  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes, parts.n_components, parts.genus};
+  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes, parts.n_components, parts.genus,
+          shape.invented_share > 0 ? std::optional(shape.invented_share) : std::nullopt};
 }
 
 void add_level_figure(std::optional<std::vector<double>>& list, double entry) {

@@ -52,6 +52,7 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
   command.add_option("--template-landmarks", settings.template_landmarks,
                      "CSV file of the template's points, where --landmarks has those of the reference alone")
       ->type_name("FILE");
+  command.add_flag("--strict", settings.strict, "refuse meshes that are not closed, instead of closing them (docs/closing.md)");
   command.add_option("--profile", settings.profile,
                      "default is the best we know, paper keeps the paper's discrete choices to the letter")
       ->type_name("default|paper");

@@ -45,9 +45,9 @@ OriginalShape<2> parse_outline(const InputFile& file, bool closed, std::vector<s
   }
 }
 
-Shape<3> mesh_of(const InputFile& file) {
+Shape<3> mesh_of(const InputFile& file, Closing closing = Closing::never) {
   MeshFile mesh = parse_mesh(file);
-  return make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes));
+  return make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes), closing);
 }
 
 Shape<2> outline_of(const InputFile& file) {
@@ -79,11 +79,11 @@ Shape<2> read_outline(const std::string& path) {
   return outline_of(file);
 }
 
-AnyShape read_shape(const std::string& path) {
+AnyShape read_shape(const std::string& path, Closing closing) {
   const InputFile file(path);
   switch (dimension_of(file.format())) {
     case 2: return outline_of(file);
-    case 3: return mesh_of(file);
+    case 3: return mesh_of(file, closing);
     default: unsupported(file);
   }
 }

@@ -5,6 +5,7 @@
 /// In space: meshes .obj, .off, .ply, .stl. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
 /// separated by blank lines) and masks .png, .pgm (bright on dark).
 
+#include "geometry/repair/repair.h"
 #include "geometry/surface/surface.h"
 
 #include <string>
@@ -29,7 +30,8 @@ Shape<2> read_outline(const std::string& path);
 Surface<3> read_triangles(const std::string& path);
 
 /// An outline or a mesh, by the ending of the file name.
-AnyShape read_shape(const std::string& path);
+/// \param closing of a mesh that is not closed
+AnyShape read_shape(const std::string& path, Closing closing = Closing::never);
 
 /// 2 or 3 by the ending of the file name; 0 where it is neither's.
 int dimension_of_file(const std::string& path);

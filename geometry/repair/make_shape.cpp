@@ -1,7 +1,6 @@
 #include "geometry/repair/make_shape.h"
 
 #include "base/error.h"
-#include "geometry/repair/repair.h"
 
 #include <utility>
 
@@ -26,15 +25,19 @@ void check_size(const OriginalShape<Dim>& shape, const std::string& source) {
 }  // namespace
 
 template <int Dim>
-Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes) {
+Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes, Closing closing) {
   check_size(original, source);
   Shape<Dim> shape{std::move(source), std::move(original), {}, std::move(notes)};
   if constexpr (Dim == 2) shape.surface = mend_outline(shape.original, shape.source, shape.notes);
-  else shape.surface = mend_surface(shape.original, shape.source, shape.notes);
+  else {
+    MendedSurface mended = mend_surface(shape.original, shape.source, shape.notes, closing);
+    shape.surface = std::move(mended.surface);
+    shape.invented_share = mended.invented_share;
+  }
   return shape;
 }
 
-template Shape<2> make_shape<2>(OriginalShape<2>, std::string, std::vector<std::string>);
-template Shape<3> make_shape<3>(OriginalShape<3>, std::string, std::vector<std::string>);
+template Shape<2> make_shape<2>(OriginalShape<2>, std::string, std::vector<std::string>, Closing);
+template Shape<3> make_shape<3>(OriginalShape<3>, std::string, std::vector<std::string>, Closing);
 
 }  // namespace shellmatch

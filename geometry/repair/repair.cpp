@@ -3,12 +3,14 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/surface/self_intersections.h"
+#include "geometry/repair/close_surface.h"
 #include "geometry/repair/repair_steps.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 namespace {
@@ -87,8 +89,8 @@ void orient_outward(Surface<3>& surface, const std::string& source, Notes& notes
 
 }  // namespace
 
-Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& source,
-                        std::vector<std::string>& note_list) {
+MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& note_list,
+                           Closing closing) {
   if (original.polygons.empty())
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
@@ -104,6 +106,7 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
   if (surface.facets.empty())
     throw_input_error("{}: the faces have no area; a closed surface is needed", source);
+  const double invented_share = closing == Closing::automatic ? close_surface(surface, source, note_list) : 0;
   check_closed(surface, source);
 
   const Orientation orientation = orient_consistently(surface);
@@ -129,7 +132,7 @@ Surface<3> mend_surface(const OriginalShape<3>& original, const std::string& sou
   if (surface.facets.size() <= self_intersection_limit)
     notes.add(self_intersecting_facets(surface).size(), "triangle", "triangles",
               "that cross or touch others (left as they are)");
-  return surface;
+  return {std::move(surface), invented_share};
 }
 
 }  // namespace shellmatch

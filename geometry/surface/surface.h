@@ -43,6 +43,7 @@ struct Shape {
   OriginalShape<Dim> original;
   Surface<Dim> surface;
   std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
+  double invented_share = 0;       ///< of the surface's area: what was made up to close it, in [0, 1]
 };
 
 /// An axis-parallel box.

@@ -3,6 +3,7 @@
 /// The options of an experiment: everything on which a run depends.
 
 #include "base/options.h"
+#include "geometry/repair/repair.h"
 #include "energies/options.h"
 #include "grid/options.h"
 #include "matching/experiment/align_options.h"
@@ -26,6 +27,11 @@ struct EnumNames<PlacementKind> {
   static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
 };
 
+template <>
+struct EnumNames<Closing> {
+  static constexpr std::pair<Closing, std::string_view> names[] = {{Closing::automatic, "auto"}, {Closing::never, "never"}};
+};
+
 /// Which pictures a run draws. On small grids drawing takes longer than the matching.
 enum class Pictures { all, result, none };
 template <>
@@ -47,6 +53,7 @@ struct InputOptions {
   std::string reference, template_file, correspondence, unit;
   PlacementKind placement = PlacementKind::fit;
   double margin = 0.15;
+  Closing close = Closing::automatic;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
@@ -54,6 +61,7 @@ struct InputOptions {
     visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
     visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: coordinates are said to be in units of the file"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
+    visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most three tenths of the area and wraps what else has gaps or inner walls, and says so (docs/closing.md); never refuses them, as --strict does"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
   }
 };

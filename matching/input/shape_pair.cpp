@@ -18,8 +18,8 @@ Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Si
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
-  AnyShape reference = open_shape(input.reference);
-  AnyShape template_shape = open_shape(input.template_file);
+  AnyShape reference = open_shape(input.reference, input.close);
+  AnyShape template_shape = open_shape(input.template_file, input.close);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
       for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));

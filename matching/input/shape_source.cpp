@@ -7,8 +7,8 @@
 
 namespace shellmatch {
 
-AnyShape open_shape(const std::string& source) {
-  if (!is_generated_source(source)) return read_shape(source);
+AnyShape open_shape(const std::string& source, Closing closing) {
+  if (!is_generated_source(source)) return read_shape(source, closing);
   return std::visit([&](auto original) -> AnyShape { return make_shape(std::move(original), source); },
                     generated_original(source));
 }

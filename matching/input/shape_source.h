@@ -10,6 +10,7 @@ namespace shellmatch {
 
 /// The shape named by `source`, a file or "generate:NAME/VARIANT" (matching/experiment/generated_source.h), repaired
 /// for matching. \throws InputError where it cannot be used
-AnyShape open_shape(const std::string& source);
+/// \param closing of a mesh that is not closed
+AnyShape open_shape(const std::string& source, Closing closing = Closing::never);
 
 }  // namespace shellmatch

@@ -60,6 +60,7 @@ struct ShapeSummary {
   std::vector<std::string> notes;            ///< repairs
   std::optional<std::size_t> n_components = {};
   std::optional<int> genus = {};             ///< sum over the components; 0 in the plane
+  std::optional<double> invented = {};       ///< share of the area that was made up to close it; none where nothing was
 };
 
 struct PlacementSummary {

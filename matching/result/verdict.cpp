@@ -94,6 +94,11 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
     reasons.look({fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
                               *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
                   "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or squeezed", "", {}});
+  for (const auto& [shape, name] : {std::pair{&a, "reference"}, std::pair{&b, "template"}})
+    if (shape->invented)
+      reasons.look({*shape->invented < 1 ? fmt::format("{:.2g} % of the {}'s surface was made up to close it", 100 * *shape->invented, name)
+                                         : fmt::format("the {} is not closed, and its wrap was matched", name),
+                    "what is matched there is no data; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
     reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks or other starts (docs/alignment.md)", "", {}});
   if (summary.interrupted)

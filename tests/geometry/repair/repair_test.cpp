@@ -27,7 +27,7 @@ namespace {
 
 Shape<3> mended(const OriginalShape<3>& original) {
   Shape<3> shape{"thing", original, {}, {}};
-  shape.surface = mend_surface(shape.original, shape.source, shape.notes);
+  shape.surface = mend_surface(shape.original, shape.source, shape.notes).surface;
   EXPECT_TRUE(is_closed_and_oriented(shape.surface));
   return shape;
 }

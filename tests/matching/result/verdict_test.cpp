@@ -103,6 +103,8 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
   using Change = void (*)(MatchSummary&);
   for (const auto& [change, what] :
        {std::pair<Change, const char*>([](MatchSummary& s) { s.template_shape.genus = 1; }, "the reference has 1 component and genus 0, the template 1 and 1"),
+        {[](MatchSummary& s) { s.template_shape.invented = 0.02; }, "2 % of the template's surface was made up"},
+        {[](MatchSummary& s) { s.reference.invented = 1; }, "the reference is not closed, and its wrap was matched"},
         {[](MatchSummary& s) { s.reference.n_components = 2; }, "the reference has 2 components and genus 0"},
         {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "7 cells of the grid are folded"},
         {[](MatchSummary& s) { s.alignment.emplace().doubtful = true; }, "no pose that is clearly the best"},

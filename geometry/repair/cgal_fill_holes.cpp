@@ -1,0 +1,69 @@
+// Holes of a surface through CGAL's Polygon Mesh Processing.
+#include "geometry/repair/cgal_repair_mesh.h"
+#include "geometry/repair/close_surface.h"
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+#include <iterator>
+
+namespace shellmatch {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+// A hole with more edges would take quadratic memory, and is no small one.
+constexpr std::size_t most_edges = 3000;
+
+CgalMesh oriented_mesh(const Surface<3>& open) {
+  std::vector<CgalKernel::Point_3> points;
+  for (const Vec<3>& x : open.vertices) points.emplace_back(x.x(), x.y(), x.z());
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [a, b, c] : open.facets)
+    triangles.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  PMP::orient_polygon_soup(points, triangles);
+  CgalMesh mesh;
+  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles)) return mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  PMP::stitch_borders(mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
+
+std::size_t length_of(CgalMesh::Halfedge_index begin, const CgalMesh& mesh) {
+  std::size_t n = 0;
+  for (CgalMesh::Halfedge_index h = begin; n == 0 || h != begin; h = mesh.next(h)) ++n;
+  return n;
+}
+
+}  // namespace
+
+std::optional<FilledHoles> fill_holes(const Surface<3>& open) {
+  CgalMesh mesh = oriented_mesh(open);
+  const std::size_t n_before = mesh.number_of_faces();
+  if (n_before == 0) return std::nullopt;
+  std::vector<CgalMesh::Halfedge_index> holes;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+  for (const CgalMesh::Halfedge_index hole : holes) {
+    if (length_of(hole, mesh) > most_edges) return std::nullopt;
+    std::vector<CgalMesh::Face_index> patch;
+    PMP::triangulate_hole(mesh, hole, std::back_inserter(patch));
+    if (patch.empty()) return std::nullopt;
+  }
+  if (!CGAL::is_closed(mesh)) return std::nullopt;
+  FilledHoles filled{surface_of(mesh), holes.size(), mesh.number_of_faces() - n_before};
+  double area = 0;
+  for (std::size_t f = 0; f < filled.surface.facets.size(); ++f) {
+    const double share = facet_measure(filled.surface, static_cast<Index>(f));
+    area += share;
+    if (f >= n_before) filled.new_share += share;
+  }
+  if (area > 0) filled.new_share /= area;
+  return filled;
+}
+
+}  // namespace shellmatch

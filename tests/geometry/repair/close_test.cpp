@@ -1,0 +1,119 @@
+// Surfaces that are not closed: holes, inner walls, sheets.
+
+#include "geometry/repair/close_surface.h"
+#include "geometry/repair/repair.h"
+#include "tests/geometry/surface/test_surfaces.h"
+#include "tests/support/expect_input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shellmatch {
+namespace {
+
+using namespace test;
+
+OriginalShape<3> original_of(const Surface<3>& surface) {
+  OriginalShape<3> shape;
+  shape.vertices = surface.vertices;
+  for (const auto& [a, b, c] : surface.facets) shape.polygons.push_back({a, b, c});
+  return shape;
+}
+
+// Without the facets whose centre lies above z = height.
+Surface<3> cut_at(Surface<3> surface, double height) {
+  std::erase_if(surface.facets, [&](const std::array<Index, 3>& f) {
+    double z = 0;
+    for (const Index v : f) z += surface.vertices[v].z() / 3;
+    return z > height;
+  });
+  return surface;
+}
+
+MendedSurface mended(const Surface<3>& surface, std::vector<std::string>& notes, Closing closing = Closing::automatic) {
+  return mend_surface(original_of(surface), "thing", notes, closing);
+}
+
+bool has_note(const std::vector<std::string>& notes, const std::string& part) {
+  for (const std::string& note : notes)
+    if (note.find(part) != std::string::npos) return true;
+  return false;
+}
+
+TEST(CloseSurface, ClosedOnesStayAsTheyAre) {
+  std::vector<std::string> notes, strict_notes;
+  const MendedSurface ball = mended(unit_sphere(3), notes), strict = mended(unit_sphere(3), strict_notes, Closing::never);
+  EXPECT_EQ(ball.surface.facets, strict.surface.facets);
+  EXPECT_EQ(ball.invented_share, 0);
+  EXPECT_EQ(notes, strict_notes);
+}
+
+TEST(CloseSurface, AHoleIsFilledFlatAndSaid) {
+  const double height = 0.9;
+  const Surface<3> open = cut_at(unit_sphere(4), height);
+  std::vector<std::string> notes;
+  const MendedSurface ball = mended(open, notes);
+  // Ball and cap without the slice above; area of the disc over that of both.
+  const double pi = std::acos(-1.0), cap = pi / 3 * (1 - height) * (1 - height) * (2 + height), disc = pi * (1 - height * height);
+  EXPECT_NEAR(enclosed_measure(ball.surface), 4 * pi / 3 - cap, 0.05);
+  EXPECT_NEAR(ball.invented_share, disc / (disc + 2 * pi * (1 + height)), 0.01);
+  EXPECT_TRUE(has_note(notes, "1 hole filled with ")) << notes.back();
+  EXPECT_TRUE(has_note(notes, "that part is made up"));
+  // What was there keeps its triangles.
+  for (std::size_t f = 0; f < 3; ++f)
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(ball.surface.vertices[ball.surface.facets[f][k]], open.vertices[open.facets[f][k]]);
+}
+
+TEST(CloseSurface, StrictRefusesIt) {
+  std::vector<std::string> notes;
+  expect_input_error([&] { mended(cut_at(unit_sphere(3), 0.5), notes, Closing::never); }, {"thing", "the surface is open", "1 loop"});
+}
+
+TEST(CloseSurface, TwoBoxesThatShareAnEdgeAreTakenApart) {
+  Surface<3> boxes = joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}));
+  std::vector<std::string> notes;
+  // Their common edge as one: four triangles at it.
+  for (auto& facet : boxes.facets)
+    for (Index& v : facet)
+      for (Index w = 0; w < v; ++w)
+        if (boxes.vertices[w] == boxes.vertices[v]) {
+          v = w;
+          break;
+        }
+  expect_input_error([&] { mended(boxes, notes, Closing::never); }, {"not manifold"});
+  notes.clear();
+  const MendedSurface two = mended(boxes, notes);
+  EXPECT_NEAR(enclosed_measure(two.surface), 2, 0.2);
+}
+
+TEST(CloseSurface, ManyGapsAreWrapped) {
+  // Every triangle is by itself, a little smaller than it was.
+  const Surface<3> ball = unit_sphere(4);
+  Surface<3> soup;
+  for (const auto& facet : ball.facets) {
+    Vec<3> centre = Vec<3>::Zero();
+    for (const Index v : facet) centre += ball.vertices[v] / 3;
+    std::array<Index, 3>& own = soup.facets.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      own[k] = static_cast<Index>(soup.vertices.size());
+      soup.vertices.emplace_back(centre + 0.9 * (ball.vertices[facet[k]] - centre));
+    }
+  }
+  std::vector<std::string> notes;
+  const MendedSurface wrap = mended(soup, notes);
+  EXPECT_EQ(wrap.invented_share, 1);
+  EXPECT_TRUE(has_note(notes, "not closed, and wrapped")) << notes.front();
+  EXPECT_NEAR(enclosed_measure(wrap.surface), enclosed_measure(ball), 0.1);
+}
+
+TEST(CloseSurface, ASheetEnclosesNothing) {
+  Surface<3> sheet;
+  sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  sheet.facets = {{0, 1, 2}, {0, 2, 3}};
+  std::vector<std::string> notes;
+  expect_input_error([&] { mended(sheet, notes); }, {"thing", "the surface is open", "encloses next to nothing"});
+}
+
+}  // namespace
+}  // namespace shellmatch
