@@ -56,6 +56,10 @@ std::string word_of(std::string name) {
 
 }  // namespace
 
+std::string space_comment(std::string_view begin, Space space) {
+  return space == Space::unsaid ? "" : fmt::format("{}SPACE={}\n", begin, space_name(space));
+}
+
 void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   std::size_t n_corners = 0, longest = 0;
   for (const auto& polygon : shape.polygons) {
@@ -64,16 +68,18 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
   }
   const PlyType count_type = longest < 256 ? PlyType::uint8 : PlyType::uint32;
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\n"
       "property double y\nproperty double z\n",
-      shape.vertices.size());
+      space_comment("comment ", shape.space), shape.vertices.size());
   std::vector<PlyType> types;
+  std::vector<const VertexAttribute*> columns;
   for (const VertexAttribute& a : shape.attributes) {
+    if (a.type == "text") continue;
     SHELLMATCH_CHECK(a.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
-    const std::optional<PlyType> type = ply_type(a.type);
-    SHELLMATCH_CHECK(type.has_value(), "an attribute has a PLY type");
-    types.push_back(*type);
-    bytes += fmt::format("property {} {}\n", ply_type_name(*type), word_of(a.name));
+    // PLY has no integers of 64 bits.
+    types.push_back(ply_type(a.type).value_or(PlyType::float64));
+    columns.push_back(&a);
+    bytes += fmt::format("property {} {}\n", ply_type_name(types.back()), word_of(a.name));
   }
   if (!shape.polygons.empty())
     bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(),
@@ -84,7 +90,7 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
     for (int k = 0; k < 3; ++k) append(bytes, shape.vertices[v][k]);
     for (std::size_t a = 0; a < types.size(); ++a)
-      append_value(bytes, types[a], shape.attributes[a].values[v]);
+      append_value(bytes, types[a], columns[a]->values[v]);
   }
   for (const auto& polygon : shape.polygons) {
     append_value(bytes, count_type, static_cast<double>(polygon.size()));

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/replace_file.h"
 #include "geometry/io/input_file.h"
+#include "geometry/polydata/write_polydata.h"
 #include "geometry/repair/repair_steps.h"
 
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::strin
 }
 
 void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
-  std::string text;
+  std::string text = space_comment("# ", shape.space);
   const VertexAttribute* const colours[] = {attribute_named(shape, "red"), attribute_named(shape, "green"),
                                             attribute_named(shape, "blue")};
   const bool coloured = colours[0] && colours[1] && colours[2];
@@ -78,7 +79,7 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing 
 }
 
 void write_off(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
-  std::string text = fmt::format("OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
+  std::string text = fmt::format("OFF\n{}{} {} 0\n", space_comment("# ", shape.space), shape.vertices.size(), shape.polygons.size());
   for (const Vec<3>& x : shape.vertices)
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   for (const std::vector<Index>& polygon : shape.polygons) {
@@ -93,7 +94,9 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
   if (shape.polygons.empty())
     throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
   const Triangles triangles = triangulate(shape);
-  std::string bytes(80, ' ');
+  std::string bytes = space_comment("", shape.space);
+  if (!bytes.empty()) bytes.back() = ' ';
+  bytes.resize(80, ' ');
   const auto append = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
@@ -121,7 +124,9 @@ void write_shape(const std::string& path, const OriginalShape<3>& shape, Existin
   if (extension == ".obj") return write_obj(path, shape, existing);
   if (extension == ".off") return write_off(path, shape, existing);
   if (extension == ".stl") return write_stl(path, shape, existing);
-  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl or .csv, not as '{}'", path, extension);
+  if (extension == ".vtk") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::legacy));
+  if (extension == ".vtp") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::xml));
+  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl, .vtk, .vtp or .csv, not as '{}'", path, extension);
 }
 
 }  // namespace shellmatch
