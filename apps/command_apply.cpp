@@ -12,7 +12,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/pairs/slicer_points.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -87,6 +87,9 @@ void apply(const ApplyCommand& command) {
   } else {
     carry(deformation, command, shape.vertices);
   }
+  if constexpr (Dim == 3)
+    if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
+      say(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
   write_output_file(command.output, shape, command.force);
 }
 

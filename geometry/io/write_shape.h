@@ -10,11 +10,13 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shellmatch {
 
 /// Binary little endian PLY: vertices as double, attributes with their own types (values of integer types are
-/// rounded and clamped to the type's range), polygons not triangulated. Points without polygons have no
+/// rounded and clamped to the type's range), polygons not triangulated, comments, properties of faces and further
+/// elements as they were read from PLY. Columns of text are left out. Points without polygons have no
 /// faces.
 void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);
 
@@ -27,8 +29,11 @@ void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Ex
 /// A line of comment that names the frame of coordinates as 3D Slicer does, "# SPACE=LPS\n"; empty where it is unsaid.
 std::string space_comment(std::string_view begin, Space space);
 
+/// What of the shape a file of that name cannot hold, in words: "the columns quality, label"; nothing where nothing is lost.
+std::vector<std::string> left_out(const std::string& path, const OriginalShape<3>& shape);
+
 /// Writes the format of the file name's extension: .ply and .csv as above; .obj, with colours if there are
-/// any; .off; .stl (binary, single precision, polygons triangulated); .vtk and .vtp with all attributes
+/// any, and with all that stood in a file of OBJ; .off; .stl (binary, single precision, polygons triangulated); .vtk and .vtp with all attributes
 /// (geometry/polydata/write_polydata.h). .obj, .off and .stl omit other attributes.
 /// \throws InputError for other extensions, and for STL without faces.
 void write_shape(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);

@@ -90,5 +90,37 @@ TEST_F(CarriedFiles, ShapesOfTwoFramesAreBroughtIntoThatOfTheTemplate) {
   EXPECT_EQ(read_points_or_mesh_3d(tmp / "other/deformed.ply").vertices, same);
 }
 
+TEST_F(CarriedFiles, WhatAFileHoldsGoesOutInItsFormat) {
+  match(Space::unsaid);
+  put(tmp / "a.obj", "# mine\nmtllib m.mtl\nv 0.3 0.6 0.7\nv 0.4 0.6 0.7\nv 0.3 0.5 0.7\nvt 0 0\nvn 0 0 1\ng part\nusemtl skin\nf 1/1/1 2/1/1 3/1/1\n");
+  EXPECT_TRUE(has(apply("a.obj", "b.obj"), "vertex normals dropped"));
+  const std::string text = contents_of(tmp / "b.obj");
+  EXPECT_EQ(text.find("# mine\nmtllib m.mtl\nv "), 0u) << text;
+  EXPECT_TRUE(has(text, "\nvt 0 0\ng part\nusemtl skin\nf 1/1 2/1 3/1\n")) << text;
+  EXPECT_TRUE(has(apply("a.obj", "b.vtp"), "without texture coordinates, groups, materials, which this format does not hold"));
+  EXPECT_EQ(read_points_or_mesh_3d(tmp / "b.vtp").vertices, read_points_or_mesh_3d(tmp / "b.obj").vertices);
+  put(tmp / "p.csv", "name,x,y,z,weight\n\"left, upper\",0.3,0.6,0.7,2\n");
+  EXPECT_EQ(apply("p.csv", "q.csv"), "");
+  EXPECT_TRUE(has(contents_of(tmp / "q.csv"), ",\"left, upper\",2\n")) << contents_of(tmp / "q.csv");
+  EXPECT_TRUE(has(apply("p.csv", "q.ply"), "without the columns name"));
+}
+
+TEST_F(CarriedFiles, AResultThatIsMatchedAgainHasItsColumnsOnce) {
+  match(Space::unsaid);
+  const auto names_of = [&](const std::string& file) {
+    Words names;
+    for (const VertexAttribute& a : read_points_or_mesh_3d(tmp / file).attributes) names.push_back(a.name);
+    return names;
+  };
+  const Words names = names_of("out/deformed.ply");
+  EXPECT_EQ(names, (Words{"distance_to_template", "area_ratio", "template_face", "template_v0", "template_v1", "template_v2", "template_b0",
+                          "template_b1", "template_b2"}));
+  const ProgramResult result = run_program({"match", tmp / "out/deformed.ply", tmp / "out/template.ply", "-o", tmp / "again", "--levels", "3:4", "--align", "none",
+                                            "--set", "pictures=none", "-q"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(names_of("again/deformed.ply"), names);
+  EXPECT_EQ(names_of("again/template.ply"), Words{"distance_to_deformed"});
+}
+
 }  // namespace
 }  // namespace shellmatch

@@ -22,7 +22,7 @@ void check_original(const OriginalShape<Dim>& shape) {
   for (const auto& polygon : shape.polygons)
     for (const Index v : polygon) demand(v >= 0 && static_cast<std::size_t>(v) < shape.vertices.size(), "polygons have vertices");
   for (const VertexAttribute& a : shape.attributes)
-    demand(a.values.size() == shape.vertices.size(), "an attribute has a value for each vertex");
+    demand((a.type == "text" ? a.texts.size() : a.values.size()) == shape.vertices.size(), "an attribute has a value for each vertex");
 }
 
 void check_image(const GreyImage& image) {
