@@ -19,6 +19,7 @@ def mesh_seeds():
         "obj": [("o a\nmtllib m\n" + "".join("v " + text(p) for p in points) + "vt 0 0\nvn 0 0 1\ns 1\n" +
                  "".join("f " + " ".join(f"{v + 1}/1/1" for v in f) + "\n" for f in faces)).encode(),
                 ("".join("v " + text(p + (0.1, 0.2, 0.3)) for p in points) + "f -1 -2 -3\nf 1//1 2//1 \\\n3//1\nl 1 2\n").encode(),
+                b"# SPACE=LPS\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl a\\\nb\nf 1//1 2//1 3//1\n",
                 b"f 1 2 3\nf 1 2\nv 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0\n"],
         "off": [("OFF\n4 4 0\n" + "".join(map(text, points)) + "".join("3 " + text(f) for f in faces)).encode(),
                 ("COFF 4 4 6 # a\n" + "".join(text(p + (1, 2, 3, 4)) for p in points) + "".join("3 " + text(f + (255, 0, 0)) for f in faces)).encode(),
@@ -197,7 +198,8 @@ def seeds_of_all():
     seeds = {**mesh_seeds(), **image_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
     joined = lambda *parts: SEPARATOR.join(parts)
     seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
-    seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n"]
+    seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n",
+                       b"name,x,y,z,label\n\"a, \"\"b\"\"\",1,2,3,4\nc d,1,2,3,5\n"]
     seeds["yaml"] = [b"version: 1\nsome: {flag: true, number: 3, value: 0.5, text: \"a\", list: [1, 2], colour: green}\n",
                      b"version: &a 1\nsome:\n  number: *a\n  list:\n    - 1\n    - !!float 2\n", b"{version: 1},", b"a: 1\n---\nb: 2\n", b"[a]",
                      b"{}", b"some:\n", b"some: 1\n", b"[]: 1\n", b"some: {[1]: 2}\n", b"some: {list: 1, text: [a]}\n", b"version: {a: 1}\n",

@@ -64,7 +64,10 @@ void mend(OriginalShape<Dim> original) {
 
 }  // namespace
 
-void read_obj_bytes(std::string_view bytes) { check_original(read_obj("input", bytes).shape); }
+void read_obj_bytes(std::string_view bytes) {
+  space_of_mesh(bytes);
+  check_original(read_obj("input", bytes).shape);
+}
 void read_off_bytes(std::string_view bytes) { check_original(read_off("input", bytes).shape); }
 void read_ply_bytes(std::string_view bytes) { check_original(read_ply("input", bytes).shape); }
 void read_stl_bytes(std::string_view bytes) { check_original(read_stl("input", bytes).shape); }
