@@ -6,11 +6,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/printable.h"
+#include "base/text.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "matching/map_file/deformation_file.h"
+#include "matching/pairs/slicer_points.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -54,23 +56,61 @@ void move_back(const PointMap<Dim>& map, const std::string& file, std::vector<Ve
                       "leave them out", file, std::count(first, is_lost.end(), 1), points.size(), first - is_lost.begin());
 }
 
+/// Moves points, in the user's coordinates, as the command says.
+template <int Dim>
+void carry(const Deformation<Dim>& deformation, const ApplyCommand& command, std::vector<Vec<Dim>>& points) {
+  if (command.keep_pose && deformation.pose.is_identity())
+    std::fputs("no motion was taken out before this matching: --keep-pose changes nothing\n", stderr);
+  if (command.keep_pose && command.inverse)
+    for (Vec<Dim>& x : points) x = deformation.from_reference_pose(x);
+  const PointMap<Dim> map(deformation, command.inverse ? Toward::reference : Toward::template_shape);
+  if (map.is_inverse()) move_back(map, command.file, points);
+  else move(deformation, points);
+  if (command.keep_pose && !command.inverse)
+    for (Vec<Dim>& x : points) x = deformation.to_reference_pose(x);
+}
+
+void say(const std::string& note) { std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr); }
+
 template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
   OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
-  for (const std::string& note : notes) std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr);
-
-  if (command.keep_pose && deformation.pose.is_identity())
-    std::fputs("no motion was taken out before this matching: --keep-pose changes nothing\n", stderr);
-  if (command.keep_pose && command.inverse)
-    for (Vec<Dim>& x : shape.vertices) x = deformation.from_reference_pose(x);
-  const PointMap<Dim> map(deformation, command.inverse ? Toward::reference : Toward::template_shape);
-  if (map.is_inverse()) move_back(map, command.file, shape.vertices);
-  else move(deformation, shape.vertices);
-  if (command.keep_pose && !command.inverse)
-    for (Vec<Dim>& x : shape.vertices) x = deformation.to_reference_pose(x);
+  for (const std::string& note : notes) say(note);
+  if constexpr (Dim == 3) {
+    const Space own = shape.space, common = or_default(deformation.space);
+    if (change_space(shape.vertices, own, common))
+      say(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
+    carry(deformation, command, shape.vertices);
+    change_space(shape.vertices, common, own);
+  } else {
+    carry(deformation, command, shape.vertices);
+  }
+  if constexpr (Dim == 3)
+    if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
+      say(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
   write_output_file(command.output, shape, command.force);
+}
+
+// Control points go out as they came in, in their own frame.
+void apply_to_slicer_points(const ApplyCommand& command) {
+  const Deformation<3> deformation = read_deformation<3>(command.deformation);
+  const SlicerPoints file = read_slicer_points(command.file);
+  const Space space = or_default(deformation.space);
+  if (const std::string note = space_note(file, space); !note.empty()) say(note + "; they are written in their own frame");
+  std::vector<Vec<3>> points;
+  for (const SlicerPoint& p : file.points)
+    if (p.has_position) points.push_back(in_space(p.position, p.space, space));
+  if (points.size() < file.points.size())
+    say(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
+  carry(deformation, command, points);
+  std::vector<Vec<3>> positions;
+  for (std::size_t i = 0, next = 0; i < file.points.size(); ++i) {
+    const SlicerPoint& p = file.points[i];
+    positions.push_back(p.has_position ? in_space(points[next++], space, p.space) : p.position);
+  }
+  write_report_file(command.output, with_positions(file, positions), command.force);
 }
 
 }  // namespace
@@ -78,6 +118,11 @@ void apply(const ApplyCommand& command) {
 void execute(const ApplyCommand& command) {
   catch_interrupts();
   const int dimension = deformation_dimension(command.deformation);
+  if (is_slicer_file(command.file)) {
+    if (dimension == 2) throw_input_error("{}: holds points of space, but this deformation is one of the plane", command.file);
+    check_markups_output(command.file, command.output, command.force);
+    return apply_to_slicer_points(command);
+  }
   check_output_file(command.output, dimension, command.force);
   if (dimension == 2) apply<2>(command);
   else apply<3>(command);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/io/write_shape.h"
+#include "matching/pairs/slicer_points.h"
 
 #include <fmt/format.h>
 
@@ -24,12 +25,19 @@ void check_report_file(const std::string& path, bool force) {
 void check_output_file(const std::string& path, int dimension, bool force) {
   namespace fs = std::filesystem;
   const std::vector<std::string> endings =
-      dimension == 2 ? std::vector<std::string>{".csv"} : std::vector<std::string>{".ply", ".obj", ".off", ".stl", ".csv"};
+      dimension == 2 ? std::vector<std::string>{".csv"} : std::vector<std::string>{".ply", ".obj", ".off", ".stl", ".vtk", ".vtp", ".csv"};
   std::string ending = fs::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
     throw_input_error("{}: {} written as {}", path, dimension == 2 ? "contours are" : "surfaces are",
                       fmt::join(endings, ", "));
+  check_report_file(path, force);
+}
+
+void check_markups_output(const std::string& input, const std::string& path, bool force) {
+  const bool is_json = std::tolower(static_cast<unsigned char>(input.back())) == 'n';
+  const bool agrees = is_slicer_file(path) && (std::tolower(static_cast<unsigned char>(path.back())) == 'n') == is_json;
+  if (!agrees) throw_input_error("{}: the points of {} are written in their own format, {}", path, input, is_json ? ".mrk.json" : ".fcsv");
   check_report_file(path, force);
 }
 

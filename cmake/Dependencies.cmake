@@ -26,7 +26,7 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 # VTK's package configuration requires the C language through its dependency on MPI.
 enable_language(C)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOImage)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOLegacy IOXML IOImage)
 include(cmake/LinkedLibraries.cmake)
 if(SHELLMATCH_TESTS)
   find_package(GTest REQUIRED)

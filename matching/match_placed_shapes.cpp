@@ -6,6 +6,7 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/nearest_faces.h"
 #include "matching/result/verdict.h"
 
 #include <string>
@@ -132,6 +133,9 @@ class Matching {
     places_.distorted = coordinates_of_template(most_distorted_place(reference_.surface, deformed));
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
+    moved.space = map.space;
+    add_correspondence(moved, template_.original, map.placement);
+    OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed);
     if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
       summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
@@ -140,6 +144,7 @@ class Matching {
     std::vector<double> distance = distances_to(deformed.vertices, template_distance_);
     return {std::move(map),
             std::move(moved),
+            std::move(covered),
             {},
             {},
             {reference_.surface, template_.surface, std::move(deformed), std::move(distance)},

@@ -19,6 +19,7 @@ MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& tem
   Recorder recorder(observer);
   MatchInputs<Dim> inputs;
   inputs.shapes = {reference, template_shape};
+  share_space(inputs.shapes, observer);
   inputs.landmarks = landmarks;
   inputs.prepared = prepare_pair(inputs.shapes, landmarks, options, observer);
   check_size<Dim>(refined_measures(inputs.shapes.reference.surface, inputs.shapes.template_shape.surface, options),

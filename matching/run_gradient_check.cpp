@@ -48,7 +48,7 @@ template <int Dim>
 GradientReport check(const ExperimentOptions& options, const GradientCheckRequest& request, ShapePair<Dim> shapes,
                      Observer& observer) {
   auto landmarks = read_landmarks<Dim>(options.landmarks, shapes.reference.original.vertices,
-                                             shapes.template_shape.original.vertices);
+                                       shapes.template_shape.original.vertices, landmark_spaces(shapes));
   const PreparedPair<Dim> prepared = prepare_pair(shapes, landmarks, options, observer);
   if (prepared.is_backward()) {  // the energy is that of the map from template to reference
     std::swap(shapes.reference, shapes.template_shape);

@@ -53,8 +53,11 @@ class Run {
 
  private:
   MatchResult<Dim> match(bool restart) {
+    std::vector<std::string> notes;
     inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, inputs_.shapes.reference.original.vertices,
-                                            inputs_.shapes.template_shape.original.vertices);
+                                            inputs_.shapes.template_shape.original.vertices,
+                                            landmark_spaces(inputs_.shapes), &notes);
+    for (const std::string& note : notes) recorder_.note(note);
     const InputOptions& input = options_.input;
     inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)

@@ -66,8 +66,13 @@ template <int Dim>
 void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
                         Observer& observer) {
   if (options.pictures != Pictures::none) write_pictures(result, folder, observer);
-  if constexpr (Dim == 3) write_ply(folder.path_of("deformed.ply"), result.deformed);
-  else write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
+  if constexpr (Dim == 3) {
+    write_ply(folder.path_of("deformed.ply"), result.deformed);
+    write_ply(folder.path_of("template.ply"), result.template_shape);
+  } else {
+    write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
+    write_outline_csv(folder.path_of("template.csv"), result.template_shape);
+  }
   write_deformation(folder.path_of(deformation_file_name), result.map,
                     nodal_fields(result.moving_fields, result.target_fields, options),
                     cell_fields(result.map.grid, result.map.phi, result.moving_fields.distance,

@@ -12,7 +12,7 @@
 
 namespace shellmatch {
 
-/// Writes deformed.ply (deformed.csv in the plane), deformation.vtu, history.csv, config.yaml, summary.json and, if
+/// Writes deformed.ply and template.ply (.csv in the plane), deformation.vtu, history.csv, config.yaml, summary.json and, if
 /// `options.pictures` requests them, the pictures of the result; all files or none.
 /// \param options those of the matching
 /// \param folder the output folder; missing parents are created

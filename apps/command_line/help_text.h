@@ -21,8 +21,8 @@ needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
-inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL), closed contours in the plane (CSV) or masks (PNG, PGM), or
-built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
+inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), closed contours in the plane (CSV) or masks (PNG, PGM),
+or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
 
 Examples:
   shellmatch match reference.ply template.obj -o out
@@ -41,8 +41,8 @@ Examples:
 
 inline constexpr const char* output_footer = R"(
 
-The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours), the deformation
-(deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
+The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours) with the nearest points of the
+template, the template with its distance to it (template.ply, template.csv), the deformation (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
 It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
 replaces it if it is the output of an earlier run, and never anything else. While a run works, the last
 finished level is kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart
@@ -63,10 +63,12 @@ inline constexpr const char* apply_footer = R"(The file is in the coordinates of
 outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
 those of the reference. With --keep-pose the result stays where the reference lies: it is deformed, but neither turned, moved nor scaled
 by the motion that alignment found. Together with --inverse the file lies there.
+Control points of 3D Slicer (.mrk.json, .fcsv) keep names, descriptions and frame.
 
 Examples:
   shellmatch apply out other.ply -o moved.ply
   shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv
+  shellmatch apply out landmarks.mrk.json -o moved.mrk.json
   shellmatch apply out on_template.ply -o on_reference.ply --inverse
   shellmatch apply out reference.ply -o deformed_in_place.ply --keep-pose)";
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::pair<std::string_view, FileFormat> endings[] = {
     {".obj", FileFormat::obj},   {".off", FileFormat::off},   {".ply", FileFormat::ply},    {".stl", FileFormat::stl},
+    {".vtk", FileFormat::vtk},   {".vtp", FileFormat::vtp},
     {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
     {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".xyz", FileFormat::points}};
 
@@ -42,6 +43,8 @@ int dimension_of(FileFormat format) {
     case FileFormat::off:
     case FileFormat::ply:
     case FileFormat::stl:
+    case FileFormat::vtk:
+    case FileFormat::vtp:
       return 3;
     case FileFormat::table:
     case FileFormat::png:

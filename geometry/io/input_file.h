@@ -11,7 +11,7 @@ std::string file_extension(const std::string& path);
 
 /// What a name stands for by its ending; the contents are not asked.
 enum class FileFormat {
-  obj, off, ply, stl,  ///< meshes
+  obj, off, ply, stl, vtk, vtp,  ///< meshes
   table,               ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
   points,              ///< .xyz: points alone
   png, pgm,            ///< masks

@@ -1,6 +1,23 @@
 #include "geometry/io/read_mesh_formats.h"
 
+#include <algorithm>
+
 namespace shellmatch {
+
+Space space_of_mesh(std::string_view bytes) {
+  // Comments follow the first line at once, or stand before it; a header of STL has no ends of line.
+  constexpr std::size_t longest_head = 2000;
+  std::string_view head = bytes.substr(0, longest_head);
+  for (std::size_t n = 0; !head.empty(); ++n) {
+    const std::size_t end = std::min(head.find_first_of("\r\n"), head.size());
+    const std::string_view line = head.substr(0, end);
+    const bool is_comment = line.starts_with('#') || line.starts_with("comment") || line.starts_with("obj_info") || line.starts_with("format");
+    if (n > 0 && !line.empty() && !is_comment) return Space::unsaid;
+    if (const Space space = space_in_comment(n == 0 && !is_comment ? line.substr(0, 80) : line); space != Space::unsaid) return space;
+    head.remove_prefix(std::min(end + 1, head.size()));
+  }
+  return Space::unsaid;
+}
 
 void add_vertex(const FilePosition& place, const Vec<3>& x, OriginalShape<3>& shape) {
   if (!x.allFinite())

@@ -29,6 +29,10 @@ MeshFile read_ply(const std::string& path, std::string_view bytes);
 /// Merges corners with equal coordinates into one vertex.
 MeshFile read_stl(const std::string& path, std::string_view bytes);
 
+/// The frame that the comments at the head of a mesh name (geometry/surface/space.h): of OBJ, OFF and PLY lines of
+/// comment, of STL the first line or the header of 80 bytes.
+Space space_of_mesh(std::string_view bytes);
+
 /// A position in a file, for messages: "hand.off, line 12".
 struct FilePosition {
   const std::string& path;

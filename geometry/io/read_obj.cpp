@@ -1,8 +1,11 @@
 // Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or relative to the end if
 // negative.
 #include "geometry/io/read_mesh_formats.h"
+#include "geometry/surface/mesh_details.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 namespace shellmatch {
 namespace {
@@ -20,22 +23,54 @@ std::string_view statement(LineReader& lines, std::string& joined) {
   return joined.append(line);
 }
 
+// Has a corner of a face a third number?
+bool has_normal(std::string_view corners) {
+  for (std::string_view word = next_word(corners); !word.empty(); word = next_word(corners))
+    if (std::count(word.begin(), word.end(), '/') > 1) return true;
+  return false;
+}
+
+// A statement of a face without the numbers of normals: "f 1/2/3 4//5" is "f 1/2 4".
+std::string without_normals(std::string_view line) {
+  std::string text(next_word(line));
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+    const std::size_t first = word.find('/'), second = first == word.npos ? first : word.find('/', first + 1);
+    text.append(" ").append(second == first + 1 ? word.substr(0, first) : word.substr(0, second));
+  }
+  return text;
+}
+
 }  // namespace
 
 MeshFile read_obj(const std::string& path, std::string_view bytes) {
   MeshFile mesh;
+  auto details = std::make_shared<MeshDetails>();
+  bool has_normals = false;
   LineReader lines(path, bytes);
   std::array<std::vector<double>, 3> colours;
   std::vector<std::pair<std::size_t, std::size_t>> far_corners;  // polygon and line of indices beyond the vertices so far
   std::size_t n_ignored = 0;
   std::string joined;
-  while (lines.next()) {
+  for (;;) {
+    const char* const begin = lines.rest().data();
+    if (!lines.next_line()) break;
     const std::size_t number = lines.number();
     std::string_view rest = statement(lines, joined);
-    const std::string_view keyword = next_word(rest);
+    const std::string_view whole = rest, keyword = next_word(rest);
+    // As it stands in the file, with comments.
+    std::string_view raw(begin, static_cast<std::size_t>(lines.rest().data() - begin));
+    raw = raw.substr(0, raw.find_last_not_of("\r\n") + 1);
+    if (keyword == "vn") {
+      has_normals = true;
+      continue;
+    }
+    const bool is_frame = keyword.empty() && space_in_comment(raw) != Space::unsaid;
+    if (keyword == "f" && has_normal(rest)) details->obj_text.append(without_normals(whole)).push_back('\n');
+    else if (keyword != "v" && !is_frame) details->obj_text.append(raw.find_first_of("\r\n") == raw.npos ? raw : whole).push_back('\n');
     if (keyword == "v") {
       Vec<3> x;
       for (int k = 0; k < 3; ++k) x[k] = lines.number_of(rest, "a coordinate of a vertex");
+      details->obj_text.append("v").append(rest).push_back('\n');
       std::vector<double> extra;
       while (rest.find_first_not_of(" \t") != std::string_view::npos)
         extra.push_back(lines.number_of(rest, "a value after the coordinates"));
@@ -77,6 +112,8 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
     mesh.notes.push_back("vertex colours dropped: not every vertex has one");
   }
   note_ignored_polygons(n_ignored, mesh.notes);
+  if (has_normals) mesh.notes.push_back("vertex normals dropped: they would be wrong after a deformation");
+  mesh.shape.details = std::move(details);
   return mesh;
 }
 

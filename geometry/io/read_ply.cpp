@@ -2,11 +2,13 @@
 // http://paulbourke.net/dataformats/ply/
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_ply_header.h"
+#include "geometry/surface/mesh_details.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 
 namespace shellmatch {
 namespace {
@@ -153,38 +155,64 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
   for (const std::string& name : lists) mesh.notes.push_back("vertex lists '" + name + "' dropped");
 }
 
-void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body, MeshFile& mesh) {
+DetailColumn column_of(const PlyProperty& p) {
+  return {p.name, std::string(ply_type_name(p.type)), p.is_list ? std::string(ply_type_name(p.count_type)) : std::string()};
+}
+
+// Reads the values of a property of one item.
+void read_values(const PlyProperty& p, PlyBody& body, DetailColumn& column) {
+  for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) column.values.push_back(body.value(p.type));
+  if (p.is_list) column.ends.push_back(column.values.size());
+}
+
+// Takes the last item away.
+void drop_last(DetailColumn& column) {
+  if (column.count_type.empty()) {
+    column.values.pop_back();
+    return;
+  }
+  column.ends.pop_back();
+  column.values.resize(column.ends.empty() ? 0 : column.ends.back());
+}
+
+void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body, MeshFile& mesh, std::vector<DetailColumn>& columns) {
   const auto is_corners = [](const PlyProperty& p) {
     return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
   if (element.n_items > 0 && std::none_of(element.properties.begin(), element.properties.end(), is_corners))
     throw_input_error("{}: the faces need the property vertex_indices", body.path());
+  for (const PlyProperty& p : element.properties)
+    if (!is_corners(p)) columns.push_back(column_of(p));
   std::size_t n_ignored = 0;
   for (std::size_t f = 0; f < element.n_items; ++f) {
     body.begin_item(element, f);
     std::vector<Index> polygon;
+    std::size_t column = 0;
     for (const PlyProperty& p : element.properties) {
-      const bool corners = is_corners(p);
-      for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) {
-        if (corners)
-          add_corner(body.place(), body.integer(p.type, "a corner of a face"), n_vertices, polygon);
-        else
-          body.value(p.type);
+      if (!is_corners(p)) {
+        read_values(p, body, columns[column++]);
+        continue;
       }
+      for (std::int64_t n = body.list_length(p); n > 0; --n)
+        add_corner(body.place(), body.integer(p.type, "a corner of a face"), n_vertices, polygon);
     }
     body.end_item();
+    const std::size_t n_before = mesh.shape.polygons.size();
     add_polygon(std::move(polygon), mesh.shape, n_ignored);
+    if (mesh.shape.polygons.size() == n_before) std::for_each(columns.begin(), columns.end(), drop_last);
   }
   note_ignored_polygons(n_ignored, mesh.notes);
 }
 
-void skip(const PlyElement& element, PlyBody& body) {
+DetailTable read_element(const PlyElement& element, PlyBody& body) {
+  DetailTable table{element.name, element.n_items};
+  for (const PlyProperty& p : element.properties) table.columns.push_back(column_of(p));
   for (std::size_t i = 0; i < element.n_items && !element.properties.empty(); ++i) {
     body.begin_item(element, i);
-    for (const PlyProperty& p : element.properties)
-      for (std::int64_t n = p.is_list ? body.list_length(p) : 1; n > 0; --n) body.value(p.type);
+    for (std::size_t k = 0; k < element.properties.size(); ++k) read_values(element.properties[k], body, table.columns[k]);
     body.end_item();
   }
+  return table;
 }
 
 }  // namespace
@@ -194,6 +222,7 @@ MeshFile read_ply(const std::string& path, std::string_view bytes) {
   LineReader lines(path, bytes, '\0');
   const PlyHeader header = read_ply_header(lines);
   PlyBody body(header, lines);
+  auto details = std::make_shared<MeshDetails>();
   std::size_t n_vertices = 0;
   for (const PlyElement& element : header.elements)
     if (element.name == "vertex") n_vertices = element.n_items;
@@ -201,14 +230,16 @@ MeshFile read_ply(const std::string& path, std::string_view bytes) {
     if (element.name == "vertex") {
       read_vertices(element, body, mesh);
     } else if (element.name == "face") {
-      read_faces(element, n_vertices, body, mesh);
+      read_faces(element, n_vertices, body, mesh, details->ply_faces);
     } else if (element.name == "tristrips") {
       throw_input_error("{}: triangle strips are not supported; save the mesh with faces", path);
     } else {
-      skip(element, body);
+      details->ply_elements.push_back(read_element(element, body));
     }
   }
   body.end(header, mesh.notes);
+  details->ply_comments = header.comments;
+  mesh.shape.details = std::move(details);
   return mesh;
 }
 

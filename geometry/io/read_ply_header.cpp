@@ -1,5 +1,7 @@
 #include "geometry/io/read_ply_header.h"
 
+#include "geometry/surface/space.h"
+
 #include <iterator>
 
 namespace shellmatch {
@@ -92,7 +94,9 @@ PlyHeader read_ply_header(LineReader& lines) {
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.fail("a property comes before the first element");
       header.elements.back().properties.push_back(read_property(lines, rest));
-    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment" || keyword == "obj_info") {
+      if (space_in_comment(lines.line()) == Space::unsaid) header.comments.emplace_back(lines.line());
+    } else if (!keyword.empty()) {
       lines.fail(
           "unknown word in the header; a PLY header has format, comment, element, property and end_header");
     }

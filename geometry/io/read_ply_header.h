@@ -31,6 +31,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyForm form = PlyForm::text;
   std::vector<PlyElement> elements;
+  std::vector<std::string> comments;  ///< lines 'comment' and 'obj_info', but for that which names the frame
 };
 
 /// Reads up to "end_header". \throws InputError naming the line if it is not a valid header, or if the file

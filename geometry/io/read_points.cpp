@@ -25,11 +25,19 @@ std::vector<std::string_view> split(const LineReader& lines) {
   return words;
 }
 
+// Is it the name of a column that may hold texts?
+bool names_texts(std::string_view name) {
+  for (const std::string_view known : {"name", "label", "description", "desc"})
+    if (equals_ignoring_case(name, known)) return true;
+  return false;
+}
+
 // The names of the columns, and which of them are coordinates.
 template <int Dim>
 struct Columns {
   std::array<std::size_t, Dim> coordinates;
   std::vector<std::string> names;
+  std::vector<bool> is_text = {};  // may hold texts; if all are numbers, it holds numbers
 };
 
 constexpr std::string_view axis_names = "xyz";
@@ -68,6 +76,16 @@ Columns<Dim> unnamed_columns(std::size_t n_words, const LineReader& lines) {
   return columns;
 }
 
+// A column of numbers, unless one of its texts is none.
+VertexAttribute attribute_of(const std::string& name, std::vector<double> values, std::vector<std::string> texts) {
+  for (const std::string& text : texts) {
+    const std::optional<double> value = to_double(text);
+    if (!value) return {name, "text", {}, std::move(texts)};
+    values.push_back(*value);
+  }
+  return {name, "double", std::move(values)};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -76,11 +94,16 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
   LineReader lines(path, bytes);
   Columns<Dim> columns;
   std::vector<std::vector<double>> values;
+  std::vector<std::vector<std::string>> texts;
+  bool is_comma_separated = false;
   std::vector<Index> block;
   const auto end_block = [&] {
     if (closed && block.size() > 1 && shape.vertices[block.front()] == shape.vertices[block.back()]) {
       shape.vertices.pop_back();
-      for (auto& column : values) column.pop_back();
+      for (auto& column : values)
+        if (!column.empty()) column.pop_back();
+      for (auto& column : texts)
+        if (!column.empty()) column.pop_back();
       block.pop_back();
     }
     if (Dim == 2 && !block.empty()) shape.polygons.push_back(block);
@@ -91,17 +114,34 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
       if (!lines.only_comment()) end_block();
       continue;
     }
-    const std::vector<std::string_view> words = split(lines);
+    // Texts may hold blanks and, in quotes, commas; so may the names of columns.
+    const std::vector<std::string_view> fields = is_comma_separated || values.empty() ? csv_fields(lines.line()) : std::vector<std::string_view>();
+    const bool has_fields = is_comma_separated && fields.size() == values.size() &&
+                            std::ranges::find(columns.is_text, true) != columns.is_text.end();
+    std::vector<std::string_view> words;
+    if (has_fields) words = fields;
+    else words = split(lines);
     if (words.empty()) lines.fail("separators, but no numbers");
     if (values.empty()) {
       const bool header = !to_double(words[0]);
       columns = header ? named_columns<Dim>(words, lines) : unnamed_columns<Dim>(words.size(), lines);
       values.resize(words.size());
-      if (header) continue;
+      texts.resize(words.size());
+      is_comma_separated = header && fields.size() == words.size() && fields.size() > 1;
+      if (header) {
+        for (const std::string& name : columns.names) columns.is_text.push_back(names_texts(name));
+        for (const std::size_t c : columns.coordinates) columns.is_text[c] = false;
+        continue;
+      }
     }
     if (words.size() != values.size())
       lines.fail("{}, the lines above have {}", counted(words.size(), "column", "columns"), values.size());
+    columns.is_text.resize(words.size(), false);
     for (std::size_t c = 0; c < words.size(); ++c) {
+      if (columns.is_text[c]) {
+        texts[c].push_back(csv_text(words[c]));
+        continue;
+      }
       std::string_view word = words[c];
       values[c].push_back(lines.number_of(word, "a column"));
     }
@@ -117,7 +157,7 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
   if (shape.vertices.empty()) throw_input_error("{}: no points in it", path);
   for (std::size_t c = 0; c < values.size(); ++c)
     if (std::find(columns.coordinates.begin(), columns.coordinates.end(), c) == columns.coordinates.end())
-      shape.attributes.push_back({columns.names[c], "double", std::move(values[c])});
+      shape.attributes.push_back(attribute_of(columns.names[c], std::move(values[c]), std::move(texts[c])));
   return shape;
 }
 

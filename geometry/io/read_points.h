@@ -11,7 +11,8 @@
 namespace shellmatch {
 
 /// Reads a table. The coordinates are the columns named x, y (and z), or the first ones; further columns
-/// need names and become attributes of type double. In the plane every block of lines is a polygon; with
+/// need names and become attributes of type double; those
+/// named name, label, description or desc may hold texts, in quotes where there are commas in them, and are of type text then. In the plane every block of lines is a polygon; with
 /// `closed`, a last point that repeats the first of its block is dropped. \throws InputError naming the line
 /// where the number of columns changes or a value is not a finite number.
 template <int Dim>

@@ -5,6 +5,7 @@
 #include "geometry/io/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
+#include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_steps.h"
 
@@ -13,7 +14,7 @@
 namespace shellmatch {
 namespace {
 
-constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl";
+constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp";
 constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm";
 
 [[noreturn]] void unsupported(const InputFile& file) {
@@ -27,12 +28,17 @@ constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .p
 // The shape as it stands in the file. \pre the format is that of a mesh
 MeshFile parse_mesh(const InputFile& file) {
   const std::string bytes = file.read();
+  MeshFile mesh;
   switch (file.format()) {
-    case FileFormat::obj: return read_obj(file.path(), bytes);
-    case FileFormat::off: return read_off(file.path(), bytes);
-    case FileFormat::ply: return read_ply(file.path(), bytes);
-    default: return read_stl(file.path(), bytes);
+    case FileFormat::obj: mesh = read_obj(file.path(), bytes); break;
+    case FileFormat::off: mesh = read_off(file.path(), bytes); break;
+    case FileFormat::ply: mesh = read_ply(file.path(), bytes); break;
+    case FileFormat::vtk: mesh.shape = read_legacy_vtk(file.path(), bytes, mesh.notes); return mesh;
+    case FileFormat::vtp: mesh.shape = read_vtp(file.path(), bytes, mesh.notes); return mesh;
+    default: mesh = read_stl(file.path(), bytes);
   }
+  if (mesh.shape.space == Space::unsaid) mesh.shape.space = space_of_mesh(bytes);
+  return mesh;
 }
 
 // The same of an outline or a mask. \param closed as of read_points

@@ -2,7 +2,7 @@
 /// \file
 /// Reading of shapes: what a file name stands for, and a closed surface out of it.
 ///
-/// In space: meshes .obj, .off, .ply, .stl. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
+/// In space: meshes .obj, .off, .ply, .stl, .vtk, .vtp. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
 /// separated by blank lines) and masks .png, .pgm (bright on dark).
 
 #include "geometry/repair/repair.h"

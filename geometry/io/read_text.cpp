@@ -53,6 +53,40 @@ std::string_view next_word(std::string_view& rest, std::string_view separators) 
   return word;
 }
 
+std::vector<std::string_view> csv_fields(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    std::size_t comma = 0;
+    // A pair of quotes within quotes closes and opens them.
+    for (bool is_quoted = false; comma < line.size() && (is_quoted || line[comma] != ','); ++comma)
+      if (line[comma] == '"' && (is_quoted || line.front() == '"')) is_quoted = !is_quoted;
+    const std::string_view field = line.substr(0, comma);
+    fields.push_back(field.substr(0, field.find_last_not_of(blanks) + 1));
+    if (comma >= line.size()) return fields;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::string csv_text(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"') return std::string(field);
+  std::string text;
+  field = field.substr(1, field.size() - 2);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    if (field[i] == '"' && i + 1 < field.size() && field[i + 1] == '"') ++i;
+    text.push_back(field[i]);
+  }
+  return text;
+}
+
+std::string csv_field(std::string_view text) {
+  const bool has_blank_ends = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  if (!has_blank_ends && text.find_first_of(",;\"#\t\r\n") == text.npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
+  return field + '"';
+}
+
 LineReader::LineReader(std::string path, std::string_view text, char comment)
     : path_(std::move(path)), text_(text), comment_(comment) {
   // A byte order mark is no part of the first word.

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shellmatch {
 
@@ -24,6 +25,13 @@ bool equals_ignoring_case(std::string_view text, std::string_view lower_case_wor
 
 /// Cuts the next word off the front of `rest`; empty where there is none.
 std::string_view next_word(std::string_view& rest, std::string_view separators = " \t");
+
+/// The fields of a line between commas, without blanks at their ends; a field in quotes may hold commas, and quotes as "".
+std::vector<std::string_view> csv_fields(std::string_view line);
+/// The text of such a field, without its quotes.
+std::string csv_text(std::string_view field);
+/// The text as such a field, in quotes where it needs them.
+std::string csv_field(std::string_view text);
 
 /// The lines of a text one by one; ends of line may be LF, CR LF or CR. Keeps a view of the text.
 class LineReader {

@@ -3,7 +3,10 @@
 #include "base/error.h"
 #include "base/replace_file.h"
 #include "geometry/io/input_file.h"
+#include "geometry/io/read_text.h"
+#include "geometry/polydata/write_polydata.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/surface/mesh_details.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +22,7 @@ namespace {
 template <int Dim>
 void check_attributes(const OriginalShape<Dim>& shape) {
   for (const VertexAttribute& attribute : shape.attributes)
-    SHELLMATCH_CHECK(attribute.values.size() == shape.vertices.size(),
+    SHELLMATCH_CHECK((attribute.type == "text" ? attribute.texts.size() : attribute.values.size()) == shape.vertices.size(),
                      "an attribute has one value for each vertex");
 }
 
@@ -28,7 +31,7 @@ void append_point_line(std::string& text, const OriginalShape<Dim>& shape, std::
   for (int k = 0; k < Dim; ++k)
     text += fmt::format("{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
   for (const VertexAttribute& a : shape.attributes)
-    text += fmt::format(",{}", a.values[v]);
+    text += a.type == "text" ? "," + csv_field(a.texts[v]) : fmt::format(",{}", a.values[v]);
   text.push_back('\n');
 }
 
@@ -56,8 +59,30 @@ const VertexAttribute* attribute_named(const OriginalShape<3>& shape, std::strin
   return nullptr;
 }
 
+// The file that was read, with other coordinates.
+std::string obj_as_read(const OriginalShape<3>& shape) {
+  std::string text = space_comment("# ", shape.space);
+  std::string_view rest = shape.details->obj_text;
+  std::size_t v = 0;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end, rest.size() - 1) + 1);
+    if (line.starts_with("v") && (line.size() == 1 || line[1] == ' ' || line[1] == '\t')) {
+      SHELLMATCH_CHECK(v < shape.vertices.size(), "the text of a shape has a line for each of its vertices");
+      text += fmt::format("v {} {} {}", shape.vertices[v].x(), shape.vertices[v].y(), shape.vertices[v].z());
+      ++v;
+      line.remove_prefix(1);
+    }
+    text.append(line).push_back('\n');
+  }
+  SHELLMATCH_CHECK(v == shape.vertices.size(), "the text of a shape has a line for each of its vertices");
+  return text;
+}
+
 void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
-  std::string text;
+  if (shape.details && !shape.details->obj_text.empty()) return publish_file(path, existing, obj_as_read(shape));
+  std::string text = space_comment("# ", shape.space);
   const VertexAttribute* const colours[] = {attribute_named(shape, "red"), attribute_named(shape, "green"),
                                             attribute_named(shape, "blue")};
   const bool coloured = colours[0] && colours[1] && colours[2];
@@ -78,7 +103,7 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing 
 }
 
 void write_off(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
-  std::string text = fmt::format("OFF\n{} {} 0\n", shape.vertices.size(), shape.polygons.size());
+  std::string text = fmt::format("OFF\n{}{} {} 0\n", space_comment("# ", shape.space), shape.vertices.size(), shape.polygons.size());
   for (const Vec<3>& x : shape.vertices)
     text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   for (const std::vector<Index>& polygon : shape.polygons) {
@@ -93,7 +118,9 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
   if (shape.polygons.empty())
     throw_input_error("{}: points without faces cannot be written as STL; use .ply or .csv", path);
   const Triangles triangles = triangulate(shape);
-  std::string bytes(80, ' ');
+  std::string bytes = space_comment("", shape.space);
+  if (!bytes.empty()) bytes.back() = ' ';
+  bytes.resize(80, ' ');
   const auto append = [&](const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   };
@@ -113,6 +140,28 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
 void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing) { write_csv(path, shape, existing); }
 void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Existing existing) { write_csv(path, shape, existing); }
 
+std::vector<std::string> left_out(const std::string& path, const OriginalShape<3>& shape) {
+  const std::string extension = file_extension(path);
+  const bool has_columns = extension == ".ply" || extension == ".vtk" || extension == ".vtp" || extension == ".csv";
+  std::vector<std::string> lost, names;
+  for (const VertexAttribute& a : shape.attributes) {
+    const bool is_colour = extension == ".obj" && (a.name == "red" || a.name == "green" || a.name == "blue");
+    if (a.type == "text" ? extension != ".csv" : !has_columns && !is_colour) names.push_back(a.name);
+  }
+  if (!names.empty()) lost.push_back(fmt::format("the columns {}", fmt::join(names, ", ")));
+  if (extension == ".csv" && !shape.polygons.empty()) lost.emplace_back("faces");
+  if (!shape.details) return lost;
+  const MeshDetails& d = *shape.details;
+  const auto has_statement = [&](std::string_view word) { return d.obj_text.starts_with(word) || d.obj_text.find("\n" + std::string(word)) != std::string::npos; };
+  if (extension != ".obj")
+    for (const auto& [word, what] : {std::pair{"vt ", "texture coordinates"}, {"g ", "groups"}, {"o ", "objects"}, {"usemtl ", "materials"}, {"l ", "lines"}})
+      if (has_statement(word)) lost.emplace_back(what);
+  if (extension == ".ply") return lost;
+  for (const DetailColumn& c : d.ply_faces) lost.push_back(fmt::format("the property {} of the faces", c.name));
+  for (const DetailTable& t : d.ply_elements) lost.push_back(fmt::format("the elements {}", t.name));
+  return lost;
+}
+
 void write_shape(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   check_attributes(shape);
   const std::string extension = file_extension(path);
@@ -121,7 +170,9 @@ void write_shape(const std::string& path, const OriginalShape<3>& shape, Existin
   if (extension == ".obj") return write_obj(path, shape, existing);
   if (extension == ".off") return write_off(path, shape, existing);
   if (extension == ".stl") return write_stl(path, shape, existing);
-  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl or .csv, not as '{}'", path, extension);
+  if (extension == ".vtk") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::legacy));
+  if (extension == ".vtp") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::xml));
+  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl, .vtk, .vtp or .csv, not as '{}'", path, extension);
 }
 
 }  // namespace shellmatch

@@ -14,8 +14,8 @@ namespace shellmatch {
 using Triangles = std::vector<std::array<Index, 3>>;
 
 /// Triangulates every polygon: convex ones as fans, others by ear clipping. Repeated consecutive corners are
-/// ignored.
-Triangles triangulate(const OriginalShape<3>& shape);
+/// ignored. \param polygon_of takes for each triangle the number of its polygon
+Triangles triangulate(const OriginalShape<3>& shape, std::vector<Index>* polygon_of = nullptr);
 
 /// Merges vertices with equal coordinates on boundary edges; returns the number of vertices merged; they stay until remove_unused_vertices(). Vertices
 /// inside a closed part are not merged, because contact there is not a seam.

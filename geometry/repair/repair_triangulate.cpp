@@ -72,25 +72,26 @@ void clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, 
 
 }  // namespace
 
-Triangles triangulate(const OriginalShape<3>& shape) {
+Triangles triangulate(const OriginalShape<3>& shape, std::vector<Index>* polygon_of) {
   Triangles triangles;
   std::vector<Index> corners;
-  for (const std::vector<Index>& polygon : shape.polygons) {
+  for (std::size_t p = 0; p < shape.polygons.size(); ++p) {
     corners.clear();
-    for (const Index v : polygon)
+    for (const Index v : shape.polygons[p])
       if (corners.empty() || corners.back() != v) corners.push_back(v);
     while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    std::vector<Vec<2>> flat;
     if (corners.size() > 3) {
       std::vector<Vec<3>> x;
       for (const Index v : corners) x.push_back(shape.vertices[v]);
-      const std::vector<Vec<2>> flat = flattened(x);
-      if (!is_convex(flat)) {
-        clip_ears(flat, corners, triangles);
-        continue;
-      }
+      flat = flattened(x);
     }
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      triangles.push_back({corners[0], corners[k], corners[k + 1]});
+    if (!flat.empty() && !is_convex(flat)) {
+      clip_ears(flat, corners, triangles);
+    } else {
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k) triangles.push_back({corners[0], corners[k], corners[k + 1]});
+    }
+    if (polygon_of) polygon_of->resize(triangles.size(), static_cast<Index>(p));
   }
   return triangles;
 }

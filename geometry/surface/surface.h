@@ -4,9 +4,11 @@
 /// from the file, in which results are returned.
 
 #include "base/types.h"
+#include "geometry/surface/space.h"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,10 @@ struct VertexAttribute {
   std::string name;              ///< as in the file, "red" or "quality"
   std::string type = "float";    ///< PLY type of the values in the output: "uchar", "int", "double"
   std::vector<double> values;    ///< one for each original vertex
+  std::vector<std::string> texts = {};  ///< in place of values, where the type is "text"
 };
+
+struct MeshDetails;
 
 /// A shape as read from the file: vertices in their order, polygons not triangulated, attributes kept.
 template <int Dim>
@@ -34,6 +39,8 @@ struct OriginalShape {
   std::vector<Vec<Dim>> vertices;
   std::vector<std::vector<Index>> polygons;  ///< in the plane: the rings, without repeating the first point
   std::vector<VertexAttribute> attributes;
+  std::shared_ptr<const MeshDetails> details = {};  ///< what else is in the file (geometry/surface/mesh_details.h)
+  Space space = Space::unsaid;  ///< the frame of the coordinates, where the file names it
 };
 
 /// A shape ready for matching. `surface` is closed, welded and oriented outward.

@@ -17,6 +17,26 @@ Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Si
   return placement;
 }
 
+template <int Dim>
+void share_space(ShapePair<Dim>& pair, Observer& observer) {
+  OriginalShape<Dim>&reference = pair.reference.original, &template_shape = pair.template_shape.original;
+  const auto adopt = [&](const Shape<Dim>& silent, const Shape<Dim>& other) {
+    observer.note(fmt::format("{}: names no frame; taken to be {}, as {} is", silent.source, space_name(other.original.space), other.source));
+    return other.original.space;
+  };
+  if (reference.space == Space::unsaid && template_shape.space != Space::unsaid) reference.space = adopt(pair.reference, pair.template_shape);
+  if (template_shape.space == Space::unsaid && reference.space != Space::unsaid) template_shape.space = adopt(pair.template_shape, pair.reference);
+  pair.reference_file_space = reference.space;
+  if constexpr (Dim == 3) {
+    // A turn by half a circle about the z axis: facets stay outward.
+    if (!change_space(reference.vertices, reference.space, template_shape.space)) return;
+    change_space(pair.reference.surface.vertices, reference.space, template_shape.space);
+    observer.note(fmt::format("{}: from {} to {}, the frame of {}: x and y change their sign", pair.reference.source,
+                              space_name(reference.space), space_name(template_shape.space), pair.template_shape.source));
+    reference.space = template_shape.space;
+  }
+}
+
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
   AnyShape reference = open_shape(input.reference, input.close);
   AnyShape template_shape = open_shape(input.template_file, input.close);
@@ -29,10 +49,14 @@ AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
                       input.reference, reference.index() + 2, input.template_file, template_shape.index() + 2);
   if (reference.index() == 0)
     return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
-  return ShapePair<3>{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
+  ShapePair<3> pair{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
+  share_space(pair, observer);
+  return pair;
 }
 
 template struct ShapePair<2>;
 template struct ShapePair<3>;
+template void share_space<2>(ShapePair<2>&, Observer&);
+template void share_space<3>(ShapePair<3>&, Observer&);
 
 }  // namespace shellmatch

@@ -14,6 +14,8 @@ namespace shellmatch {
 template <int Dim>
 struct ShapePair {
   Shape<Dim> reference, template_shape;
+  /// The frame of the reference's file, where the shapes name one; in that of the template (`original.space`) both are.
+  Space reference_file_space = Space::unsaid;
 
   /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns the
   /// similarity that does the latter.
@@ -23,7 +25,12 @@ struct ShapePair {
 
 using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;
 
-/// Reads both shapes and reports their repairs to the observer. \throws InputError, also for shapes of different
+/// Brings the reference into the frame of the template, where both name one and it is not the same; a shape that names none is
+/// in the frame of the other. Surfaces are in the user's coordinates. The observer is told.
+template <int Dim>
+void share_space(ShapePair<Dim>& pair, Observer& observer);
+
+/// Reads both shapes, brings them into one frame and reports their repairs to the observer. \throws InputError, also for shapes of different
 /// dimensions
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
 

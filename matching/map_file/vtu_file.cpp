@@ -1,8 +1,8 @@
 #include "matching/map_file/vtu_file.h"
 
 #include "base/error.h"
-#include "matching/map_file/inflate.h"
-#include "matching/map_file/xml_head.h"
+#include "geometry/polydata/inflate.h"
+#include "geometry/polydata/xml_head.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,10 @@
 #include "matching/pairs/landmark_file.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
+#include "matching/pairs/slicer_points.h"
 
 #include <algorithm>
 #include <array>
@@ -19,16 +21,8 @@ constexpr std::array axes = {"x", "y", "z"};
 
 std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    std::string_view field = line.substr(0, comma);
-    const std::size_t first = field.find_first_not_of(" \t");
-    field = first == std::string_view::npos ? "" : field.substr(first, field.find_last_not_of(" \t") - first + 1);
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-    fields.emplace_back(field);
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
+  for (const std::string_view field : csv_fields(line)) fields.push_back(csv_text(field));
+  return fields;
 }
 
 /// A line of a file with the column names of its head line.
@@ -59,8 +53,9 @@ class Row {
     return value;
   }
   /// The point of the columns vertexS or xS, yS (and zS) for a suffix S.
+  /// Coordinates are converted from one frame to the other.
   template <int Dim>
-  Vec<Dim> point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices) const {
+  Vec<Dim> point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to) const {
     const std::string vertex = "vertex" + suffix;
     if (const std::string* text = find(vertex)) {
       const auto index = to_integer(*text);
@@ -71,6 +66,7 @@ class Row {
     }
     Vec<Dim> x;
     for (int k = 0; k < Dim; ++k) x[k] = number(axes[static_cast<std::size_t>(k)] + suffix);
+    if constexpr (Dim == 3) return in_space(x, from, to);
     return x;
   }
   const LineReader& reader() const { return reader_; }
@@ -116,7 +112,10 @@ void for_each_row(const std::string& path, const std::vector<std::string>& suffi
   const std::string text = InputFile(path).read();
   LineReader reader(path, text);
   if (!reader.next()) throw_input_error("{}: holds no landmark; expected a head line with the names of the columns", path);
-  const std::vector<std::string> columns = fields_of(reader.line());
+  std::vector<std::string> columns = fields_of(reader.line());
+  for (std::string& column : columns)
+    for (const std::string_view known : {"name", "label"})
+      if (equals_ignoring_case(column, known)) column = "name";
   check_columns<Dim>(reader, columns, suffixes, names_needed);
   std::map<std::string, std::size_t> line_of;
   while (reader.next()) {
@@ -131,6 +130,98 @@ void for_each_row(const std::string& path, const std::vector<std::string>& suffi
   if (line_of.empty()) throw_input_error("{}: holds no landmark besides its head line", path);
 }
 
+/// A point of one shape.
+template <int Dim>
+struct NamedPoint {
+  std::string name;
+  Vec<Dim> point;
+  std::string place;
+  std::optional<double> weight = {}, deviation = {};
+};
+
+std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes) {
+  const SlicerPoints file = read_slicer_points(path);
+  std::vector<NamedPoint<3>> points;
+  std::map<std::string, std::string> place_of;
+  for (const SlicerPoint& point : file.points) {
+    if (!point.has_position) continue;
+    if (point.name.empty()) throw_input_error("{}: the label is empty, by which points of two files belong together", point.place);
+    if (const auto [at, is_new] = place_of.emplace(point.name, point.place); !is_new)
+      throw_input_error("{}: the name '{}' stands in {} already", point.place, point.name, at->second);
+    points.push_back({point.name, in_space(point.position, point.space, or_default(shapes)), point.place});
+  }
+  if (points.empty()) throw_input_error("{}: none of its control points has a position", path);
+  if (points.size() < file.points.size())
+    notes.push_back(fmt::format("{}: {} without position left out", path, counted(file.points.size() - points.size(), "point", "points")));
+  if (std::string note = space_note(file, or_default(shapes)); !note.empty()) notes.push_back(std::move(note));
+  return points;
+}
+
+/// The points of a file that holds those of one shape. \param file_space of coordinates whose file names no frame
+template <int Dim>
+std::vector<NamedPoint<Dim>> named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
+                                          Space shapes, std::vector<std::string>& notes) {
+  if (is_slicer_file(path)) {
+    if constexpr (Dim == 3) return slicer_landmarks(path, shapes, notes);
+    else throw_input_error("{}: holds points of space, but the shapes are of the plane; give a CSV file", path);
+  }
+  std::vector<NamedPoint<Dim>> points;
+  for_each_row<Dim>(path, {""}, true, [&](const Row& row, const std::string& name) {
+    NamedPoint<Dim> point{name, row.point<Dim>("", vertices, file_space, shapes), row.place()};
+    if (row.find("sd")) point.deviation = row.positive("sd");
+    if (row.find("weight")) point.weight = row.positive("weight");
+    points.push_back(std::move(point));
+  });
+  return points;
+}
+
+/// The landmarks of a file that holds the points of both shapes.
+template <int Dim>
+std::vector<Landmark<Dim>> landmarks_of_both(const std::string& path, const std::vector<Vec<Dim>>& reference,
+                                             const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
+                                             bool& has_deviations) {
+  if (is_slicer_file(path))
+    throw_input_error("{}: holds points of one shape; give those of the template, too (--template-landmarks)", path);
+  std::vector<Landmark<Dim>> landmarks;
+  for_each_row<Dim>(path, {"1", "2"}, false, [&](const Row& row, const std::string& name) {
+    Landmark<Dim> landmark{name, row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes),
+                          row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes)};
+    has_deviations = row.find("sd") != nullptr;
+    if (has_deviations) landmark.weight = row.positive("sd");
+    if (row.find("weight")) landmark.weight = row.positive("weight");
+    landmark.reference_origin = landmark.template_origin = row.place();
+    landmarks.push_back(std::move(landmark));
+  });
+  return landmarks;
+}
+
+/// The landmarks of two files, which belong together by name.
+template <int Dim>
+std::vector<Landmark<Dim>> landmarks_of_each(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
+                                             const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
+                                             bool& has_deviations, std::vector<std::string>& notes) {
+  std::map<std::string, Landmark<Dim>*> landmark_of;
+  const std::vector<NamedPoint<Dim>> here = named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes);
+  std::vector<Landmark<Dim>> landmarks;
+  landmarks.reserve(here.size());  // the map keeps addresses
+  for (const NamedPoint<Dim>& point : here) {
+    has_deviations = point.deviation.has_value();
+    landmarks.push_back({point.name, point.point, {}, point.deviation.value_or(point.weight.value_or(1)), point.place, {}});
+    landmark_of[point.name] = &landmarks.back();
+  }
+  for (const NamedPoint<Dim>& point : named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes)) {
+    const auto at = landmark_of.find(point.name);
+    if (at == landmark_of.end()) throw_input_error("{}: the name '{}' is unknown to {}", point.place, point.name, options.file);
+    if (point.weight || point.deviation) throw_input_error("{}: weights stand in {}", point.place, options.file);
+    at->second->on_template = point.point;
+    at->second->template_origin = point.place;
+  }
+  for (const Landmark<Dim>& landmark : landmarks)
+    if (landmark.template_origin.empty())
+      throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name, options.template_file);
+  return landmarks;
+}
+
 /// Standard deviations become weights 1 / sd^2, scaled to a mean of 1.
 template <int Dim>
 void weigh_by_deviations(std::vector<Landmark<Dim>>& landmarks) {
@@ -143,54 +234,26 @@ void weigh_by_deviations(std::vector<Landmark<Dim>>& landmarks) {
 
 template <int Dim>
 std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
-                                          const std::vector<Vec<Dim>>& template_shape) {
-  std::vector<Landmark<Dim>> landmarks;
+                                          const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
+                                          std::vector<std::string>* notes) {
   if (options.file.empty()) {
     if (!options.template_file.empty())
       throw_input_error("landmarks.template_file: {}: landmarks.file, the points of the reference, is missing", options.template_file);
-    return landmarks;
+    return {};
   }
-  const bool one_file = options.template_file.empty();
   bool has_deviations = false;
-  std::map<std::string, std::size_t> line_of;
-  for_each_row<Dim>(options.file, one_file ? std::vector<std::string>{"1", "2"} : std::vector<std::string>{""}, !one_file,
-                    [&](const Row& row, const std::string& name) {
-                      Landmark<Dim> landmark{name, row.point<Dim>(one_file ? "1" : "", reference), Vec<Dim>::Zero()};
-                      if (one_file) landmark.on_template = row.point<Dim>("2", template_shape);
-                      has_deviations = row.find("sd") != nullptr;
-                      if (has_deviations) landmark.weight = row.positive("sd");
-                      if (row.find("weight")) landmark.weight = row.positive("weight");
-                      line_of[name] = row.reader().number();
-                      landmark.reference_origin = landmark.template_origin = row.place();
-                      landmarks.push_back(std::move(landmark));
-                    });
-  if (!one_file) {
-    struct Found {
-      Vec<Dim> point;
-      std::string place;
-    };
-    std::map<std::string, Found> there;
-    for_each_row<Dim>(options.template_file, {""}, true, [&](const Row& row, const std::string& name) {
-      if (!line_of.contains(name)) row.reader().fail("the name '{}' is unknown to {}", name, options.file);
-      if (row.find("sd") || row.find("weight")) row.reader().fail("weights stand in {}", options.file);
-      there[name] = {row.point<Dim>("", template_shape), row.place()};
-    });
-    for (auto& landmark : landmarks) {
-      const auto at = there.find(landmark.name);
-      if (at == there.end())
-        throw_input_error("{}, line {}: the name '{}' is unknown to {}", options.file, line_of[landmark.name], landmark.name,
-                          options.template_file);
-      landmark.on_template = at->second.point;
-      landmark.template_origin = at->second.place;
-    }
-  }
+  std::vector<std::string> own_notes;
+  std::vector<Landmark<Dim>> landmarks =
+      options.template_file.empty()
+          ? landmarks_of_both<Dim>(options.file, reference, template_shape, spaces, has_deviations)
+          : landmarks_of_each<Dim>(options, reference, template_shape, spaces, has_deviations, notes ? *notes : own_notes);
   if (has_deviations) weigh_by_deviations(landmarks);
   return landmarks;
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,         \
-                                                          const std::vector<Vec<Dim>>&)
+                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

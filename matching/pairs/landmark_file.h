@@ -1,20 +1,36 @@
 #pragma once
 /// \file
-/// Landmarks from CSV files (docs/landmarks.md).
+/// Landmarks from CSV files and from 3D Slicer's markups (docs/landmarks.md).
 
+#include "matching/input/shape_pair.h"
 #include "matching/pairs/landmarks.h"
 
+#include <string>
 #include <vector>
 
 namespace shellmatch {
 
+/// The frames of the coordinates of shapes, unsaid where they name none.
+struct LandmarkSpaces {
+  Space reference_file = Space::unsaid;  ///< of the reference as it stands in its file
+  Space shapes = Space::unsaid;          ///< of both shapes as they are matched
+};
+
+template <int Dim>
+LandmarkSpaces landmark_spaces(const ShapePair<Dim>& shapes) {
+  return {shapes.reference_file_space, shapes.template_shape.original.space};
+}
+
 /// Reads the landmarks that the options name: one file with columns `x1,y1[,z1]` or `vertex1` and `x2,y2[,z2]` or
 /// `vertex2`, or two files with columns `name` and `x,y[,z]` or `vertex` each; a column `weight` or `sd` of the first
-/// file weighs them, and `name` names them. None where the options name no file.
-/// \param reference, template_shape vertices as in the files of the shapes, to which indices from 0 refer
+/// file weighs them, and `name` names them. Either of two files may be one of 3D Slicer's (matching/pairs/slicer_points.h);
+/// its points are converted to the frame of the shapes. None where the options name no file.
+/// \param reference, template_shape vertices in the order of the shapes' files, to which indices from 0 refer
+/// \param notes takes a line for each file that was converted or has points without position
 /// \throws InputError with file and line
 template <int Dim>
 std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
-                                          const std::vector<Vec<Dim>>& template_shape);
+                                          const std::vector<Vec<Dim>>& template_shape,
+                                          const LandmarkSpaces& spaces = {}, std::vector<std::string>* notes = nullptr);
 
 }  // namespace shellmatch

@@ -85,14 +85,13 @@ std::vector<double> vertex_measures(const OriginalShape<Dim>& shape) {
   return sum;
 }
 
-/// Appends an attribute. Those of the same name go: a result that is used as a reference has those of its own matching.
+}  // namespace
+
 template <int Dim>
 void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute) {
   std::erase_if(shape.attributes, [&](const VertexAttribute& a) { return a.name == attribute.name; });
   shape.attributes.push_back(std::move(attribute));
 }
-
-}  // namespace
 
 template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
@@ -122,6 +121,7 @@ Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& gri
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                                             \
   template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
   template Surface<Dim> surface_before<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
   template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \

@@ -23,6 +23,10 @@ Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& 
 template <int Dim>
 Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
+/// Appends an attribute. Those of the same name go: a result that is used as a reference has those of its own matching.
+template <int Dim>
+void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute);
+
 /// The reference as it was read, carried to the template, with the additional attributes distance_to_template (user's
 /// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names. Without
 /// an image, see surface_before().

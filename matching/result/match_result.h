@@ -27,8 +27,11 @@ struct MatchResult {
   /// `map.apply(x)` unless the matching was solved backward (align.direction).
   Deformation<Dim> map;
   /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
-  /// distance_to_template (unit of the shapes) and area_ratio (length_ratio in the plane).
+  /// distance_to_template (unit of the shapes), area_ratio (length_ratio in the plane), and those of the nearest point of the
+  /// template (matching/result/nearest_faces.h).
   OriginalShape<Dim> deformed;
+  /// The template as it was given, with the additional attribute distance_to_deformed (unit of the shapes).
+  OriginalShape<Dim> template_shape;
   /// Distances in both directions, folds, distortion, energies and costs of every level. `summary.interrupted` says
   /// that an observer stopped the matching; the result is then that of the last step.
   MatchSummary summary;

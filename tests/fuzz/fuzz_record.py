@@ -12,7 +12,10 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 IO = "geometry/io/read_"
 READERS = {
     "obj": [IO + "obj.cpp", IO + "mesh_formats.cpp", IO + "text.cpp"], "off": [IO + "off.cpp"],
-    "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"], "points2": [IO + "points.cpp"],
+    "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"],
+    "vtk": ["geometry/polydata/legacy_file.cpp", "geometry/polydata/legacy_scanner.cpp", "geometry/polydata/polydata.cpp"],
+    "vtp": ["geometry/polydata/xml_file.cpp", "geometry/polydata/xml_array.cpp", "geometry/polydata/value_type.cpp"],
+    "points2": [IO + "points.cpp"],
     "points3": [IO + "points.cpp"], "png": [IO + "png.cpp"], "pgm": [IO + "pgm.cpp", IO + "mask.cpp"],
     "repair3": ["geometry/repair/repair.cpp", "geometry/repair/repair_steps.cpp", "geometry/repair/repair_triangulate.cpp",
                 "geometry/repair/make_shape.cpp", "geometry/repair/cgal_repair.cpp", "geometry/repair/cgal_repair_flat.cpp",
@@ -21,11 +24,12 @@ READERS = {
     "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/yaml_syntax.cpp", "matching/experiment/option_text.cpp"],
     "experiment": ["matching/experiment/yaml_options.cpp", "matching/experiment/level_overrides.cpp"],
     "study": ["studies/study_file.cpp"],
-    "map": ["matching/map_file/vtu_file.cpp", "matching/map_file/xml_head.cpp", "matching/map_file/read_deformation.cpp",
+    "map": ["matching/map_file/vtu_file.cpp", "geometry/polydata/xml_head.cpp", "matching/map_file/read_deformation.cpp",
             "matching/output/file_checksum.cpp"],
     "history": ["matching/output/history_file.cpp"], "summary": ["matching/output/json_summary.cpp"],
     "manifest": ["matching/checkpoint/json_checkpoint_manifest.cpp"], "files": ["matching/output/json_written_files.cpp"],
     "run_result": ["studies/execution/json_run_result.cpp"], "landmarks": ["matching/pairs/landmark_file.cpp"],
+    "fcsv": ["matching/pairs/fcsv_points.cpp"], "markups": ["matching/pairs/json_markups.cpp"],
     "correspondence": ["matching/result/correspondence.cpp"],
 }
 BEGIN, END = "<!-- table of scripts/fuzz -->", "<!-- end of the table of scripts/fuzz -->"

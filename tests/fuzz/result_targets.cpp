@@ -6,6 +6,7 @@
 #include "matching/output/summary.h"
 #include "matching/output/written_files.h"
 #include "matching/pairs/landmark_file.h"
+#include "matching/pairs/slicer_points.h"
 #include "matching/result/correspondence.h"
 #include "studies/execution/run_result.h"
 #include "tests/fuzz/memory_file.h"
@@ -132,6 +133,28 @@ void read_landmark_files(std::string_view bytes) {
   if (parts.size() > 1) options.template_file = other.path();
   both([&] { check_landmarks<2>(options); }, [&] { check_landmarks<3>(options); });
 }
+
+namespace {
+
+// Points that are put back where they were are read again where they were.
+void check_slicer_points(SlicerPoints file, auto parse) {
+  file.points = parse(file.path, file.text);
+  std::vector<Vec<3>> positions;
+  for (const SlicerPoint& p : file.points) {
+    demand(p.position.allFinite() && p.space != Space::unsaid, "control points are finite, in a frame");
+    positions.push_back(p.position);
+  }
+  const std::vector<SlicerPoint> again = parse(file.path, with_positions(file, positions));
+  demand(again.size() == file.points.size(), "a file of control points that is written is read back");
+  for (std::size_t i = 0; i < again.size(); ++i)
+    demand(again[i].position == positions[i] && again[i].name == file.points[i].name && again[i].space == file.points[i].space,
+           "control points go out as they came in");
+}
+
+}  // namespace
+
+void read_fcsv_file(std::string_view bytes) { check_slicer_points({"input.fcsv", std::string(bytes), {}}, parse_fcsv); }
+void read_markups_file(std::string_view bytes) { check_slicer_points({"input.mrk.json", std::string(bytes), {}}, parse_markups); }
 
 void read_correspondence_file(std::string_view bytes) {
   const MemoryFile file(bytes);

@@ -1,4 +1,5 @@
 """The inputs that fuzzing begins with, one or a few of each form of each format, and words that stand in the formats."""
+import base64
 import re
 import struct
 import zlib
@@ -18,6 +19,7 @@ def mesh_seeds():
         "obj": [("o a\nmtllib m\n" + "".join("v " + text(p) for p in points) + "vt 0 0\nvn 0 0 1\ns 1\n" +
                  "".join("f " + " ".join(f"{v + 1}/1/1" for v in f) + "\n" for f in faces)).encode(),
                 ("".join("v " + text(p + (0.1, 0.2, 0.3)) for p in points) + "f -1 -2 -3\nf 1//1 2//1 \\\n3//1\nl 1 2\n").encode(),
+                b"# SPACE=LPS\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl a\\\nb\nf 1//1 2//1 3//1\n",
                 b"f 1 2 3\nf 1 2\nv 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0\n"],
         "off": [("OFF\n4 4 0\n" + "".join(map(text, points)) + "".join("3 " + text(f) for f in faces)).encode(),
                 ("COFF 4 4 6 # a\n" + "".join(text(p + (1, 2, 3, 4)) for p in points) + "".join("3 " + text(f + (255, 0, 0)) for f in faces)).encode(),
@@ -103,6 +105,56 @@ def map_seeds():
         b" -->\n"]
 
 
+def polydata_seeds():
+    """Both forms of VTK's legacy format, old and new lists of cells; its XML format with text, base64 and raw values."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    head = "# vtk DataFile Version 3.0\na SPACE=LPS\n{}\nDATASET POLYDATA\n"
+    flat = lambda rows: " ".join(str(v) for row in rows for v in row)
+    text = (head.format("ASCII") + f"POINTS 4 float\n{flat(points)}\nMETADATA\nINFORMATION 0\n\nVERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\n"
+            f"POLYGONS 4 16\n{flat((3,) + f for f in faces)}\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\nCELL_DATA 7\nSCALARS c int\nLOOKUP_TABLE default\n1 1 1 1 1 1 1\n"
+            "POINT_DATA 4\nSCALARS a double 2\nLOOKUP_TABLE t\n1 2 3 4 5 6 7 8\nLOOKUP_TABLE t 1\n0 0 0 1\nCOLOR_SCALARS RGB 3\n1 0 0 1 0 0 1 0 0 1 0 0\n"
+            "VECTORS v float\n0 0 0 0 0 0 0 0 0 0 0 0\nNORMALS n float\n0 0 0 0 0 0 0 0 0 0 0 0\nTEXTURE_COORDINATES t 2 float\n0 0 0 0 0 0 0 0\n"
+            "FIELD f 3\nNULL_ARRAY\nb 1 4 unsigned_char\n1 2 3 4\ns 1 4 string\na\nb\nc\nd\n").encode()
+    new = (head.format("ASCII") + f"FIELD FieldData 1\nx 1 1 bit\n1\nPOINTS 4 double\n{flat(points)}\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\n"
+           f"CONNECTIVITY vtktypeint64\n{flat(faces)}\nPOINT_DATA 4\nGLOBAL_IDS g vtkIdType\n1 2 3 4\n").encode()
+    binary = (head.format("BINARY").encode() + b"POINTS 4 float\n" + struct.pack(">12f", *(v for p in points for v in p)) + b"\nPOLYGONS 4 16\n" +
+              b"".join(struct.pack(">4i", 3, *f) for f in faces) + b"\nPOINT_DATA 4\nSCALARS a bit 1\nLOOKUP_TABLE default\n\xf0\nFIELD f 1\ns 1 2 string\n\xc1a\xc1b\n")
+    grid = (b"# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nCELLS 5 20\n3 0 1 2\n4 0 1 2 3\n3 1 3 2\n"
+            b"1 0\n4 0 1 2 3\nCELL_TYPES 5\n5 8 7 1 6\n")
+    array = lambda kind, name, n, values, form="ascii", more="": (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{n}" format="{form}"{more}>' + values + "</DataArray>")
+
+    def vtp(encode, root=""):
+        parts = [encode("Float64", "Points", 3, [v for p in points for v in p]), encode("Int32", "connectivity", 1, [v for f in faces for v in f]),
+                 encode("Int64", "offsets", 1, [3, 6, 9, 12]), encode("UInt8", "RGB", 3, [7] * 12)]
+        return (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="LittleEndian"{root}><PolyData><FieldData><Array type="String" Name="SPACE" '
+                f'NumberOfTuples="1" format="ascii">76 80 83 0</Array></FieldData><Piece NumberOfPoints="4" NumberOfPolys="4"><PointData>{parts[3]}</PointData>'
+                f'<Points>{parts[0]}</Points><Polys>{parts[1]}{parts[2]}</Polys></Piece></PolyData>').encode()
+    letters = {"Float64": "d", "Int32": "i", "Int64": "q", "UInt8": "B"}
+    packed = lambda kind, values: struct.pack(f"<{len(values)}{letters[kind]}", *values)
+    data = b""
+
+    def raw(kind, name, n, values):
+        nonlocal data
+        body = packed(kind, values)
+        tag = array(kind, name, n, "", "appended", f' offset="{len(data)}"')
+        data += struct.pack("<I", len(body)) + body
+        return tag
+
+    def blocks(kind, name, n, values):
+        body = packed(kind, values)
+        return array(kind, name, n, base64.b64encode(struct.pack("<4Q", 1, len(body), 0, len(zlib.compress(body)))).decode() +
+                     base64.b64encode(zlib.compress(body)).decode(), "binary")
+    plain = vtp(lambda kind, name, n, values: array(kind, name, n, " ".join(map(str, values)))) + b"</VTKFile>"
+    appended = vtp(raw) + b'<AppendedData encoding="raw">_'
+    return {"vtk": [text, new, binary, grid, text.replace(b"POLYDATA", b"STRUCTURED_POINTS"), text.replace(b"POINTS 4", b"POINTS 99999999999"),
+                    text.replace(b"3 0 2 1", b"3 0 2 9"), new.replace(b"0 3 6", b"0 9 6"), grid.replace(b"5 8 7", b"5 8 10"), text.replace(b"SPACE", b"A")],
+            "vtp": [plain, appended + data + b"</AppendedData></VTKFile>",
+                    vtp(blocks, ' header_type="UInt64" compressor="vtkZLibDataCompressor"') + b"</VTKFile>", plain.replace(b"PolyData", b"ImageData"),
+                    plain.replace(b'NumberOfPoints="4"', b'NumberOfPoints="5"'), plain.replace(b"3 6 9 12", b"3 6 9 99999999999"),
+                    plain.replace(b'byte_order', b'compressor="vtkLZ4DataCompressor" byte_order'), plain.replace(b"<Piece", b"<Piece/><Piece")]}
+
+
 def repair_seeds():
     """Edits as edited_shape.cpp understands them."""
     n = lambda *values: bytes(int(122 + 4 * v) for v in values)
@@ -143,10 +195,11 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
 
 
 def seeds_of_all():
-    seeds = {**mesh_seeds(), **image_seeds(), **repair_seeds(), "map": map_seeds()}
+    seeds = {**mesh_seeds(), **image_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
     joined = lambda *parts: SEPARATOR.join(parts)
     seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
-    seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n"]
+    seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n",
+                       b"name,x,y,z,label\n\"a, \"\"b\"\"\",1,2,3,4\nc d,1,2,3,5\n"]
     seeds["yaml"] = [b"version: 1\nsome: {flag: true, number: 3, value: 0.5, text: \"a\", list: [1, 2], colour: green}\n",
                      b"version: &a 1\nsome:\n  number: *a\n  list:\n    - 1\n    - !!float 2\n", b"{version: 1},", b"a: 1\n---\nb: 2\n", b"[a]",
                      b"{}", b"some:\n", b"some: 1\n", b"[]: 1\n", b"some: {[1]: 2}\n", b"some: {list: 1, text: [a]}\n", b"version: {a: 1}\n",
@@ -180,6 +233,15 @@ def seeds_of_all():
                           b"vertex1,vertex2,a\n", b"vertex1,vertex1\n", b"vertex1,x2\n", b"vertex1,vertex2,sd,weight\n", b"vertex1,vertex2\n",
                           b"vertex1,vertex2\n1\n", b"name,vertex1,vertex2\n,1,1\n", b"name,vertex1,vertex2\na,1,1\na,1,2\n", b"\n",
                           b"vertex1,vertex2,sd\n1,1,0\n", b"vertex1,vertex2\n1.5,1\n", b"x1,y1,x2,y2\nnan,0,0,0\n"]
+    point = b'{"id": "1", "label": "a", "description": "", "position": [1.5, -2, 3], "orientation": [-1.0, 0.0], "positionStatus": "defined"}'
+    markups = b'{"@schema": "s", "markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": [' + point + b']}]}'
+    seeds["markups"] = [markups, markups.replace(b'"LPS"', b"0"), markups.replace(b"LPS", b"IJK"), markups.replace(b"defined", b"undefined"),
+                        markups.replace(b"-2, 3", b"-2"), markups.replace(b"1.5", b"1e999"), markups.replace(b"1.5", b'"1"'), b"{}", b"[", b'{"markups": [1]}',
+                        b'{"markups": [{"controlPoints": 1}]}', b'{"markups": [{"controlPoints": [1]}]}', b'{"markups": [{}]}', b"[" * 300]
+    fcsv = (b"# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
+            b'1,1.5,-2,3,0,0,0,1,1,1,0,"F, ""1""",,\r\n')
+    seeds["fcsv"] = [fcsv, fcsv.replace(b"LPS", b"1"), fcsv.replace(b"LPS", b"IJK"), fcsv.replace(b"id,x,y,z,ow", b"z,y,x"), fcsv.replace(b"label", b"l"),
+                     fcsv.replace(b"1.5", b"nan"), b"1,2,3\n", b"# columns = label,x,y,z\na,1,2,3\n", b"1,1,2,3,0,0,0,1,1,1,0,a\n"]
     seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
     seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
     seeds["manifest"] = [b'{"format": 3, "level": 4, "program": "a", "reference": "b", "template": "c", "landmarks": "d"}', b"[1e300]"]

@@ -1,6 +1,7 @@
 #include "geometry/io/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
+#include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_crossings.h"
 #include "tests/fuzz/edited_shape.h"
@@ -21,7 +22,7 @@ void check_original(const OriginalShape<Dim>& shape) {
   for (const auto& polygon : shape.polygons)
     for (const Index v : polygon) demand(v >= 0 && static_cast<std::size_t>(v) < shape.vertices.size(), "polygons have vertices");
   for (const VertexAttribute& a : shape.attributes)
-    demand(a.values.size() == shape.vertices.size(), "an attribute has a value for each vertex");
+    demand((a.type == "text" ? a.texts.size() : a.values.size()) == shape.vertices.size(), "an attribute has a value for each vertex");
 }
 
 void check_image(const GreyImage& image) {
@@ -63,10 +64,21 @@ void mend(OriginalShape<Dim> original) {
 
 }  // namespace
 
-void read_obj_bytes(std::string_view bytes) { check_original(read_obj("input", bytes).shape); }
+void read_obj_bytes(std::string_view bytes) {
+  space_of_mesh(bytes);
+  check_original(read_obj("input", bytes).shape);
+}
 void read_off_bytes(std::string_view bytes) { check_original(read_off("input", bytes).shape); }
 void read_ply_bytes(std::string_view bytes) { check_original(read_ply("input", bytes).shape); }
 void read_stl_bytes(std::string_view bytes) { check_original(read_stl("input", bytes).shape); }
+void read_vtk_bytes(std::string_view bytes) {
+  std::vector<std::string> notes;
+  check_original(read_legacy_vtk("input", bytes, notes));
+}
+void read_vtp_bytes(std::string_view bytes) {
+  std::vector<std::string> notes;
+  check_original(read_vtp("input", bytes, notes));
+}
 void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }
 void read_points_of_space(std::string_view bytes) { check_original(read_points<3>("input", bytes, false)); }
 void read_png_bytes(std::string_view bytes) { check_image(read_png("input", bytes)); }

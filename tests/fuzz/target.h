@@ -31,6 +31,8 @@ void read_obj_bytes(std::string_view bytes);
 void read_off_bytes(std::string_view bytes);
 void read_ply_bytes(std::string_view bytes);
 void read_stl_bytes(std::string_view bytes);
+void read_vtk_bytes(std::string_view bytes);
+void read_vtp_bytes(std::string_view bytes);
 void read_points_of_plane(std::string_view bytes);
 void read_points_of_space(std::string_view bytes);
 void read_png_bytes(std::string_view bytes);
@@ -47,6 +49,8 @@ void read_manifest_file(std::string_view bytes);
 void read_list_of_files(std::string_view bytes);
 void read_result_of_run(std::string_view bytes);
 void read_landmark_files(std::string_view bytes);
+void read_fcsv_file(std::string_view bytes);
+void read_markups_file(std::string_view bytes);
 void read_correspondence_file(std::string_view bytes);
 
 }  // namespace shellmatch::fuzz

@@ -10,10 +10,15 @@ namespace {
 // The image that a PNG of a few bytes declares may take as much as the largest that is read (geometry/io/read_mask.h).
 constexpr std::size_t largest_image = std::size_t{700} << 20;
 
+// Bytes that zlib expands, each to a number.
+constexpr std::size_t largest_expansion = 30000;
+
 constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"off", read_off_bytes},
                           {"ply", read_ply_bytes},
                           {"stl", read_stl_bytes},
+                          {"vtk", read_vtk_bytes},
+                          {"vtp", read_vtp_bytes, std::size_t{32} << 20, largest_expansion},
                           {"points2", read_points_of_plane},
                           {"points3", read_points_of_space},
                           {"png", read_png_bytes, largest_image},
@@ -30,6 +35,8 @@ constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"files", read_list_of_files},
                           {"run_result", read_result_of_run},
                           {"landmarks", read_landmark_files},
+                          {"fcsv", read_fcsv_file},
+                          {"markups", read_markups_file},
                           {"correspondence", read_correspondence_file}};
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST(MatchShapes, VerticesKeepTheirOrderAndFollowTheMap) {
   EXPECT_EQ(r.deformed.polygons, circle.polygons);
   for (std::size_t v = 0; v < circle.vertices.size(); ++v)
     EXPECT_EQ(r.deformed.vertices[v], r.map.apply(circle.vertices[v])) << v;
-  ASSERT_EQ(r.deformed.attributes.size(), 3u);
+  ASSERT_EQ(r.deformed.attributes.size(), 8u);  // its own, two figures and five of the nearest point
+  EXPECT_EQ(r.template_shape.attributes.back().name, "distance_to_deformed");
   EXPECT_EQ(r.deformed.attributes[0].values, circle.attributes[0].values);
   EXPECT_EQ(r.surfaces.deformed.vertices.size(), r.surfaces.reference.vertices.size());
   EXPECT_EQ(r.surfaces.distance.size(), r.surfaces.reference.vertices.size());

@@ -41,7 +41,7 @@ TEST_F(RunTest, WritesEveryFileAndMatches) {
   Observer quiet;
   const std::string out = folder / "out";
   run_matching(options("generate:circle", "generate:ellipse/long", 7), out, {}, quiet);
-  for (const char* name : {"deformed.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
+  for (const char* name : {"deformed.csv", "template.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
                            "pictures/result.png", "pictures/energy.png", "pictures/level_07.png"})
     EXPECT_TRUE(fs::exists(fs::path(out) / name)) << name;
   const MatchSummary s = read_summary(fs::path(out) / "summary.json");

@@ -1,4 +1,4 @@
-#include "matching/map_file/xml_head.h"
+#include "geometry/polydata/xml_head.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "matching/map_file/inflate.h"
+#include "geometry/polydata/inflate.h"
 
 #include <zlib.h>
 

@@ -1,0 +1,127 @@
+#include "geometry/polydata/legacy_scanner.h"
+
+#include "base/printable.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr std::string_view legacy_blanks = " \t\r\n\v\f";
+
+char in_lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool is_word(std::string_view text, std::string_view lower_case_word) {
+  return std::ranges::equal(text, lower_case_word, [](char a, char b) { return in_lower_case(a) == b; });
+}
+
+std::optional<double> number_in(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || end != word.data() + word.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+std::string LegacyScanner::place() const {
+  if (is_binary_) return fmt::format("byte {}", position_);
+  return fmt::format("line {}", 1 + std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(position_), '\n'));
+}
+
+std::string_view LegacyScanner::line() {
+  const std::size_t end = std::min(left().find('\n'), left().size());
+  std::string_view text = left().substr(0, end);
+  position_ += std::min(end + 1, left().size());
+  text.remove_prefix(std::min(text.find_first_not_of(legacy_blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(legacy_blanks) + 1);
+}
+
+std::string_view LegacyScanner::word() {
+  position_ += std::min(left().find_first_not_of(legacy_blanks), left().size());
+  const std::string_view text = left().substr(0, left().find_first_of(legacy_blanks));
+  position_ += text.size();
+  return text;
+}
+
+bool LegacyScanner::take(std::string_view lower_case_word) {
+  const std::size_t before = position_;
+  if (is_word(word(), lower_case_word)) return true;
+  position_ = before;
+  return false;
+}
+
+std::size_t LegacyScanner::count(std::string_view what) {
+  const std::string_view text = word();
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size())
+    fail("{} should be a count, not '{}'", what, printable(text, 30));
+  return value;
+}
+
+ValueType LegacyScanner::type() {
+  const std::string name(word());
+  const std::optional<ValueType> type = legacy_type(name);
+  if (!type) fail("unknown type of values '{}'", printable(name, 30));
+  return *type;
+}
+
+void LegacyScanner::end_line() {
+  const std::size_t end = left().find('\n');
+  if (end == std::string_view::npos || left().find_first_not_of(" \t\r") != end) fail("there is more in the line where binary values should follow");
+  position_ += end + 1;
+}
+
+std::vector<double> LegacyScanner::values(ValueType type, std::size_t n, std::string_view what) {
+  if (is_binary_) {
+    if (n == 0) return {};
+    end_line();
+    // A bit for each value, at least.
+    if (n / 8 > left().size() || bytes_of(type, n) > left().size())
+      fail("cut off: {} {} do not fit into the {} bytes that are left", n, what, left().size());
+    std::vector<double> values = values_of(left(), type, n, true);
+    position_ += bytes_of(type, n);
+    return values;
+  }
+  if (n > left().size() / 2 + 1) fail("cut off: {} {} do not fit into the {} bytes that are left", n, what, left().size());
+  std::vector<double> values;
+  values.reserve(n);
+  while (values.size() < n) {
+    const std::string_view text = word();
+    if (text.empty()) fail("cut off: {} of {} {} are there", values.size(), n, what);
+    const std::optional<double> value = number_in(text);
+    if (!value) fail("a number of the {} is '{}'", what, printable(text, 30));
+    values.push_back(*value);
+  }
+  return values;
+}
+
+// In binary files the length of a string stands before it, in 1, 2, 4 or 8 bytes, as the first two bits say.
+void LegacyScanner::skip_strings(std::size_t n) {
+  if (n > left().size()) fail("cut off: {} strings do not fit into the {} bytes that are left", n, left().size());
+  if (n > 0) end_line();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_binary_) {
+      line();
+      continue;
+    }
+    if (left().empty()) fail("cut off within strings");
+    const auto first = static_cast<unsigned char>(left().front());
+    const std::size_t n_bytes = std::size_t{1} << (3 - (first >> 6));
+    if (n_bytes > left().size()) fail("cut off within strings");
+    std::uint64_t length = first & 0x3f;
+    for (std::size_t k = 1; k < n_bytes; ++k) length = length << 8 | static_cast<unsigned char>(left()[k]);
+    position_ += n_bytes;
+    if (length > left().size()) fail("cut off within strings");
+    position_ += length;
+  }
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,78 @@
+#include "geometry/polydata/value_type.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace shellmatch {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+struct ValueTypeFacts {
+  std::string_view legacy, xml, column;
+  std::size_t size;
+};
+constexpr ValueTypeFacts value_types[] = {
+    {"bit", "", "uchar", 0},           {"char", "Int8", "char", 1},       {"unsigned_char", "UInt8", "uchar", 1},
+    {"short", "Int16", "short", 2},    {"unsigned_short", "UInt16", "ushort", 2},
+    {"int", "Int32", "int", 4},        {"unsigned_int", "UInt32", "uint", 4},
+    {"vtktypeint64", "Int64", "int64", 8}, {"vtktypeuint64", "UInt64", "uint64", 8},
+    {"float", "Float32", "float", 4},  {"double", "Float64", "double", 8}};
+
+const ValueTypeFacts& facts_of(ValueType type) { return value_types[static_cast<std::size_t>(type)]; }
+
+std::optional<ValueType> type_named(std::string_view name, std::string_view ValueTypeFacts::*field) {
+  const auto at = std::ranges::find(value_types, name, field);
+  if (name.empty() || at == std::end(value_types)) return std::nullopt;
+  return static_cast<ValueType>(at - std::begin(value_types));
+}
+
+template <class T>
+void append_values(std::string_view bytes, std::size_t n, bool is_big_endian, std::vector<double>& values) {
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes.data() + i * sizeof(T), sizeof(T));
+    if (is_big_endian) std::ranges::reverse(raw);
+    values.push_back(static_cast<double>(std::bit_cast<T>(raw)));
+  }
+}
+
+}  // namespace
+
+std::optional<ValueType> legacy_type(std::string_view name) {
+  // Sizes of these differ between machines; files with them are of 64-bit systems.
+  if (name == "long" || name == "vtkIdType" || name == "vtkidtype" || name == "long_long") return ValueType::int64;
+  if (name == "unsigned_long" || name == "unsigned_long_long") return ValueType::uint64;
+  return type_named(name, &ValueTypeFacts::legacy);
+}
+
+std::optional<ValueType> xml_type(std::string_view name) { return type_named(name, &ValueTypeFacts::xml); }
+std::string_view column_type(ValueType type) { return facts_of(type).column; }
+std::size_t bytes_of(ValueType type, std::size_t n) { return type == ValueType::bit ? (n + 7) / 8 : n * facts_of(type).size; }
+
+std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_t n, bool is_big_endian) {
+  std::vector<double> values;
+  values.reserve(n);
+  switch (type) {
+    case ValueType::bit:
+      for (std::size_t i = 0; i < n; ++i) values.push_back((static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8)) & 1);
+      break;
+    case ValueType::int8: append_values<std::int8_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::uint8: append_values<std::uint8_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::int16: append_values<std::int16_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::uint16: append_values<std::uint16_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::int32: append_values<std::int32_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::uint32: append_values<std::uint32_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::int64: append_values<std::int64_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::uint64: append_values<std::uint64_t>(bytes, n, is_big_endian, values); break;
+    case ValueType::float32: append_values<float>(bytes, n, is_big_endian, values); break;
+    case ValueType::float64: append_values<double>(bytes, n, is_big_endian, values); break;
+  }
+  return values;
+}
+
+}  // namespace shellmatch

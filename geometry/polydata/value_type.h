@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Types of the values in VTK's files, and values out of bytes.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace shellmatch {
+
+enum class ValueType { bit, int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// By its name in legacy files, "unsigned_char", or in XML files, "UInt8"; nothing for other names.
+std::optional<ValueType> legacy_type(std::string_view name);
+std::optional<ValueType> xml_type(std::string_view name);
+/// The name that columns of a shape have for it (VertexAttribute::type): PLY's, and "int64", "uint64".
+std::string_view column_type(ValueType type);
+/// Bytes that n values take; bits are packed.
+std::size_t bytes_of(ValueType type, std::size_t n);
+
+/// n values out of bytes of either order. \pre there are bytes_of(type, n) bytes
+std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_t n, bool is_big_endian);
+
+}  // namespace shellmatch

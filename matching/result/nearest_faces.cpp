@@ -1,0 +1,114 @@
+#include "matching/result/nearest_faces.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/repair/repair_steps.h"
+#include "geometry/surface/facet_point.h"
+#include "matching/result/deformed_shape.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+/// Facets of a shape as it was read, and the polygon (ring) of each.
+template <int Dim>
+struct FileFacets {
+  Surface<Dim> surface;
+  std::vector<Index> polygon;
+};
+
+template <int Dim>
+FileFacets<Dim> facets_of_file(const OriginalShape<Dim>& shape, const Similarity<Dim>& placement) {
+  FileFacets<Dim> facets;
+  for (const Vec<Dim>& x : shape.vertices) facets.surface.vertices.push_back(placement(x));
+  if constexpr (Dim == 3) {
+    facets.surface.facets = triangulate(shape, &facets.polygon);
+  } else {
+    for (std::size_t p = 0; p < shape.polygons.size(); ++p)
+      for (std::size_t k = 0; k < shape.polygons[p].size(); ++k) {
+        facets.surface.facets.push_back({shape.polygons[p][k], shape.polygons[p][(k + 1) % shape.polygons[p].size()]});
+        facets.polygon.push_back(static_cast<Index>(p));
+      }
+  }
+  return facets;
+}
+
+/// Barycentric coordinates of a point of a facet.
+template <int Dim>
+std::array<double, Dim> barycentric(const Surface<Dim>& surface, Index f, const FacetPoint<Dim>& nearest) {
+  std::array<double, Dim> weights{};
+  const auto corner = [&](int k) { return surface.vertices[surface.facets[f][k]]; };
+  int first = -1, second = -1, n = 0;
+  for (int k = 0; k < Dim; ++k)
+    if (nearest.feature >> k & 1u) (n++ == 0 ? first : second) = k;
+  if constexpr (Dim == 3) {
+    if (n == 3) {
+      const Vec<3> e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), w = nearest.point - corner(0);
+      const Vec<3> normal = e1.cross(e2), m = w.cross(normal) / normal.squaredNorm();
+      const double beta = std::max(0.0, -m.dot(e2)), gamma = std::max(0.0, m.dot(e1)), sum = std::max(1.0, beta + gamma);
+      return {1 - (beta + gamma) / sum, beta / sum, gamma / sum};
+    }
+  }
+  if (n == 1) {
+    weights[static_cast<std::size_t>(first)] = 1;
+    return weights;
+  }
+  const double length = (corner(second) - corner(first)).norm();
+  const double t = length > 0 ? std::min(1.0, (nearest.point - corner(first)).norm() / length) : 0;
+  weights[static_cast<std::size_t>(first)] = 1 - t;
+  weights[static_cast<std::size_t>(second)] = t;
+  return weights;
+}
+
+}  // namespace
+
+template <int Dim>
+void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& template_shape, const Similarity<Dim>& placement) {
+  const FileFacets<Dim> facets = facets_of_file(template_shape, placement);
+  if (facets.surface.facets.empty()) return;
+  const FacetTree<Dim> tree(facets.surface);
+  const std::size_t n = deformed.vertices.size();
+  std::vector<double> face(n), corner[Dim], weight[Dim];
+  for (int k = 0; k < Dim; ++k) corner[k].resize(n), weight[k].resize(n);
+  parallel_for(n, [&](std::size_t i) {
+    const Vec<Dim> x = placement(deformed.vertices[i]);
+    const Index f = tree.nearest(x);
+    SHELLMATCH_CHECK(f != no_index, "a vertex has a nearest face");
+    const std::array<double, Dim> weights = barycentric(facets.surface, f, closest_point_on_facet(facets.surface, f, x));
+    face[i] = facets.polygon[f];
+    for (int k = 0; k < Dim; ++k) corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
+  });
+  set_attribute(deformed, {Dim == 3 ? "template_face" : "template_ring", "int", std::move(face)});
+  for (int k = 0; k < Dim; ++k) set_attribute(deformed, {fmt::format("template_v{}", k), "int", std::move(corner[k])});
+  for (int k = 0; k < Dim; ++k) set_attribute(deformed, {fmt::format("template_b{}", k), "double", std::move(weight[k])});
+}
+
+template <int Dim>
+OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_shape, const MapFrame<Dim>& frame, const Surface<Dim>& deformed) {
+  OriginalShape<Dim> covered = template_shape;
+  const SignedDistance<Dim> distance_to_deformed(deformed);
+  // Backward the template is the shape that the pose has moved.
+  const Similarity<Dim> pose = frame.is_backward ? frame.pose : Similarity<Dim>{};
+  std::vector<double> distance(covered.vertices.size());
+  parallel_for(distance.size(), [&](std::size_t i) {
+    distance[i] = std::abs(distance_to_deformed(frame.placement(pose(covered.vertices[i])))) / (frame.placement.scale * pose.scale);
+  });
+  set_attribute(covered, {"distance_to_deformed", "float", std::move(distance)});
+  return covered;
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
+  template void add_correspondence<Dim>(OriginalShape<Dim>&, const OriginalShape<Dim>&, const Similarity<Dim>&);        \
+  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&, const Surface<Dim>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch
