@@ -1,5 +1,6 @@
 // `apply`: moves a mesh, a contour or points by the deformation of a run.
 
+#include "apps/apply_volume.h"
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
 #include "apps/output_file.h"
@@ -8,6 +9,7 @@
 #include "base/printable.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
+#include "geometry/label/volume_shape.h"
 #include "matching/map_file/deformation_file.h"
 
 #include <fmt/core.h>
@@ -21,11 +23,16 @@ namespace shellmatch {
 
 namespace {
 
-OriginalShape<2> read(const std::string& path, std::vector<std::string>& notes, std::integral_constant<int, 2>) {
+OriginalShape<2> read(const std::string& path, std::vector<std::string>& notes, Space, std::integral_constant<int, 2>) {
   return read_points_or_outline_2d(path, &notes);
 }
 
-OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, std::integral_constant<int, 3>) {
+OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, Space space, std::integral_constant<int, 3>) {
+  if (const auto volume = parse_volume_name(path)) {
+    Shape<3> shape = volume_shape(*volume, path, space);
+    notes = std::move(shape.notes);
+    return std::move(shape.original);
+  }
   return read_points_or_mesh_3d(path, &notes);
 }
 
@@ -58,7 +65,7 @@ template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
-  OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
+  OriginalShape<Dim> shape = read(command.file, notes, deformation.space, std::integral_constant<int, Dim>());
   for (const std::string& note : notes) std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr);
 
   if (command.keep_pose && deformation.pose.is_identity())
@@ -77,6 +84,9 @@ void apply(const ApplyCommand& command) {
 
 void execute(const ApplyCommand& command) {
   catch_interrupts();
+  if (is_about_volumes(command)) return apply_to_volumes(command);
+  if (!command.like.empty() || !command.sampling.empty())
+    throw_input_error("apply: --like and --sampling are for volumes: give a volume, as {}, to move, and one to write (-o)", volume_endings);
   const int dimension = deformation_dimension(command.deformation);
   check_output_file(command.output, dimension, command.force);
   if (dimension == 2) apply<2>(command);

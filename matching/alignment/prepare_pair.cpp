@@ -48,6 +48,7 @@ template <int Dim>
 PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
                                Observer& observer) {
   PreparedPair<Dim> result;
+  result.space = shapes.space;
   result.direction = chosen_direction(shapes, options, observer);
   if (result.is_backward()) std::swap(shapes.reference, shapes.template_shape);
   result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer);

@@ -15,9 +15,10 @@ struct PreparedPair {
   std::optional<DirectionSummary> direction;  ///< none where nothing had to be found out
   Alignment<Dim> alignment;                   ///< its pose has moved the shape that is deformed
   Similarity<Dim> placement;                  ///< has moved both after that
+  Space space = Space::ras;
 
   bool is_backward() const { return direction && direction->backward; }
-  MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward()}; }
+  MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward(), space}; }
 };
 
 /// Landmarks of the shapes in the other order.

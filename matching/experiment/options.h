@@ -26,6 +26,14 @@ struct EnumNames<PlacementKind> {
   static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
 };
 
+/// The frame of shapes out of volumes.
+enum class SpaceKind { automatic, ras, lps };
+template <>
+struct EnumNames<SpaceKind> {
+  static constexpr std::pair<SpaceKind, std::string_view> names[] = {
+      {SpaceKind::automatic, "auto"}, {SpaceKind::ras, "ras"}, {SpaceKind::lps, "lps"}};
+};
+
 /// Which pictures a run draws. On small grids drawing takes longer than the matching.
 enum class Pictures { all, result, none };
 template <>
@@ -47,6 +55,7 @@ struct InputOptions {
   std::string reference, template_file, correspondence, unit;
   PlacementKind placement = PlacementKind::fit;
   double margin = 0.15;
+  SpaceKind space = SpaceKind::automatic;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
@@ -55,6 +64,7 @@ struct InputOptions {
     visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: coordinates are said to be in units of the file"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
+    visit("space", self.space, {.meaning = "frame of shapes out of volumes, and so of the results: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise. Meshes stay as they are (docs/volumes.md)"});
   }
 };
 

@@ -1,9 +1,31 @@
 #include "matching/input/shape_pair.h"
 
 #include "base/error.h"
+#include "geometry/volume/declared_space.h"
+#include "geometry/volume/volume_name.h"
 #include "matching/input/shape_source.h"
 
 namespace shellmatch {
+
+namespace {
+
+std::string_view name_of(Space space) { return space == Space::lps ? "LPS" : "RAS"; }
+
+// The frame of volumes: the user's word, or that of a mesh.
+Space chosen_space(const InputOptions& input, Observer& observer) {
+  std::optional<Space> chosen;
+  if (input.space != SpaceKind::automatic) chosen = input.space == SpaceKind::lps ? Space::lps : Space::ras;
+  for (const std::string* file : {&input.reference, &input.template_file}) {
+    if (parse_volume_name(*file)) continue;
+    const std::optional<Space> declared = declared_space(*file);
+    if (declared && chosen && *declared != *chosen)
+      observer.note(fmt::format("{}: says that it is in {}; it is taken as it is, beside what is in {}", *file, name_of(*declared), name_of(*chosen)));
+    if (!chosen) chosen = declared;
+  }
+  return chosen.value_or(Space::ras);
+}
+
+}  // namespace
 
 template <int Dim>
 Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose) {
@@ -18,8 +40,9 @@ Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Si
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
-  AnyShape reference = open_shape(input.reference);
-  AnyShape template_shape = open_shape(input.template_file);
+  const Space space = chosen_space(input, observer);
+  AnyShape reference = open_shape(input.reference, space);
+  AnyShape template_shape = open_shape(input.template_file, space);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
       for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));
@@ -28,8 +51,8 @@ AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
     throw_input_error("{} is {}-dimensional and {} is {}-dimensional; both shapes must have the same dimension",
                       input.reference, reference.index() + 2, input.template_file, template_shape.index() + 2);
   if (reference.index() == 0)
-    return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
-  return ShapePair<3>{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
+    return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape)), space};
+  return ShapePair<3>{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape)), space};
 }
 
 template struct ShapePair<2>;

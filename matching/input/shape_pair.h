@@ -4,6 +4,7 @@
 
 #include "geometry/surface/placement.h"
 #include "geometry/io/read_shape.h"
+#include "geometry/volume/volume.h"
 #include "matching/experiment/options.h"
 #include "matching/progress/observer.h"
 
@@ -14,6 +15,7 @@ namespace shellmatch {
 template <int Dim>
 struct ShapePair {
   Shape<Dim> reference, template_shape;
+  Space space = Space::ras;  ///< the frame of volumes beside them
 
   /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns the
   /// similarity that does the latter.

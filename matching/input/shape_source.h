@@ -1,15 +1,17 @@
 #pragma once
 /// \file
-/// Opens a shape: a file, or a built-in shape.
+/// Opens a shape: a file, a part of a volume, or a built-in shape.
 
 #include "geometry/io/read_shape.h"
+#include "geometry/volume/volume.h"
 
 #include <string>
 
 namespace shellmatch {
 
-/// The shape named by `source`, a file or "generate:NAME/VARIANT" (matching/experiment/generated_source.h), repaired
-/// for matching. \throws InputError where it cannot be used
-AnyShape open_shape(const std::string& source);
+/// The shape named by `source`, a file, "VOLUME:LABELS" (geometry/volume/volume_name.h) or "generate:NAME/VARIANT"
+/// (matching/experiment/generated_source.h), repaired for matching. \param space the frame of shapes out of volumes
+/// \throws InputError where it cannot be used
+AnyShape open_shape(const std::string& source, Space space = Space::ras);
 
 }  // namespace shellmatch

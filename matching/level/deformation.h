@@ -4,6 +4,7 @@
 /// domain, and the pose that was taken out before.
 
 #include "geometry/surface/placement.h"
+#include "geometry/volume/volume.h"
 #include "grid/inverse/inverse_map.h"
 #include "grid/octree/octree.h"
 
@@ -20,6 +21,7 @@ struct MapFrame {
   /// The matching was solved backward: phi carries the template onto the reference, and its inverse is the map of the reference
   /// (PointMap).
   bool is_backward = false;
+  Space space = Space::ras;  ///< the frame of the user's coordinates, where they are those of a volume
 
   Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
 

@@ -106,6 +106,9 @@ Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   const bool is_backward = file.has("FieldData", "is_backward");
   if (is_backward && facts(file, "is_backward", 1)[0] != 1) file.damaged("is_backward");
 
+  const bool is_lps = file.has("FieldData", "is_lps");
+  if (is_lps && facts(file, "is_lps", 1)[0] != 1) file.damaged("is_lps");
+
   std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(file, positions));
   if (!grid) file.damaged("the cells are no balanced tree");
   if (n != grid->n_nodes()) file.damaged("the number of nodes");
@@ -128,6 +131,7 @@ Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   for (int k = 0; k < Dim; ++k) result.placement.offset[k] = offset[k];
   result.pose = pose;
   result.is_backward = is_backward;
+  result.space = is_lps ? Space::lps : Space::ras;
   return result;
 }
 

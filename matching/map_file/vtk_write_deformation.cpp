@@ -82,7 +82,7 @@ void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
 
 template <int Dim>
 void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
-  const auto& [placement, pose, is_backward] = frame;
+  const auto& [placement, pose, is_backward, space] = frame;
   vtkNew<vtkIntArray> dimension;
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
@@ -101,6 +101,7 @@ void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
     add("pose_offset", {pose.offset.data(), Dim});
   }
   if (is_backward) add("is_backward", std::array{1.0});
+  if (space == Space::lps) add("is_lps", std::array{1.0});
   vtkNew<vtkStringArray> version;
   version->SetName("program_version");
   version->InsertNextValue(program_version());

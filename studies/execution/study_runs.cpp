@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "geometry/volume/volume_name.h"
 #include "matching/cascade/schedule.h"
 #include "matching/output/checksum.h"
 #include "matching/experiment/generated_source.h"
@@ -31,7 +32,7 @@ class InputContents {
       if (is_generated_source(source))
         check_generated_source(source);
       else
-        entry->second = file_checksum(source);
+        entry->second = file_checksum(file_of(source));
     } catch (const InputError& error) {
       known_.erase(entry);
       throw_input_error("{}: {}", where, error.what());
