@@ -14,6 +14,8 @@ namespace shellmatch {
 
 namespace {
 
+constexpr std::size_t least_label = 8;  // voxels
+
 // The values that there are, but for 0; none where they are not those of labels.
 std::set<float> labels_of(const Volume& volume) {
   constexpr std::size_t most = 1000;
@@ -57,12 +59,18 @@ void check_choice(const Volume& volume, const VoxelChoice& choice, std::size_t n
 }
 
 struct IndexBox {
-  std::array<int, 3> low, high;
+  std::array<int, 3> low{1 << 30, 1 << 30, 1 << 30}, high{-1, -1, -1};
+  void add(const std::array<int, 3>& index) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], index[a]);
+      high[a] = std::max(high[a], index[a]);
+    }
+  }
 };
 
 // The box of the chosen voxels, and how many of them are at the border of the volume.
 struct Chosen {
-  IndexBox box{{1 << 30, 1 << 30, 1 << 30}, {-1, -1, -1}};
+  IndexBox box;
   std::size_t n = 0, n_at_border = 0;
 };
 
@@ -76,11 +84,8 @@ Chosen find_chosen(const Volume& volume, const VoxelChoice& choice) {
         if (!choice.contains(volume.values[at])) continue;
         const std::array<int, 3> index{i, j, k};
         bool is_at_border = false;
-        for (std::size_t a = 0; a < 3; ++a) {
-          chosen.box.low[a] = std::min(chosen.box.low[a], index[a]);
-          chosen.box.high[a] = std::max(chosen.box.high[a], index[a]);
-          is_at_border = is_at_border || index[a] == 0 || index[a] == size[a] - 1;
-        }
+        for (std::size_t a = 0; a < 3; ++a) is_at_border = is_at_border || index[a] == 0 || index[a] == size[a] - 1;
+        chosen.box.add(index);
         ++chosen.n;
         chosen.n_at_border += is_at_border;
       }
@@ -103,6 +108,7 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
   const Chosen chosen = find_chosen(volume, choice);
   check_choice(volume, choice, chosen.n, source);
   const auto& [low, high] = chosen.box;
+  if (chosen.n < least_label) throw_input_error("{}: {} has {}: too small for a surface", source, choice.text(), counted(chosen.n, "voxel", "voxels"));
   LabelRegion region;
   if (chosen.n_at_border > 0)
     region.notes.push_back(fmt::format("it reaches the border of the volume ({}) and is closed there", counted(chosen.n_at_border, "voxel", "voxels")));
@@ -123,22 +129,29 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
     region.notes.push_back(fmt::format("{} of fewer than {} voxels filled ({})", counted(holes.n_components, "cavity", "cavities"), least_component,
                                        counted(holes.n_voxels, "voxel", "voxels")));
 
-  const std::array<int, 3> sides = block_sides(volume.grid, chosen.box);
+  // What is left, by its place in the mask.
+  IndexBox rest;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i)
+        if (mask_at(i, j, k)) rest.add({i, j, k});
+  const std::array<int, 3> sides = block_sides(volume.grid, rest);
   VoxelGrid& grid = region.grid;
   Vec<3> first;  // index of the first voxel's centre in the volume
   for (std::size_t a = 0; a < 3; ++a) {
-    const int n = high[a] - low[a] + 1;
+    const int n = rest.high[a] - rest.low[a] + 1;
     grid.size[a] = (n + sides[a] - 1) / sides[a] + 2 * region_margin;
     grid.axes.col(a) = sides[a] * volume.grid.axes.col(a);
-    first[a] = low[a] + 0.5 * (sides[a] - 1) - region_margin * sides[a];
+    first[a] = low[a] + rest.low[a] - 1 + 0.5 * (sides[a] - 1) - region_margin * sides[a];
   }
   grid.origin = volume.grid.position(first);
   region.shares.assign(grid.n_voxels(), 0.0f);
   const float share = 1.0f / static_cast<float>(sides[0] * sides[1] * sides[2]);
-  for (int k = 0; k < size[2] - 2; ++k)
-    for (int j = 0; j < size[1] - 2; ++j)
-      for (int i = 0; i < size[0] - 2; ++i)
-        if (mask_at(i + 1, j + 1, k + 1)) region.shares[grid.number(region_margin + i / sides[0], region_margin + j / sides[1], region_margin + k / sides[2])] += share;
+  const auto block = [&](std::size_t a, int i) { return region_margin + (i - rest.low[a]) / sides[a]; };
+  for (int k = rest.low[2]; k <= rest.high[2]; ++k)
+    for (int j = rest.low[1]; j <= rest.high[1]; ++j)
+      for (int i = rest.low[0]; i <= rest.high[0]; ++i)
+        if (mask_at(i, j, k)) region.shares[grid.number(block(0, i), block(1, j), block(2, k))] += share;
   if (sides != std::array<int, 3>{1, 1, 1})
     region.notes.push_back(fmt::format("it is large: blocks of {} x {} x {} voxels are taken as one", sides[0], sides[1], sides[2]));
   return region;

@@ -1,12 +1,14 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "geometry/volume/raw_volume.h"
+#include "geometry/volume/volume_name.h"
 
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ios>
 #include <iostream>
 #include <new>

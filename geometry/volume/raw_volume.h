@@ -3,8 +3,6 @@
 /// What the library that reads and writes volumes does. Without our types of vectors: ITK brings an Eigen of its own, of another
 /// version.
 
-#include "geometry/volume/volume_header.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +14,9 @@ namespace shellmatch {
 
 /// The type of a file's values.
 enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+
+/// Whole numbers beyond this are not told apart: values are kept in single precision.
+inline constexpr double largest_label = 16777216;
 
 /// A header, unchecked; in LPS.
 struct RawHeader {

@@ -1,5 +1,7 @@
 #include "base/error.h"
 #include "geometry/volume/volume_file.h"
+#include "geometry/volume/volume_header.h"
+#include "geometry/volume/volume_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +72,18 @@ void append_values(const char* bytes, const std::string& path, Volume& volume) {
 }
 
 Volume read(const std::string& path, bool with_values) {
-  const VolumeSpace space = check_volume_header(path);
+  const VolumeData data = check_volume_header(path);
   const RawVolumeReader reader(path);
   const RawHeader& header = reader.header();
   Volume volume{grid_of(header, path), {}, {}};
   if (!header.type) throw_input_error("{}: its type of values is not supported; save it with integers or floating point numbers", path);
   volume.type = *header.type;
   const std::size_t n_bytes = volume.grid.n_voxels() * header.value_bytes;
-  if (n_bytes > space.most_bytes)
-    throw_input_error("{}: cut off: {} x {} x {} voxels take {} bytes, and the file has {}", path, volume.grid.size[0], volume.grid.size[1],
-                      volume.grid.size[2], n_bytes, space.file_bytes);
+  const std::size_t n_in_file = data.voxel_bytes > 0 ? volume.grid.n_voxels() * data.voxel_bytes : n_bytes;
+  // The library takes what is missing for zeros, but for NRRD.
+  if (n_in_file > most_value_bytes(data) || (with_values && volume_format(path) != VolumeFormat::nrrd && !has_values(data, n_in_file)))
+    throw_input_error("{}: cut off: {} x {} x {} voxels take {} bytes, which the file, of {} bytes, does not hold", path, volume.grid.size[0],
+                      volume.grid.size[1], volume.grid.size[2], n_in_file, data.file_bytes);
   if (!with_values) return volume;
   // Not set to zero: a file that is cut off takes no more memory than it has values.
   const std::unique_ptr<char[]> bytes(new char[n_bytes]);

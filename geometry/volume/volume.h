@@ -42,9 +42,6 @@ VoxelGrid exchange_space(VoxelGrid grid);
 
 bool is_integer(VoxelType type);
 
-/// Whole numbers beyond this are not told apart.
-inline constexpr double largest_label = 16777216;
-
 /// \invariant values has grid.n_voxels() finite entries
 struct Volume {
   VoxelGrid grid;

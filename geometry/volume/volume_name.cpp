@@ -1,8 +1,9 @@
 #include "geometry/volume/volume_name.h"
 
 #include "base/error.h"
+#include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
-#include "geometry/volume/volume.h"
+#include "geometry/volume/raw_volume.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,14 @@ std::string VoxelChoice::text() const {
 bool is_volume_file(const std::string& path) {
   return std::ranges::any_of(std::initializer_list<std::string_view>{".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"},
                              [&](std::string_view ending) { return has_ending(path, ending); });
+}
+
+VolumeFormat volume_format(const std::string& path) {
+  const std::string ending = file_extension(path);
+  if (ending == ".nrrd" || ending == ".nhdr") return VolumeFormat::nrrd;
+  if (ending == ".mha" || ending == ".mhd") return VolumeFormat::meta_image;
+  if (is_volume_file(path)) return VolumeFormat::nifti;
+  throw_input_error("{}: no volume by its ending; supported are {}", path, volume_endings);
 }
 
 std::optional<VolumeName> parse_volume_name(const std::string& source) {

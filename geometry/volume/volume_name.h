@@ -26,6 +26,11 @@ struct VolumeName {
 /// Whether the name's ending is that of a volume: .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, in capitals, too.
 bool is_volume_file(const std::string& path);
 
+enum class VolumeFormat { nifti, nrrd, meta_image };
+
+/// By the ending. \throws InputError where it is no volume's
+VolumeFormat volume_format(const std::string& path);
+
 /// The endings, for messages.
 inline constexpr const char* volume_endings = ".nii .nii.gz .nrrd .nhdr .mha .mhd";
 

@@ -66,7 +66,7 @@ void write(const std::string& path, const VoxelGrid& grid_in_ras, VoxelType type
   }
   publish_file(path, existing, [&](const std::string& name) {
     // The library goes by the ending, of which a partial file has the last part only.
-    const std::string own = name + ending_of(path);
+    const std::string own = name + "_" + ending_of(path);
     std::string complaint = write_raw_volume(own, header, values);
     std::error_code error;
     if (complaint.empty()) {

@@ -16,4 +16,6 @@ AnyShape open_shape(const std::string& source, Space space) {
                     generated_original(source));
 }
 
+std::string file_of_shape(const std::string& source) { return file_of(source); }
+
 }  // namespace shellmatch

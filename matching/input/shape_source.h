@@ -14,4 +14,7 @@ namespace shellmatch {
 /// \throws InputError where it cannot be used
 AnyShape open_shape(const std::string& source, Space space = Space::ras);
 
+/// The file that `source` names, without what is chosen of a volume.
+std::string file_of_shape(const std::string& source);
+
 }  // namespace shellmatch

@@ -1,9 +1,9 @@
 #include "base/error.h"
-#include "geometry/volume/volume_name.h"
 #include "matching/cascade/schedule.h"
 #include "matching/output/checksum.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/option_text.h"
+#include "matching/input/shape_source.h"
 #include "solvers/minimizer.h"
 #include "studies/study.h"
 
@@ -32,7 +32,7 @@ class InputContents {
       if (is_generated_source(source))
         check_generated_source(source);
       else
-        entry->second = file_checksum(file_of(source));
+        entry->second = file_checksum(file_of_shape(source));
     } catch (const InputError& error) {
       known_.erase(entry);
       throw_input_error("{}: {}", where, error.what());
