@@ -27,14 +27,13 @@ find_package(CGAL 5.5 REQUIRED)
 # VTK's package configuration requires the C language through its dependency on MPI.
 enable_language(C)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOImage)
-# Of ITK the named modules only. Its package configuration also looks at what the others need, and reports programs of GDCM's that are
-# not there, in ten lines each.
-set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
-find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIOMeta ITKIONIFTI ITKIONRRD)
-unset(CMAKE_MESSAGE_LOG_LEVEL)
 include(cmake/LinkedLibraries.cmake)
 if(SHELLMATCH_TESTS)
   find_package(GTest REQUIRED)
+  # What our volumes are compared with. ITK's package configuration also reports programs of GDCM's that are not there, in ten lines each.
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+  find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKTransform ITKIOImageBase ITKIOMeta ITKIONIFTI ITKIONRRD)
+  unset(CMAKE_MESSAGE_LOG_LEVEL)
 endif()
 if(SHELLMATCH_BENCH)
   find_package(benchmark REQUIRED)

@@ -30,7 +30,6 @@ shellmatch_linked_library("fmt" "${fmt_VERSION}" "MIT with an exception for bina
 shellmatch_linked_library("oneTBB" "${TBB_VERSION}" "Apache-2.0" "notice")
 shellmatch_linked_library("Embree" "${embree_VERSION}" "Apache-2.0" "notice")
 shellmatch_linked_library("VTK" "${VTK_VERSION}" "BSD-3-Clause" "notice")
-shellmatch_linked_library("ITK" "${ITK_VERSION}" "Apache-2.0" "notice")
 shellmatch_linked_library("libpng" "${PNG_VERSION_STRING}" "libpng" "no")
 shellmatch_linked_library("zlib" "${ZLIB_VERSION_STRING}" "Zlib" "no")
 shellmatch_linked_library("xxHash" "${XXHASH_VERSION}" "BSD-2-Clause" "no")

@@ -98,7 +98,7 @@ std::array<int, 3> block_sides(const VoxelGrid& grid, const IndexBox& box) {
   double extent = 0;
   for (int a = 0; a < 3; ++a) extent = std::max(extent, (box.high[a] - box.low[a] + 1) * spacing[a]);
   std::array<int, 3> sides;
-  for (int a = 0; a < 3; ++a) sides[a] = std::max(1, static_cast<int>(std::ceil(extent / most_voxels_across / spacing[a] - 1e-9)));
+  for (int a = 0; a < 3; ++a) sides[a] = static_cast<int>(std::clamp(std::ceil(extent / most_voxels_across / spacing[a] - 1e-9), 1.0, static_cast<double>(box.high[a] - box.low[a] + 1)));
   return sides;
 }
 

@@ -6,7 +6,6 @@
 /// opposite: RAS (x to the right, y to the front, z upward: NIfTI) and LPS (left, back, upward: DICOM, ITK, NRRD, MetaImage).
 
 #include "base/types.h"
-#include "geometry/volume/raw_volume.h"
 
 #include <array>
 #include <cstdint>
@@ -39,6 +38,12 @@ struct VoxelGrid {
 
 /// The same voxels, given in the other frame.
 VoxelGrid exchange_space(VoxelGrid grid);
+
+/// The type of a file's values.
+enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+
+/// Whole numbers beyond this are not told apart: values are kept in single precision.
+inline constexpr double largest_label = 16777216;
 
 bool is_integer(VoxelType type);
 

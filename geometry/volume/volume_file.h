@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Files of volumes: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd), by ITK. Spacing, origin and direction
-/// of the axes are kept.
+/// Files of volumes: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd). Spacing, origin and direction of the axes
+/// are kept.
 ///
 /// The files are distrusted: sizes are compared with the bytes that are there before anything is allocated.
 
@@ -14,8 +14,8 @@
 
 namespace shellmatch {
 
-/// Largest number of voxels that is read, 512 x 512 x 1024, for which the reader takes up to 3 GB.
-inline constexpr std::uint64_t max_voxels = std::uint64_t{1} << 28;
+/// Largest number of voxels that is read, 512 x 512 x 1024, for which the reader takes 1 GB.
+inline constexpr std::int64_t max_voxels = std::int64_t{1} << 28;
 
 /// In RAS, whichever the file's frame is. \throws InputError where the file is missing, damaged or cut off, has not three
 /// dimensions or one number for each voxel, or where spacing or directions are no frame of space

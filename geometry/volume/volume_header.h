@@ -1,36 +1,45 @@
 #pragma once
 /// \file
-/// What is asked of a volume's file before a library reads it.
+/// Headers of volumes' files, checked.
+///
+/// ITK's readers are not used: they take missing values for zeros (NIfTI, MetaImage), and on damaged input leak memory and print on the
+/// terminal. Tests compare ours with them.
+
+#include "geometry/volume/volume.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace shellmatch {
 
-/// Where the values of a volume are.
-struct VolumeData {
-  std::string file;
-  std::uintmax_t offset = 0;  ///< of the first value: in the file, or in what a file that is compressed as a whole inflates to
-  enum { none, of_values, of_file } compression = none;
-  std::uintmax_t file_bytes = 0;
-  std::size_t voxel_bytes = 0;  ///< on the disk, before compression; 0 where it is what the library says
+struct VolumeHeader {
+  VoxelGrid grid;  ///< RAS
+  VoxelType type = VoxelType::uint8;
+  double slope = 1, intercept = 0;  ///< of a value in the file
+
+  std::string file;            ///< of the values
+  std::uintmax_t offset = 0;   ///< of the first: in the file, or in what a file that is compressed as a whole inflates to
+  enum { raw, deflated, whole_file_deflated, text } encoding = raw;
+  bool is_big_endian = false;
 };
 
-/// Checks what the library takes for granted or replaces silently: that a header has its length, that a NIfTI's spacing is
-/// positive and its frame finite, and that values elsewhere are in one file that ends. \throws InputError
-VolumeData check_volume_header(const std::string& path);
+/// \throws InputError as read_voxel_grid (geometry/volume/volume_file.h)
+VolumeHeader read_volume_header(const std::string& path);
 
-/// Whether there are so many bytes of values; as NIfTI's and MetaImage's readers do not ask. Nothing is kept of what is inflated.
-/// \pre `data` is that of a NIfTI or a MetaImage
-bool has_values(const VolumeData& data, std::uintmax_t n_bytes);
+VolumeHeader read_nifti_header(const std::string& path);
+VolumeHeader read_nrrd_header(const std::string& path);
+VolumeHeader read_meta_image_header(const std::string& path);
 
-/// The most bytes of values that the file can hold, if everything is compressed as well as can be.
-std::uintmax_t most_value_bytes(const VolumeData& data);
+/// Sets the size of the grid. \throws InputError unless there are three dimensions of 2 or more voxels, and max_voxels at most
+void set_size(const std::string& path, std::span<const std::int64_t> size, VoxelGrid& grid);
 
-/// How many bytes, at most `enough`, the file inflates to from this offset in it on, as zlib's or gzip's data; a file that is not compressed as it is.
-std::uintmax_t inflated_bytes(const std::string& path, std::uintmax_t offset, std::uintmax_t enough);
+/// \throws InputError unless position and spacing are finite, positive and in proportion, and the axes span space
+void check_frame(const std::string& path, const VoxelGrid& grid);
 
-/// The beginning of a file, decompressed where it is compressed, of at most this many bytes; fewer where the file ends or is damaged.
-std::string inflated_beginning(const std::string& path, std::size_t n_bytes);
+/// The header's word for the file of its values, as a path. \throws InputError unless that is one file
+std::string file_of_values(const std::string& path, const std::string& name);
+
+std::size_t bytes_of(VoxelType type);
 
 }  // namespace shellmatch

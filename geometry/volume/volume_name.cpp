@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
-#include "geometry/volume/raw_volume.h"
+#include "geometry/volume/volume.h"
 
 #include <fmt/format.h>
 

@@ -10,6 +10,7 @@
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/volume/volume_files.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -156,6 +157,27 @@ TEST_F(Volumes, GreyValuesArePulledBackExactly) {
           n_inside += x.has_value();
         }
     EXPECT_GT(n_inside, 5000u);
+  }
+}
+
+TEST(VolumeFrames, AreItks) {
+  const Folder other;
+  VoxelGrid oblique = grid_over({-12, 30, 4}, {1, 0.75, 2}, {7, 5, 4}, {true, false, true});
+  oblique.axes = Eigen::AngleAxisd(0.6, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * oblique.axes;
+  for (const bool left_handed : {false, true}) {
+    if (left_handed) oblique.axes.col(1) *= -1;
+    const Volume volume = volume_of(oblique, [](const Vec<3>& x) { return std::round(100 * x[0] + 7 * x[1] - x[2]); }, VoxelType::int16);
+    for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"}) {
+      write_volume(other / name, volume, Existing::is_replaced);
+      for (const std::array<int, 3>& at : {std::array{0, 0, 0}, std::array{6, 0, 0}, std::array{1, 4, 3}}) {
+        const ItkVoxel itk = voxel_by_itk(other / name, at);
+        const Vec<3> ours = exchange_space(volume.grid.position(Vec<3>(at[0], at[1], at[2])));
+        EXPECT_LT((Vec<3>(itk.position[0], itk.position[1], itk.position[2]) - ours).norm(), 1e-4) << name;
+        EXPECT_EQ(itk.value, volume.values[volume.grid.number(at[0], at[1], at[2])]) << name;
+        const Volume read = read_volume(other / name);
+        EXPECT_LT((read.grid.position(Vec<3>(at[0], at[1], at[2])) - volume.grid.position(Vec<3>(at[0], at[1], at[2]))).norm(), 1e-4) << name;
+      }
+    }
   }
 }
 

@@ -27,7 +27,7 @@ const std::vector<Adapter>& adapter_table() {
       {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "bench/own_code/cgal_*.cpp"}},
       {"Boost", {"boost/"}, {"grid/inverse/boost_*.cpp"}},
       {"VTK", {"vtk"}, {"*/*/vtk_*.cpp"}},
-      {"ITK", {"itk"}, {"geometry/volume/itk_*.cpp"}},
+      {"ITK", {"itk"}, {}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
       {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp"}},

@@ -49,10 +49,19 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
       const Volume read = read_volume(folder.path(name));
       EXPECT_EQ(read.type, type);
       EXPECT_EQ(read.values, volume.values);
-      // NIfTI has numbers of single precision, MetaImage text of six digits.
-      expect_equal(read.grid, oblique, name == "a.nrrd" ? 1e-9 : 1e-4);
+      // NIfTI has numbers of single precision.
+      expect_equal(read.grid, oblique, name.starts_with("a.nii") ? 1e-5 : 1e-12);
       expect_equal(read_voxel_grid(folder.path(name)), read.grid, 0);
     }
+  // The qform alone says the same as the sform, for left-handed axes, too.
+  for (const double sign : {1.0, -1.0}) {
+    oblique.axes.col(0) *= sign;
+    write_volume(folder.path("q.nii"), volume_of(oblique, number_of_place), Existing::is_replaced);
+    std::ifstream file(folder.path("q.nii"), std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    put<std::int16_t>(bytes, 254, 0);
+    expect_equal(read_volume(folder.write("q.nii", bytes)).grid, oblique, 1e-5);
+  }
   // Values beyond the type's range are limited, and rounded.
   const Volume wild = volume_of(straight, [](const Vec<3>& x) { return x[0] < -10 ? -3.7 : x[0] < -9 ? 300 : 1.6; });
   write_volume(folder.path("w.nrrd"), wild, Existing::is_replaced);
@@ -94,7 +103,7 @@ TEST_F(RefusedVolume, ShortData) {
   EXPECT_TRUE(contains(refusal("a.nrrd", nrd.substr(0, nrd.size() - 30)), "cut off"));
   EXPECT_TRUE(contains(refusal("a.mha", mha.substr(0, mha.size() - 30)), "cut off"));
   EXPECT_TRUE(contains(refusal("b.nii", nii.substr(0, 100)), "no NIfTI image"));
-  EXPECT_TRUE(contains(refusal("b.nrrd", "NRRD0004\n"), "no volume that can be read"));
+  EXPECT_TRUE(contains(refusal("b.nrrd", "NRRD0004\n"), "does not say type, dimension, sizes and encoding"));
   EXPECT_TRUE(contains(refusal("b.mha", "ObjectType = Image\n"), "ElementDataFile"));
   EXPECT_TRUE(contains(refusal("c.nii.gz", nii.substr(0, 360)), "cut off"));
   EXPECT_TRUE(contains(refusal("c.nii", ""), "empty"));
@@ -112,11 +121,11 @@ TEST_F(RefusedVolume, ShortData) {
 TEST_F(RefusedVolume, HugeHeaders) {
   std::string huge = nii;
   for (std::size_t k = 0; k < 3; ++k) put<std::int16_t>(huge, 42 + 2 * k, 600);
-  EXPECT_TRUE(contains(refusal("a.nii", huge), "cut off: 600 x 600 x 600 voxels take 216000000 bytes, which the file, of 412 bytes, does not hold"));
+  EXPECT_TRUE(contains(refusal("a.nii", huge), "cut off, or damaged: 600 x 600 x 600 voxels take 216000000 bytes, which the file, of 412 bytes, does not hold"));
   for (std::size_t k = 0; k < 3; ++k) put<std::int16_t>(huge, 42 + 2 * k, 32000);
   EXPECT_TRUE(contains(refusal("a.nii", huge), "has more than 268435456 voxels"));
   EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 600 600 600")), "cut off"));
-  EXPECT_NE(refusal("b.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 4000000000 4000000000 4000000000")), "");
+  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 4000000000 4000000000 4000000000")), "has more than"));
   EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "DimSize = 4 5 3", "DimSize = 600 600 600")), "cut off"));
 }
 
@@ -130,10 +139,11 @@ TEST_F(RefusedVolume, NoFrameOfSpace) {
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, 0)), "the spacing of its voxels along axis 2 is 0"));
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, NAN)), "the spacing of its voxels along axis 2 is nan"));
   EXPECT_TRUE(contains(refusal("b.nii", changed<float>(nii, 280, INFINITY)), "position in space is not finite"));
-  EXPECT_NE(refusal("c.nii", changed<float>(changed<float>(nii, 280, 0), 296, 1)), "");  // two equal columns
-  EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (-1,-0,0)")), ""));
-  EXPECT_NE(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 0 2")), "");
-  EXPECT_NE(refusal("b.mha", replaced(mha, "TransformMatrix = -1 0 0 0 -1 0", "TransformMatrix = -1 0 0 -1 0 0")), "");
+  EXPECT_TRUE(contains(refusal("c.nii", changed<float>(changed<float>(nii, 280, 0), 296, 1)), "do not span space"));  // two columns along one axis
+  EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (-1,-0,0)")), "do not span space"));
+  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (0,0,0)")), "must be positive"));
+  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 0 2")), "must be positive"));
+  EXPECT_TRUE(contains(refusal("b.mha", replaced(mha, "TransformMatrix = -1 0 0 0 -1 0", "TransformMatrix = -1 0 0 -1 0 0")), "do not span space"));
 }
 
 TEST_F(RefusedVolume, ValuesThatAreNoNumbers) {
