@@ -92,7 +92,7 @@ Chosen find_chosen(const Volume& volume, const VoxelChoice& choice) {
   return chosen;
 }
 
-// How many voxels along each axis become one, so that none of them is much finer than a 256th of the label's extent.
+// How many voxels along each axis become one, so that none of them is much finer than a 160th of the label's extent.
 std::array<int, 3> block_sides(const VoxelGrid& grid, const IndexBox& box) {
   const Vec<3> spacing = grid.axes.colwise().norm();
   double extent = 0;

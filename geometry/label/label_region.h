@@ -14,7 +14,7 @@ namespace shellmatch {
 inline constexpr std::size_t least_component = 27;
 
 /// The most voxels along an axis of a region; of larger labels blocks of voxels become one.
-inline constexpr int most_voxels_across = 256;
+inline constexpr int most_voxels_across = 160;
 
 /// Free voxels around the label.
 inline constexpr int region_margin = 4;

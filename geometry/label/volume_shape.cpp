@@ -64,8 +64,8 @@ class LabelFunction {
 };
 
 Surface<3> mesh(const LabelFunction& function, const LabelRegion& region, const std::string& source) {
-  // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 8 can use.
-  double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / 256);
+  // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 7 can use.
+  double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / most_voxels_across);
   const ImplicitFunction f = [&](const Vec<3>& x) { return function(x); };
   for (int attempt = 0;; ++attempt, edge *= 0.8) {
     try {
@@ -73,7 +73,7 @@ Surface<3> mesh(const LabelFunction& function, const LabelRegion& region, const 
       for (Vec<3>& x : surface.vertices) x = function.point(x);
       return surface;
     } catch (const InputError&) {
-      if (attempt == 2)
+      if (attempt == 1)
         throw_input_error("{}: the label has details that no closed surface at its resolution separates; smooth or clean the segmentation", source);
     }
   }

@@ -1,4 +1,5 @@
 // Volumes as a user has them: one map whatever the format, what the map carries, and its fields in other programs.
+#include "geometry/distance/surface_distance.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "geometry/label/volume_shape.h"
@@ -9,6 +10,7 @@
 #include "tests/apps/itk_transform.h"
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/volume/volume_files.h"
+#include "tests/support/folders.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -237,6 +239,26 @@ TEST_F(Volumes, DeterminantsSayHowVolumesChange) {
   EXPECT_NEAR(forward / n_to, 1, 0.03);
   EXPECT_NEAR(backward / n_from, 1, 0.03);
   EXPECT_GT(std::abs(n_to / n_from - 1), 0.1);
+}
+
+// Two segmentations of the Medical Segmentation Decathlon: distance in millimetres, and the carried label against the other one.
+TEST(VolumeData, HippocampusOntoAnother) {
+  const std::string folder = (test::data_folder() / "hippocampus_msd").string() + "/";
+  const std::string from = folder + "hippocampus_001_label.nii.gz", to = folder + "hippocampus_006_label.nii.gz";
+  if (!std::ifstream(from).good()) GTEST_SKIP() << "no file " << from << "; set SHELLMATCH_DATA to the data folder";
+  const Folder tmp;
+  run({"match", from, to, "-o", tmp / "out", "--set", "pictures=none", "-q"});
+  run({"apply", tmp / "out", from, "-o", tmp / "carried.nii.gz", "--like", to});
+  const SignedDistance<3> surface(volume_shape({to, {}}, to, Space::ras).surface);
+  const std::vector<double> distances = distances_to(deformed(tmp / "out"), surface);
+  EXPECT_LT(statistics(distances).mean, 0.05);
+  const Volume carried = read_volume(tmp / "carried.nii.gz"), target = read_volume(to);
+  double both = 0, sum = 0;
+  for (std::size_t v = 0; v < carried.values.size(); ++v) {
+    both += carried.values[v] > 0 && target.values[v] > 0;
+    sum += (carried.values[v] > 0) + (target.values[v] > 0);
+  }
+  EXPECT_GT(2 * both / sum, 0.98);
 }
 
 TEST_F(Volumes, Refusals) {

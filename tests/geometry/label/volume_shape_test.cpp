@@ -126,7 +126,7 @@ TEST(VolumeShape, LargeLabelsAreTakenInBlocks) {
   const Shape<3> shape = shape_of(volume_of(grid_over({0, 0, 0}, {0.1, 1, 1}, {600, 16, 16}), [](const Vec<3>& x) {
     return ball(Vec<3>(x[0] / 4, x[1], x[2]), {7.5, 7.5, 7.5}, 6.5);
   }));
-  EXPECT_TRUE(has_note(shape, "blocks of 3 x 1 x 1 voxels are taken as one"));
+  EXPECT_TRUE(has_note(shape, "blocks of 4 x 1 x 1 voxels are taken as one"));
   EXPECT_NEAR(volume(shape.surface) / (16.0 / 3 * std::numbers::pi * 6.5 * 6.5 * 6.5), 1, 0.03);
 }
 
