@@ -1,14 +1,16 @@
 // `apply`: moves a mesh, a contour or points by the deformation of a run.
 
+#include "apps/apply_volume.h"
 #include "apps/commands.h"
-#include "apps/process/interrupt.h"
 #include "apps/output_file.h"
+#include "apps/process/interrupt.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
+#include "geometry/label/volume_shape.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/pairs/slicer_points.h"
 
@@ -23,11 +25,16 @@ namespace shellmatch {
 
 namespace {
 
-OriginalShape<2> read(const std::string& path, std::vector<std::string>& notes, std::integral_constant<int, 2>) {
+OriginalShape<2> read(const std::string& path, std::vector<std::string>& notes, Space, std::integral_constant<int, 2>) {
   return read_points_or_outline_2d(path, &notes);
 }
 
-OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, std::integral_constant<int, 3>) {
+OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, Space space, std::integral_constant<int, 3>) {
+  if (const auto volume = parse_volume_name(path)) {
+    Shape<3> shape = volume_shape(*volume, path, space);
+    notes = std::move(shape.notes);
+    return std::move(shape.original);
+  }
   return read_points_or_mesh_3d(path, &notes);
 }
 
@@ -70,18 +77,18 @@ void carry(const Deformation<Dim>& deformation, const ApplyCommand& command, std
     for (Vec<Dim>& x : points) x = deformation.to_reference_pose(x);
 }
 
-void say(const std::string& note) { std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr); }
+void say_note(const std::string& note) { std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr); }
 
 template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
-  OriginalShape<Dim> shape = read(command.file, notes, std::integral_constant<int, Dim>());
-  for (const std::string& note : notes) say(note);
+  OriginalShape<Dim> shape = read(command.file, notes, or_default(deformation.space), std::integral_constant<int, Dim>());
+  for (const std::string& note : notes) say_note(note);
   if constexpr (Dim == 3) {
     const Space own = shape.space, common = or_default(deformation.space);
     if (change_space(shape.vertices, own, common))
-      say(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
+      say_note(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
     carry(deformation, command, shape.vertices);
     change_space(shape.vertices, common, own);
   } else {
@@ -89,7 +96,7 @@ void apply(const ApplyCommand& command) {
   }
   if constexpr (Dim == 3)
     if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
-      say(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
+      say_note(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
   write_output_file(command.output, shape, command.force);
 }
 
@@ -98,12 +105,12 @@ void apply_to_slicer_points(const ApplyCommand& command) {
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   const SlicerPoints file = read_slicer_points(command.file);
   const Space space = or_default(deformation.space);
-  if (const std::string note = space_note(file, space); !note.empty()) say(note + "; they are written in their own frame");
+  if (const std::string note = space_note(file, space); !note.empty()) say_note(note + "; they are written in their own frame");
   std::vector<Vec<3>> points;
   for (const SlicerPoint& p : file.points)
     if (p.has_position) points.push_back(in_space(p.position, p.space, space));
   if (points.size() < file.points.size())
-    say(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
+    say_note(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
   carry(deformation, command, points);
   std::vector<Vec<3>> positions;
   for (std::size_t i = 0, next = 0; i < file.points.size(); ++i) {
@@ -117,6 +124,9 @@ void apply_to_slicer_points(const ApplyCommand& command) {
 
 void execute(const ApplyCommand& command) {
   catch_interrupts();
+  if (is_about_volumes(command)) return apply_to_volumes(command);
+  if (!command.like.empty() || !command.sampling.empty())
+    throw_input_error("apply: --like and --sampling are for volumes: give a volume, as {}, to move, and one to write (-o)", volume_endings);
   const int dimension = deformation_dimension(command.deformation);
   if (is_slicer_file(command.file)) {
     if (dimension == 2) throw_input_error("{}: holds points of space, but this deformation is one of the plane", command.file);

@@ -46,6 +46,9 @@ struct GenerateCommand {
 
 struct ApplyCommand {
   std::string deformation, file, output;
+  std::string like;      ///< a volume whose voxels the output has
+  std::string sampling;  ///< of a volume: nearest, label, linear; empty for what its values ask for
+  std::string displacement, jacobian, log_jacobian;  ///< volumes to write
   bool inverse = false;  ///< from the template back to the reference
   bool keep_pose = false;  ///< points on the template are in the pose of the reference
   bool force = false;

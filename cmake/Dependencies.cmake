@@ -30,6 +30,10 @@ find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOLegacy IOX
 include(cmake/LinkedLibraries.cmake)
 if(SHELLMATCH_TESTS)
   find_package(GTest REQUIRED)
+  # What our volumes are compared with. ITK's package configuration also reports programs of GDCM's that are not there, in ten lines each.
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+  find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKTransform ITKIOImageBase ITKIOMeta ITKIONIFTI ITKIONRRD)
+  unset(CMAKE_MESSAGE_LOG_LEVEL)
 endif()
 if(SHELLMATCH_BENCH)
   find_package(benchmark REQUIRED)

@@ -143,8 +143,13 @@ void describe(CLI::App& app, Commands& commands) {
   CLI::App* apply = add_command(app, "apply", help_text::apply, help_text::apply_footer);
   apply->add_option("DIR", commands.apply.deformation, "output folder of a run, or its deformation.vtu")
       ->required()->type_name("");
-  apply->add_option("FILE", commands.apply.file, "mesh, contour or points to move")->required()->type_name("");
-  apply->add_option("-o,--output", commands.apply.output, "the file to write (required)")->type_name("FILE");
+  apply->add_option("FILE", commands.apply.file, "mesh, contour, points or volume to move")->type_name("");
+  apply->add_option("-o,--output", commands.apply.output, "the file to write (required with FILE)")->type_name("FILE");
+  apply->add_option("--like", commands.apply.like, "the volume whose voxels the written ones have; those of FILE if not given")->type_name("VOLUME");
+  apply->add_option("--sampling", commands.apply.sampling, "of a volume between its voxels; by its values if not given")->type_name("nearest|label|linear");
+  apply->add_option("--displacement", commands.apply.displacement, "write the displacements as vectors in LPS, as ANTs and ITK read them")->type_name("VOLUME");
+  apply->add_option("--jacobian", commands.apply.jacobian, "write the factors by which volumes change")->type_name("VOLUME");
+  apply->add_option("--log-jacobian", commands.apply.log_jacobian, "write their logarithms")->type_name("VOLUME");
   apply->add_flag("--inverse", commands.apply.inverse, "by the inverse map, from the template back to the reference");
   apply->add_flag("--keep-pose", commands.apply.keep_pose,
                   "without the motion that alignment took out: what is on the template is where the reference lies");
@@ -203,7 +208,11 @@ Command named_command(const std::string& name, const Commands& commands) {
     return commands.generate;
   }
   if (name == "apply") {
-    require_output(commands.apply.output, "FILE");
+    const ApplyCommand& apply = commands.apply;
+    const bool has_fields = !apply.displacement.empty() || !apply.jacobian.empty() || !apply.log_jacobian.empty();
+    if (apply.file.empty() && !has_fields) throw_input_error("apply: say what to move: apply DIR FILE -o OUTPUT (see shellmatch apply --help)");
+    if (!apply.file.empty()) require_output(apply.output, "FILE");
+    else if (!apply.output.empty()) throw_input_error("apply: -o {}: there is no FILE to move (see shellmatch apply --help)", apply.output);
     return commands.apply;
   }
   if (name == "inspect") return commands.inspect;

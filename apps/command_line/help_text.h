@@ -21,8 +21,8 @@ needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
-inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), closed contours in the plane (CSV) or masks (PNG, PGM),
-or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
+inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), labels of volumes (NIfTI, NRRD, MetaImage; scan.nii.gz:3 or
+"scan.nii.gz:>0.5", otherwise all above 0), closed contours in the plane (CSV) or masks (PNG, PGM), or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
 
 Examples:
   shellmatch match reference.ply template.obj -o out
@@ -57,7 +57,7 @@ inline constexpr const char* generate_footer = R"(Examples:
   shellmatch generate hand -o pointing.ply --set bend_middle=50 --set bend_ring=50 --edge-length 0.01
 The same names serve as inputs elsewhere, as in `shellmatch match generate:hand generate:hand/bent -o out`.)";
 
-inline constexpr const char* apply = "Move something else by a deformation that was found: a mesh, a contour or points.";
+inline constexpr const char* apply = "Move something else by a deformation that was found: a mesh, a contour, points or a volume; or write its fields.";
 
 inline constexpr const char* apply_footer = R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
 outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
@@ -65,12 +65,17 @@ those of the reference. With --keep-pose the result stays where the reference li
 by the motion that alignment found. Together with --inverse the file lies there.
 Control points of 3D Slicer (.mrk.json, .fcsv) keep names, descriptions and frame.
 
+A volume (.nii .nii.gz .nrrd .mha) is pulled back: every voxel of the result, on the voxels of --like or its own, gets what lies where it comes from,
+0 where the map is not defined. Fields of the map need no FILE, but --like (docs/volumes.md).
+
 Examples:
   shellmatch apply out other.ply -o moved.ply
   shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv
   shellmatch apply out landmarks.mrk.json -o moved.mrk.json
   shellmatch apply out on_template.ply -o on_reference.ply --inverse
-  shellmatch apply out reference.ply -o deformed_in_place.ply --keep-pose)";
+  shellmatch apply out reference.ply -o deformed_in_place.ply --keep-pose
+  shellmatch apply out labels.nii.gz -o on_template.nii.gz --like template.nii.gz
+  shellmatch apply out --displacement field.nii.gz --log-jacobian growth.nii.gz --like reference.nii.gz)";
 
 inline constexpr const char* inspect = "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
 

@@ -15,14 +15,15 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp";
+constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd";
 constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm";
 
 [[noreturn]] void unsupported(const InputFile& file) {
   const std::string extension = file_extension(file.path());
-  throw_input_error("{}: {}; supported are {}, {}", file.path(),
+  throw_input_error("{}: {}; supported are {}, {}, {}", file.path(),
                     extension.empty() ? "the name has no ending that tells the format"
                                       : "the format '" + extension + "' is not supported",
-                    mesh_list, outline_list);
+                    mesh_list, volume_list, outline_list);
 }
 
 // The shape as it stands in the file. \pre the format is that of a mesh

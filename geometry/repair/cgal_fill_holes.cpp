@@ -17,7 +17,7 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 // A hole with more edges would take quadratic memory, and is no small one.
-constexpr std::size_t most_edges = 3000;
+constexpr std::size_t most_edges = 3000, most_holes = 2000;
 
 CgalMesh oriented_mesh(const Surface<3>& open) {
   std::vector<CgalKernel::Point_3> points;
@@ -42,12 +42,13 @@ std::size_t length_of(CgalMesh::Halfedge_index begin, const CgalMesh& mesh) {
 
 }  // namespace
 
-std::optional<FilledHoles> fill_holes(const Surface<3>& open) {
+std::optional<FilledHoles> fill_holes(const Surface<3>& open) try {
   CgalMesh mesh = oriented_mesh(open);
   const std::size_t n_before = mesh.number_of_faces();
   if (n_before == 0) return std::nullopt;
   std::vector<CgalMesh::Halfedge_index> holes;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+  if (holes.size() > most_holes) return std::nullopt;
   for (const CgalMesh::Halfedge_index hole : holes) {
     if (length_of(hole, mesh) > most_edges) return std::nullopt;
     std::vector<CgalMesh::Face_index> patch;
@@ -64,6 +65,8 @@ std::optional<FilledHoles> fill_holes(const Surface<3>& open) {
   }
   if (area > 0) filled.new_share /= area;
   return filled;
+} catch (const CGAL::Failure_exception&) {  // a hole that its preconditions exclude
+  return std::nullopt;
 }
 
 }  // namespace shellmatch

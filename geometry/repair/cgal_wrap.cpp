@@ -6,7 +6,7 @@
 
 namespace shellmatch {
 
-Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset) {
+Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset) try {
   std::vector<CgalKernel::Point_3> points;
   for (const Vec<3>& x : triangles.vertices) points.emplace_back(x.x(), x.y(), x.z());
   std::vector<std::array<std::size_t, 3>> facets;
@@ -16,6 +16,8 @@ Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset) {
   CGAL::alpha_wrap_3(points, facets, alpha, offset, mesh);
   mesh.collect_garbage();
   return surface_of(mesh);
+} catch (const CGAL::Failure_exception&) {
+  return {};
 }
 
 }  // namespace shellmatch

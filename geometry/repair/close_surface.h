@@ -23,7 +23,7 @@ std::optional<FilledHoles> fill_holes(const Surface<3>& open);
 
 /// The surface around any set of triangles that is at most `alpha` away in gaps and `offset` outside of them: closed, without
 /// self-intersections, oriented outward (CGAL's alpha_wrap_3; Portaneri et al., Alpha wrapping with an offset, 2022).
-/// \pre alpha, offset > 0; at least one triangle
+/// Without facets where it fails. \pre alpha, offset > 0; at least one triangle
 Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset);
 
 /// Closes a surface that is not closed: by filling its holes where these are small, by a wrap otherwise. Says so in `notes`.

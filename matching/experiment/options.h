@@ -32,6 +32,14 @@ struct EnumNames<Closing> {
   static constexpr std::pair<Closing, std::string_view> names[] = {{Closing::automatic, "auto"}, {Closing::never, "never"}};
 };
 
+/// The frame of shapes out of volumes.
+enum class SpaceKind { automatic, ras, lps };
+template <>
+struct EnumNames<SpaceKind> {
+  static constexpr std::pair<SpaceKind, std::string_view> names[] = {
+      {SpaceKind::automatic, "auto"}, {SpaceKind::ras, "ras"}, {SpaceKind::lps, "lps"}};
+};
+
 /// Which pictures a run draws. On small grids drawing takes longer than the matching.
 enum class Pictures { all, result, none };
 template <>
@@ -54,6 +62,7 @@ struct InputOptions {
   PlacementKind placement = PlacementKind::fit;
   double margin = 0.15;
   Closing close = Closing::automatic;
+  SpaceKind space = SpaceKind::automatic;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
@@ -63,6 +72,7 @@ struct InputOptions {
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most three tenths of the area and wraps what else has gaps or inner walls, and says so (docs/closing.md); never refuses them, as --strict does"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
+    visit("space", self.space, {.meaning = "frame of shapes out of volumes, and so of the results: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
   }
 };
 

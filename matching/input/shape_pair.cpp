@@ -1,9 +1,40 @@
 #include "matching/input/shape_pair.h"
 
 #include "base/error.h"
+#include "geometry/volume/volume_name.h"
 #include "matching/input/shape_source.h"
 
+#include <array>
+#include <optional>
+#include <utility>
+
 namespace shellmatch {
+
+namespace {
+
+// The frame of volumes: the user's word, or that of a mesh that names one.
+Space space_of_volumes(const InputOptions& input, const std::array<std::optional<AnyShape>, 2>& meshes) {
+  if (input.space != SpaceKind::automatic) return input.space == SpaceKind::lps ? Space::lps : Space::ras;
+  for (const std::optional<AnyShape>& shape : meshes) {
+    if (!shape || shape->index() != 1) continue;
+    if (std::get<1>(*shape).original.space != Space::unsaid) return std::get<1>(*shape).original.space;
+  }
+  return default_space;
+}
+
+// Both shapes; volumes last, as meshes may name the frame.
+std::pair<AnyShape, AnyShape> open_both(const InputOptions& input) {
+  const std::array<const std::string*, 2> sources{&input.reference, &input.template_file};
+  std::array<std::optional<AnyShape>, 2> shapes;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!parse_volume_name(*sources[i])) shapes[i] = open_shape(*sources[i], input.close);
+  const Space space = space_of_volumes(input, shapes);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!shapes[i]) shapes[i] = open_shape(*sources[i], input.close, space);
+  return {std::move(*shapes[0]), std::move(*shapes[1])};
+}
+
+}  // namespace
 
 template <int Dim>
 Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose) {
@@ -38,8 +69,7 @@ void share_space(ShapePair<Dim>& pair, Observer& observer) {
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
-  AnyShape reference = open_shape(input.reference, input.close);
-  AnyShape template_shape = open_shape(input.template_file, input.close);
+  auto [reference, template_shape] = open_both(input);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
       for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));

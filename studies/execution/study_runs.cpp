@@ -3,6 +3,7 @@
 #include "matching/output/checksum.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/option_text.h"
+#include "matching/input/shape_source.h"
 #include "solvers/minimizer.h"
 #include "studies/study.h"
 
@@ -31,7 +32,7 @@ class InputContents {
       if (is_generated_source(source))
         check_generated_source(source);
       else
-        entry->second = file_checksum(source);
+        entry->second = file_checksum(file_of_shape(source));
     } catch (const InputError& error) {
       known_.erase(entry);
       throw_input_error("{}: {}", where, error.what());

@@ -59,6 +59,35 @@ def image_seeds():
                     b"P2\n16 16\n255\n" + " ".join(map(str, grey)).encode()]}
 
 
+def volume_seeds():
+    """A label of 4 x 4 x 3 voxels in each format, its bytes plain and compressed."""
+    size, n = (6, 5, 5), 150
+    voxels = bytes(1 if 0 < i % 6 < 5 and 0 < i // 6 % 5 < 4 and 0 < i // 30 < 4 else 0 for i in range(n))
+
+    def nifti(kind, bits, data, order="<", frame=(1.0, 0, 0, -3, 0, -1.0, 0, 4, 0, 0, 2.0, 5)):
+        header = struct.pack(order + "i36x8h14xhh2x8f4f", 348, 3, *size, 1, 1, 1, 1, kind, bits, 1, 1, 1, 2, 1, 1, 1, 1, 352, 1, 0, 0)
+        header = header.ljust(252, b"\0") + struct.pack(order + "2h6f12f", 0, 1, 0, 0, 0, 0, 0, 0, *frame)
+        return header.ljust(344, b"\0") + b"n+1\0\0\0\0\0" + data
+    plain = nifti(2, 8, voxels)
+    gzip = lambda data: (lambda c: c.compress(data) + c.flush())(zlib.compressobj(9, zlib.DEFLATED, 31))
+    nrrd = ("NRRD0004\ntype: {}\ndimension: 3\nspace: {}\nsizes: 6 5 5\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nkinds: domain domain domain\n"
+            "endian: little\nencoding: {}\nspace origin: (1,2,3)\n\n")
+    meta = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n{}TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
+            "Offset = 1 2 3\nCenterOfRotation = 0 0 0\nElementSpacing = 1 1 2\nDimSize = 6 5 5\nElementType = {}\nElementDataFile = LOCAL\n")
+    floats = struct.pack("<150f", *voxels)
+    packed = zlib.compress(voxels)
+    return {"nifti": [plain, nifti(16, 32, floats), nifti(4, 16, struct.pack(">150h", *voxels), ">"), plain[:400], plain[:200],
+                      nifti(2, 8, voxels, frame=(1.0, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0))],
+            "nifti_gz": [gzip(plain), gzip(plain)[:-30], plain],
+            "nrrd": [nrrd.format("uchar", "left-posterior-superior", "raw").encode() + voxels,
+                     nrrd.format("float", "right-anterior-superior", "gzip").encode() + gzip(floats),
+                     nrrd.format("uchar", "scanner-xyz", "ascii").encode() + " ".join(map(str, voxels)).encode(),
+                     b"NRRD0001\ntype: short\ndimension: 3\nsizes: 6 5 5\nspacings: 1 1 2\nendian: big\nencoding: raw\n\n" + struct.pack(">150h", *voxels)],
+            "meta_image": [meta.format("False", "", "MET_UCHAR").encode() + voxels, meta.format("False", "", "MET_FLOAT").encode() + floats,
+                           meta.format("True", f"CompressedDataSize = {len(packed)}\n", "MET_UCHAR").encode() + packed,
+                           meta.format("False", "", "MET_UCHAR").replace("LOCAL", "none.raw").encode()]}
+
+
 def map_seed(dim, posed, fill_words=True):
     """A grid of two cells along each axis, with stored blocks (stored_blocks.cpp), without the line of its checksum."""
     side = range(3)
@@ -195,7 +224,7 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
 
 
 def seeds_of_all():
-    seeds = {**mesh_seeds(), **image_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
+    seeds = {**mesh_seeds(), **image_seeds(), **volume_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
     joined = lambda *parts: SEPARATOR.join(parts)
     seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
     seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n",

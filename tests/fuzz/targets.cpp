@@ -13,6 +13,10 @@ constexpr std::size_t largest_image = std::size_t{700} << 20;
 // Bytes that zlib expands, each to a number.
 constexpr std::size_t largest_expansion = 30000;
 
+// A byte of a volume's file may stand for a thousand voxels (geometry/volume/volume_header.cpp), which take 4 bytes each, twice where they
+// are turned, and a few more where they are a label's.
+constexpr std::size_t volume_start = std::size_t{32} << 20, most_per_volume_byte = 10000;
+
 constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"off", read_off_bytes},
                           {"ply", read_ply_bytes},
@@ -23,6 +27,10 @@ constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"points3", read_points_of_space},
                           {"png", read_png_bytes, largest_image},
                           {"pgm", read_pgm_bytes},
+                          {"nifti", read_nifti_bytes, volume_start, most_per_volume_byte},
+                          {"nifti_gz", read_compressed_nifti_bytes, volume_start, most_per_volume_byte},
+                          {"nrrd", read_nrrd_bytes, volume_start, most_per_volume_byte},
+                          {"meta_image", read_meta_image_bytes, volume_start, most_per_volume_byte},
                           {"repair3", mend_edited_mesh},
                           {"repair2", mend_edited_outline},
                           {"yaml", read_options},

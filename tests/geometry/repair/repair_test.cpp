@@ -11,18 +11,6 @@
 
 namespace shellmatch::testing {
 
-bool is_closed_and_oriented(const Surface<3>& s) {
-  std::vector<std::pair<Index, Index>> edges, opposite;
-  for (const auto& facet : s.facets)
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges.emplace_back(facet[k], facet[(k + 1) % 3]);
-      opposite.emplace_back(facet[(k + 1) % 3], facet[k]);
-    }
-  std::sort(edges.begin(), edges.end());
-  std::sort(opposite.begin(), opposite.end());
-  return !edges.empty() && edges == opposite && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-}
-
 namespace {
 
 Shape<3> mended(const OriginalShape<3>& original) {

@@ -1,0 +1,134 @@
+#include "apps/apply_volume.h"
+
+#include "apps/output_file.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/volume/sample_volume.h"
+#include "geometry/volume/volume_file.h"
+#include "geometry/volume/volume_name.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/map_file/user_map.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr double least_determinant = 1e-6;  // whose logarithm is written where a map folds
+
+Existing existing(const ApplyCommand& command) { return command.force ? Existing::is_replaced : Existing::is_kept; }
+
+void say(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
+
+// Calls body(voxel, its centre in RAS) for all voxels.
+template <class Body>
+void for_each_voxel(const VoxelGrid& grid, Body&& body) {
+  const std::size_t n_lines = static_cast<std::size_t>(grid.size[1]) * grid.size[2];
+  parallel_for(n_lines, [&](std::size_t line) {
+    const int j = static_cast<int>(line % grid.size[1]), k = static_cast<int>(line / grid.size[1]);
+    for (int i = 0; i < grid.size[0]; ++i) body(grid.number(i, j, k), grid.position(Vec<3>(i, j, k)));
+  }, 16);
+}
+
+Sampling chosen_sampling(const ApplyCommand& command, const Volume& volume) {
+  if (command.sampling == "nearest") return Sampling::nearest;
+  if (command.sampling == "label") return Sampling::label;
+  if (command.sampling == "linear") return Sampling::linear;
+  if (!command.sampling.empty()) throw_input_error("--sampling {}: expected nearest, label or linear", command.sampling);
+  const bool is_label = is_label_volume(volume);
+  say(fmt::format("{}: {}", command.file, is_label ? "whole numbers, of which few differ: carried as labels (--sampling linear for grey values)"
+                                                    : "grey values: carried by linear interpolation (--sampling label for labels)"));
+  return is_label ? Sampling::label : Sampling::linear;
+}
+
+void carry(const ApplyCommand& command, const Deformation<3>& deformation) {
+  const Volume volume = read_volume(command.file);
+  const VolumeSampler sampler(volume, chosen_sampling(command, volume));
+  Volume result{command.like.empty() ? volume.grid : read_voxel_grid(command.like), volume.type, {}};
+  result.values.assign(result.grid.n_voxels(), 0.0f);
+  const UserMap<3> back(deformation, command.inverse ? Toward::template_shape : Toward::reference, command.keep_pose);
+  std::atomic<std::size_t> n_inside{0};
+  for_each_voxel(result.grid, [&](std::size_t voxel, const Vec<3>& x) {
+    const auto from = back.within_domain(in_space_of(deformation, x));
+    if (!from) return;
+    ++n_inside;
+    result.values[voxel] = sampler(in_space_of(deformation, *from), 0.0f);
+  });
+  if (n_inside == 0)
+    throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?", command.like.empty() ? command.file : command.like,
+                      command.inverse ? "reference" : "template", command.like.empty() ? "; --like gives the voxels of another volume" : "");
+  write_volume(command.output, result, existing(command));
+}
+
+void write_displacement(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid) {
+  const UserMap<3> map(deformation, command.inverse ? Toward::reference : Toward::template_shape, command.keep_pose);
+  std::vector<float> values(3 * grid.n_voxels(), 0.0f);
+  std::atomic<std::size_t> n_lost{0};
+  for_each_voxel(grid, [&](std::size_t voxel, const Vec<3>& x) {
+    const auto y = map(in_space_of(deformation, x));
+    if (!y) {
+      ++n_lost;
+      return;
+    }
+    const Vec<3> displacement = exchange_space(Vec<3>(in_space_of(deformation, *y) - x));
+    for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
+  });
+  if (n_lost > 0) say(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
+  write_vector_volume(command.displacement, grid, values, existing(command));
+}
+
+void write_determinant(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid, const std::string& path, bool logarithm) {
+  const UserMap<3> map(deformation, command.inverse ? Toward::reference : Toward::template_shape, command.keep_pose);
+  Volume result{grid, VoxelType::float32, std::vector<float>(grid.n_voxels(), logarithm ? 0.0f : 1.0f)};
+  std::atomic<std::size_t> n_folded{0};
+  for_each_voxel(grid, [&](std::size_t voxel, const Vec<3>& x) {
+    auto determinant = map.determinant(in_space_of(deformation, x));
+    if (!determinant) return;
+    if (*determinant <= 0) ++n_folded;
+    result.values[voxel] = static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
+  });
+  if (n_folded > 0) say(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
+  write_volume(path, result, existing(command));
+}
+
+bool has_fields(const ApplyCommand& command) {
+  return !command.displacement.empty() || !command.jacobian.empty() || !command.log_jacobian.empty();
+}
+
+}  // namespace
+
+bool is_about_volumes(const ApplyCommand& command) {
+  return has_fields(command) || (!command.file.empty() && parse_volume_name(command.file) && parse_volume_name(command.output));
+}
+
+void apply_to_volumes(const ApplyCommand& command) {
+  if (deformation_dimension(command.deformation) != 3) throw_input_error("{}: a map of the plane; volumes need one of space", command.deformation);
+  const bool carries = !command.file.empty();
+  if (carries && !is_volume_file(command.file) && parse_volume_name(command.file))
+    throw_input_error("{}: a volume is carried as a whole; name the file alone, or write a mesh of the labels (-o moved.ply)", command.file);
+  if (carries && !is_volume_file(command.file))
+    throw_input_error("{}: fields of the map are written without a file to move; give --like the volume whose voxels they are to have, and move this in a "
+                      "command of its own", command.file);
+  for (const std::string& output : {command.output, command.displacement, command.jacobian, command.log_jacobian})
+    if (!output.empty()) {
+      check_volume_output(output);
+      check_report_file(output, command.force);
+    }
+  if (has_fields(command) && command.like.empty() && !carries) throw_input_error("apply: say on which voxels: --like VOLUME");
+  const Deformation<3> deformation = read_deformation<3>(command.deformation);
+  if (carries) carry(command, deformation);
+  if (!has_fields(command)) return;
+  const VoxelGrid grid = read_voxel_grid(command.like.empty() ? command.file : command.like);
+  if (!command.displacement.empty()) write_displacement(command, deformation, grid);
+  if (!command.jacobian.empty()) write_determinant(command, deformation, grid, command.jacobian, false);
+  if (!command.log_jacobian.empty()) write_determinant(command, deformation, grid, command.log_jacobian, true);
+}
+
+}  // namespace shellmatch

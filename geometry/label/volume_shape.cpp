@@ -1,0 +1,130 @@
+#include "geometry/label/volume_shape.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/text.h"
+#include "geometry/distance/surface_distance.h"
+#include "geometry/implicit/mesh_implicit.h"
+#include "geometry/repair/make_shape.h"
+#include "geometry/label/label_region.h"
+#include "geometry/label/smoothed_label.h"
+#include "geometry/label/surface_parts.h"
+#include "geometry/volume/volume_file.h"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+// The label as a function on the unit cube, which the mesher for implicit functions wants.
+class LabelFunction {
+ public:
+  LabelFunction(const LabelRegion& region, const SmoothedLabel& label) : grid_(region.grid), label_(&label) {
+    Box<3> box;
+    for (int c = 0; c < 8; ++c) {
+      Vec<3> corner;
+      for (int a = 0; a < 3; ++a) corner[a] = c >> a & 1 ? grid_.size[a] - region_margin : region_margin - 1;
+      box.add(grid_.position(corner));
+    }
+    extent_ = (box.max - box.min).maxCoeff();
+    scale_ = 0.88 / extent_;
+    centre_ = 0.5 * (box.min + box.max);
+    to_index_ = grid_.axes.inverse();
+    const double spacing = scale_ * grid_.least_spacing();
+    gain_ = 1.8 / steepest * spacing;
+    reach_ = 2 * spacing;
+  }
+
+  Vec<3> point(const Vec<3>& unit) const { return centre_ + (unit - Vec<3>::Constant(0.5)) / scale_; }
+  double extent() const { return extent_; }
+  double to_unit(double length) const { return length * scale_; }
+
+  // Negative inside, Lipschitz with the constant 2 where it matters: far from the surface it says how far that is at least.
+  double operator()(const Vec<3>& unit) const {
+    const Vec<3> index = to_index_ * (point(unit) - grid_.origin);
+    const double value = gain_ * (label_->level() - label_->share(index));
+    return std::copysign(std::max(std::abs(value), reach_ * label_->clearance(index)), value);
+  }
+
+ private:
+  // The slope of a share across a plane of voxels, per voxel.
+  static constexpr double steepest = 0.625;
+
+  VoxelGrid grid_;
+  const SmoothedLabel* label_;
+  Mat<3> to_index_;
+  Vec<3> centre_;
+  double extent_, scale_, gain_, reach_;
+};
+
+Surface<3> mesh(const LabelFunction& function, const LabelRegion& region, const std::string& source) {
+  // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 7 can use.
+  double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / most_voxels_across);
+  const ImplicitFunction f = [&](const Vec<3>& x) { return function(x); };
+  for (int attempt = 0;; ++attempt, edge *= 0.8) {
+    try {
+      Surface<3> surface = mesh_implicit(f, function.to_unit(edge), source);
+      for (Vec<3>& x : surface.vertices) x = function.point(x);
+      return surface;
+    } catch (const InputError&) {
+      if (attempt == 1)
+        throw_input_error("{}: the label has details that no closed surface at its resolution separates; smooth or clean the segmentation", source);
+    }
+  }
+}
+
+// Distances of the surface to the middles of faces between voxels inside and outside.
+DistanceStatistics distance_to_voxels(const LabelRegion& region, const Surface<3>& surface) {
+  const VoxelGrid& grid = region.grid;
+  std::vector<Vec<3>> faces;
+  for (int k = 0; k + 1 < grid.size[2]; ++k)
+    for (int j = 0; j + 1 < grid.size[1]; ++j)
+      for (int i = 0; i + 1 < grid.size[0]; ++i)
+        for (int a = 0; a < 3; ++a) {
+          const bool here = region.shares[grid.number(i, j, k)] > 0.5f, there = region.shares[grid.number(i + (a == 0), j + (a == 1), k + (a == 2))] > 0.5f;
+          if (here != there) faces.push_back(grid.position(Vec<3>(i, j, k) + 0.5 * Vec<3>::Unit(a)));
+        }
+  constexpr std::size_t enough = 20000;
+  std::vector<Vec<3>> some;
+  const std::size_t stride = faces.size() / enough + 1;
+  for (std::size_t n = 0; n < faces.size(); n += stride) some.push_back(faces[n]);
+  return statistics(distances_to(some, SignedDistance<3>(surface)));
+}
+
+std::string result_text(const VoxelChoice& choice, const LabelRegion& region, const Surface<3>& surface) {
+  const double voxels = std::accumulate(region.shares.begin(), region.shares.end(), 0.0);
+  const DistanceStatistics d = distance_to_voxels(region, surface);
+  return fmt::format("{}: {:.0f} voxels of {}; smoothed by {} of a voxel, the surface is {:.2g} from the voxels' boundary on average and at most {:.2g}, and its "
+                     "volume {:.2f} times theirs", choice.text(), voxels, spacing_text(region.grid), label_smoothing, d.mean, d.max,
+                     enclosed_measure(surface) / (voxels * region.grid.voxel_volume()));
+}
+
+}  // namespace
+
+Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space space) {
+  LabelRegion region = label_region(canonical(read_volume(name.file)), name.choice, source);
+  const SmoothedLabel label(region);
+  if (!(label.largest_share() > label.level() + 1e-3))
+    throw_input_error("{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source, name.choice.text());
+  Surface<3> surface = mesh(LabelFunction(region, label), region, source);
+  std::vector<std::string> notes = std::move(region.notes);
+  const double voxel = region.grid.voxel_volume();
+  if (const std::size_t n = drop_small_parts(surface, 4 * voxel); n > 0)
+    notes.push_back(fmt::format("{} of less than 4 voxels, which smoothing left of thin parts, dropped", counted(n, "piece", "pieces")));
+  if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, name.choice.text());
+  notes.insert(notes.begin(), result_text(name.choice, region, surface));
+  OriginalShape<3> original;
+  original.vertices = std::move(surface.vertices);
+  original.space = or_default(space);
+  change_space(original.vertices, Space::ras, original.space);
+  for (const auto& [a, b, c] : surface.facets) original.polygons.push_back({a, b, c});
+  return make_shape(std::move(original), source, std::move(notes));
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// Files of volumes: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd). Spacing, origin and direction of the axes
+/// are kept.
+///
+/// The files are distrusted: sizes are compared with the bytes that are there before anything is allocated.
+
+#include "base/replace_file.h"
+#include "geometry/volume/volume.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace shellmatch {
+
+/// Largest number of voxels that is read, 512 x 512 x 1024, for which the reader takes 1 GB.
+inline constexpr std::int64_t max_voxels = std::int64_t{1} << 28;
+
+/// In RAS, whichever the file's frame is. \throws InputError where the file is missing, damaged or cut off, has not three
+/// dimensions or one number for each voxel, or where spacing or directions are no frame of space
+VoxelGrid read_voxel_grid(const std::string& path);
+
+/// The same with its values. \throws InputError as above, and where a value is not finite or a whole number too large
+Volume read_volume(const std::string& path);
+
+/// What can be written. \throws InputError naming the formats where the name's ending is none of .nii .nii.gz .nrrd .mha
+void check_volume_output(const std::string& path);
+
+/// Writes a volume given in RAS in its own type of values, rounded and limited to the range of the type; compressed, but for .nii.
+/// \throws EnvironmentError where it cannot be written, InputError as check_volume_output and publish_file
+void write_volume(const std::string& path, const Volume& volume, Existing existing);
+
+/// Writes vectors of single precision, one for each voxel, whose components are along the axes of LPS: as ANTs and ITK read a field
+/// of displacements. \param values 3 n_voxels, voxel by voxel. \throws as write_volume
+void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing);
+
+}  // namespace shellmatch

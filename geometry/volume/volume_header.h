@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Headers of volumes' files, checked.
+///
+/// ITK's readers are not used: they take missing values for zeros (NIfTI, MetaImage), and on damaged input leak memory and print on the
+/// terminal. Tests compare ours with them.
+
+#include "geometry/volume/volume.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace shellmatch {
+
+struct VolumeHeader {
+  VoxelGrid grid;  ///< RAS
+  VoxelType type = VoxelType::uint8;
+  double slope = 1, intercept = 0;  ///< of a value in the file
+
+  std::string file;            ///< of the values
+  std::uintmax_t offset = 0;   ///< of the first: in the file, or in what a file that is compressed as a whole inflates to
+  enum { raw, deflated, whole_file_deflated, text } encoding = raw;
+  bool is_big_endian = false;
+};
+
+/// \throws InputError as read_voxel_grid (geometry/volume/volume_file.h)
+VolumeHeader read_volume_header(const std::string& path);
+
+VolumeHeader read_nifti_header(const std::string& path);
+VolumeHeader read_nrrd_header(const std::string& path);
+VolumeHeader read_meta_image_header(const std::string& path);
+
+/// Sets the size of the grid. \throws InputError unless there are three dimensions of 2 or more voxels, and max_voxels at most
+void set_size(const std::string& path, std::span<const std::int64_t> size, VoxelGrid& grid);
+
+/// \throws InputError unless position and spacing are finite, positive and in proportion, and the axes span space
+void check_frame(const std::string& path, const VoxelGrid& grid);
+
+/// The header's word for the file of its values, as a path. \throws InputError unless that is one file
+std::string file_of_values(const std::string& path, const std::string& name);
+
+std::size_t bytes_of(VoxelType type);
+
+}  // namespace shellmatch

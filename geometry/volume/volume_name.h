@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Names of shapes that are parts of volumes: "scan.nii.gz", "scan.nii.gz:3", "scan.nrrd:1,2", "map.mha:>0.5".
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// The voxels that make up a shape. Without labels: those above `above`.
+struct VoxelChoice {
+  std::vector<double> labels;
+  double above = 0;
+
+  bool contains(float value) const;
+  /// "label 3", "labels 1, 2", "everything above 0"
+  std::string text() const;
+};
+
+struct VolumeName {
+  std::string file;
+  VoxelChoice choice;
+};
+
+/// Whether the name's ending is that of a volume: .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, in capitals, too.
+bool is_volume_file(const std::string& path);
+
+enum class VolumeFormat { nifti, nrrd, meta_image };
+
+/// By the ending. \throws InputError where it is no volume's
+VolumeFormat volume_format(const std::string& path);
+
+/// The endings, for messages.
+inline constexpr const char* volume_endings = ".nii .nii.gz .nrrd .nhdr .mha .mhd";
+
+/// Splits the name of a file from what is chosen in it, at the last colon. None where the name, without what is chosen, has not
+/// the ending of a volume: a colon elsewhere belongs to the name. \throws InputError where what is chosen cannot be understood
+std::optional<VolumeName> parse_volume_name(const std::string& source);
+
+/// The file of a shape's name: without what is chosen of a volume.
+std::string file_of(const std::string& source);
+
+}  // namespace shellmatch

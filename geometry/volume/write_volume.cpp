@@ -1,0 +1,160 @@
+#include "base/error.h"
+#include "geometry/io/input_file.h"
+#include "geometry/volume/volume_file.h"
+#include "geometry/volume/volume_header.h"
+#include "geometry/volume/volume_name.h"
+#include "geometry/volume/zlib_volume.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+template <class T>
+void append_as(float value, std::string& bytes) {
+  T number;
+  if constexpr (std::is_integral_v<T>) {
+    // Values are at most 2^24 in size, which every wider type holds.
+    const double least = std::max(static_cast<double>(std::numeric_limits<T>::min()), -largest_label);
+    const double most = std::min(static_cast<double>(std::numeric_limits<T>::max()), largest_label);
+    number = static_cast<T>(std::clamp(std::round(static_cast<double>(value)), least, most));
+  } else {
+    number = static_cast<T>(value);
+  }
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+void append(VoxelType type, float value, std::string& bytes) {
+  switch (type) {
+    case VoxelType::uint8: return append_as<std::uint8_t>(value, bytes);
+    case VoxelType::int8: return append_as<std::int8_t>(value, bytes);
+    case VoxelType::uint16: return append_as<std::uint16_t>(value, bytes);
+    case VoxelType::int16: return append_as<std::int16_t>(value, bytes);
+    case VoxelType::uint32: return append_as<std::uint32_t>(value, bytes);
+    case VoxelType::int32: return append_as<std::int32_t>(value, bytes);
+    case VoxelType::uint64: return append_as<std::uint64_t>(value, bytes);
+    case VoxelType::int64: return append_as<std::int64_t>(value, bytes);
+    case VoxelType::float32: return append_as<float>(value, bytes);
+    case VoxelType::float64: return append_as<double>(value, bytes);
+  }
+}
+
+template <class T>
+void put(std::string& header, std::size_t offset, T value) {
+  std::memcpy(header.data() + offset, &value, sizeof value);
+}
+
+// NIfTI-1; sform and, where the axes are orthogonal, the same as qform.
+std::string nifti_header(const VoxelGrid& grid, VoxelType type, bool is_vector) {
+  static constexpr std::int16_t codes[] = {2, 256, 512, 4, 768, 8, 1280, 1024, 16, 64};  // in the order of VoxelType
+  std::string h(352, '\0');
+  put<std::int32_t>(h, 0, 348);
+  const std::int16_t dim[8] = {static_cast<std::int16_t>(is_vector ? 5 : 3), static_cast<std::int16_t>(grid.size[0]), static_cast<std::int16_t>(grid.size[1]),
+                               static_cast<std::int16_t>(grid.size[2]), 1, static_cast<std::int16_t>(is_vector ? 3 : 1), 1, 1};
+  for (std::size_t k = 0; k < 8; ++k) put(h, 40 + 2 * k, dim[k]);
+  if (is_vector) put<std::int16_t>(h, 68, 1007);
+  put(h, 70, codes[static_cast<std::size_t>(type)]);
+  put(h, 72, static_cast<std::int16_t>(8 * bytes_of(type)));
+  const Vec<3> spacing = grid.axes.colwise().norm();
+  Mat<3> rotation = grid.axes * spacing.cwiseInverse().asDiagonal();
+  const bool is_left_handed = rotation.determinant() < 0;
+  if (is_left_handed) rotation.col(2) *= -1;
+  put(h, 76, is_left_handed ? -1.0f : 1.0f);
+  for (std::size_t k = 0; k < 3; ++k) put(h, 80 + 4 * k, static_cast<float>(spacing[static_cast<int>(k)]));
+  for (std::size_t k = 3; k < 7; ++k) put(h, 80 + 4 * k, 1.0f);
+  put(h, 108, 352.0f);
+  put(h, 112, 1.0f);
+  h[123] = 2;  // millimetres
+  if ((rotation.transpose() * rotation - Mat<3>::Identity()).norm() < 1e-5) {
+    put<std::int16_t>(h, 252, 1);
+    Eigen::Quaterniond q(rotation);
+    if (q.w() < 0) q.coeffs() *= -1;
+    for (std::size_t k = 0; k < 3; ++k) put(h, 256 + 4 * k, static_cast<float>(q.vec()[static_cast<int>(k)]));
+    for (std::size_t k = 0; k < 3; ++k) put(h, 268 + 4 * k, static_cast<float>(grid.origin[static_cast<int>(k)]));
+  }
+  put<std::int16_t>(h, 254, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) put(h, 280 + 16 * i + 4 * j, static_cast<float>(grid.axes(static_cast<int>(i), static_cast<int>(j))));
+    put(h, 292 + 16 * i, static_cast<float>(grid.origin[static_cast<int>(i)]));
+  }
+  h.replace(344, 3, "n+1");
+  return h;
+}
+
+std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector) {
+  static constexpr const char* names[] = {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float", "double"};
+  const VoxelGrid grid = exchange_space(in_ras);
+  const auto text = [](const Vec<3>& x) { return fmt::format("({},{},{})", x[0], x[1], x[2]); };
+  return fmt::format("NRRD0004\ntype: {}\ndimension: {}\nspace: left-posterior-superior\nsizes: {}{} {} {}\nspace directions: {}{} {} {}\nkinds: {}domain domain domain\n"
+                     "endian: little\nencoding: gzip\nspace origin: {}\n\n", names[static_cast<std::size_t>(type)], is_vector ? 4 : 3, is_vector ? "3 " : "",
+                     grid.size[0], grid.size[1], grid.size[2], is_vector ? "none " : "", text(grid.axes.col(0)), text(grid.axes.col(1)), text(grid.axes.col(2)),
+                     is_vector ? "vector " : "", text(grid.origin));
+}
+
+std::string meta_image_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector, std::size_t n_bytes) {
+  static constexpr const char* names[] = {"UCHAR", "CHAR", "USHORT", "SHORT", "UINT", "INT", "ULONG_LONG", "LONG_LONG", "FLOAT", "DOUBLE"};
+  const VoxelGrid grid = exchange_space(in_ras);
+  const Vec<3> spacing = grid.axes.colwise().norm();
+  std::string directions;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) directions += fmt::format(" {}", grid.axes(i, k) / spacing[k]);
+  return fmt::format("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = True\nCompressedDataSize = {}\n"
+                     "TransformMatrix ={}\nOffset = {} {} {}\nCenterOfRotation = 0 0 0\nElementSpacing = {} {} {}\nDimSize = {} {} {}\n{}ElementType = MET_{}\n"
+                     "ElementDataFile = LOCAL\n", n_bytes, directions, grid.origin[0], grid.origin[1], grid.origin[2], spacing[0], spacing[1], spacing[2], grid.size[0],
+                     grid.size[1], grid.size[2], is_vector ? "ElementNumberOfChannels = 3\n" : "", names[static_cast<std::size_t>(type)]);
+}
+
+// \param bytes the values, voxel by voxel; for vectors in a NIfTI, component by component
+void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool is_vector, std::string bytes, Existing existing) {
+  check_volume_output(path);
+  const bool is_compressed = file_extension(path) != ".nii";
+  switch (volume_format(path)) {
+    case VolumeFormat::nifti:
+      for (const int n : grid.size)
+        if (n > std::numeric_limits<std::int16_t>::max()) throw_input_error("{}: NIfTI has at most 32767 voxels along an axis; write .nrrd or .mha", path);
+      bytes.insert(0, nifti_header(grid, type, is_vector));
+      if (is_compressed) bytes = deflated(bytes, Deflated::gzip);
+      break;
+    case VolumeFormat::nrrd: bytes = nrrd_header(grid, type, is_vector) + deflated(bytes, Deflated::gzip); break;
+    case VolumeFormat::meta_image:
+      bytes = deflated(bytes, Deflated::zlib);
+      bytes.insert(0, meta_image_header(grid, type, is_vector, bytes.size()));
+      break;
+  }
+  publish_file(path, existing, bytes);
+}
+
+}  // namespace
+
+void check_volume_output(const std::string& path) {
+  const std::string ending = file_extension(path);
+  if (!is_volume_file(path) || ending == ".nhdr" || ending == ".mhd")
+    throw_input_error("{}: volumes are written as .nii, .nii.gz, .nrrd or .mha", path);
+}
+
+void write_volume(const std::string& path, const Volume& volume, Existing existing) {
+  SHELLMATCH_CHECK(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
+  std::string bytes;
+  bytes.reserve(volume.values.size() * bytes_of(volume.type));
+  for (const float value : volume.values) append(volume.type, value, bytes);
+  write(path, volume.grid, volume.type, false, std::move(bytes), existing);
+}
+
+void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing) {
+  const std::size_t n = grid.n_voxels();
+  SHELLMATCH_CHECK(values.size() == 3 * n, "every voxel has three components");
+  const bool by_component = is_volume_file(path) && volume_format(path) == VolumeFormat::nifti;
+  std::string bytes;
+  bytes.reserve(values.size() * sizeof(float));
+  for (std::size_t i = 0; i < values.size(); ++i) append_as<float>(values[by_component ? 3 * (i % n) + i / n : i], bytes);
+  write(path, grid, VoxelType::float32, true, std::move(bytes), existing);
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,58 @@
+#include "base/error.h"
+#include "geometry/label/label_region.h"
+#include "geometry/label/smoothed_label.h"
+#include "geometry/volume/volume_file.h"
+#include "tests/fuzz/target.h"
+
+#include <Eigen/LU>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace shellmatch::fuzz {
+
+namespace {
+
+// A file with the ending that the libraries go by.
+class NamedFile {
+ public:
+  NamedFile(std::string_view bytes, const char* ending)
+      : path_((std::filesystem::temp_directory_path() / fmt::format("shellmatch-fuzz-{}{}", getpid(), ending)).string()) {
+    std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
+  ~NamedFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  NamedFile(const NamedFile&) = delete;
+  NamedFile& operator=(const NamedFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void read_as(std::string_view bytes, const char* ending) {
+  const NamedFile file(bytes, ending);
+  const Volume volume = canonical(read_volume(file.path()));
+  demand(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
+  for (const float v : volume.values) demand(std::isfinite(v), "values are finite");
+  demand(volume.grid.origin.allFinite() && volume.grid.axes.allFinite() && volume.grid.voxel_volume() > 0, "voxels lie in space");
+  if (volume.values.size() > 20000) return;
+  const LabelRegion region = label_region(volume, {}, "input");
+  const SmoothedLabel label(region);
+  demand(label.level() >= 0.15 && label.level() <= 0.6, "a level is a share");
+  for (const float share : region.shares) demand(share >= 0 && share < 1.001f, "shares are shares");
+}
+
+}  // namespace
+
+void read_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii"); }
+void read_compressed_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii.gz"); }
+void read_nrrd_bytes(std::string_view bytes) { read_as(bytes, ".nrrd"); }
+void read_meta_image_bytes(std::string_view bytes) { read_as(bytes, ".mha"); }
+
+}  // namespace shellmatch::fuzz
