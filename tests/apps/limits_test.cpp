@@ -31,7 +31,7 @@ Words match(const std::string& out, const std::string& levels, const Words& more
 TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
   const TemporaryFolder tmp;
   const auto begin = Clock::now();
-  const ProgramResult stopped = run_program(match(tmp / "o", "2:7", {"--max-seconds", "3"}));
+  const ProgramResult stopped = run_program(match(tmp / "o", "2:9", {"--max-seconds", "3"}));
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(3 + 3 * test::slowdown));
   EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
   const std::string told = last_line(stopped.err);
@@ -39,7 +39,7 @@ TEST(Limits, TimeEndsARunInOrderAndTheSameCommandGoesOn) {
   EXPECT_TRUE(has(told, "o.unfinished: the same command goes on from there")) << told;
   ASSERT_TRUE(fs::exists(tmp / "o.unfinished/state.json"));
   EXPECT_FALSE(fs::exists(tmp / "o"));
-  const ProgramResult resumed = run_program(match(tmp / "o", "2:7", {"--max-seconds", "1"}));
+  const ProgramResult resumed = run_program(match(tmp / "o", "2:9", {"--max-seconds", "1"}));
   EXPECT_EQ(resumed.exit_code, 4);
   EXPECT_TRUE(has(resumed.err, "going on after level")) << resumed.err;
 }

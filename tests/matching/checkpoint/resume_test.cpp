@@ -133,9 +133,8 @@ TEST(Resume, AfterAStopAtAnyLevelTheResultIsTheSameToTheBit) {
   ExperimentOptions o = experiment();
   o.coefficients.interpolation = FieldInterpolation::multilinear;
   check_every_stop(o);
-  // Its verdict has reasons with places.
   o = experiment();
-  o.input.template_file = "generate:leaf";
+  o.input.template_file = "generate:leaf";  // the verdict has reasons with places
   check_every_stop(o);
 }
 
