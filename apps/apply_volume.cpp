@@ -15,6 +15,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace shellmatch {
@@ -56,10 +59,10 @@ void carry(const ApplyCommand& command, const Deformation<3>& deformation) {
   const UserMap<3> back(deformation, command.inverse ? Toward::template_shape : Toward::reference, command.keep_pose);
   std::atomic<std::size_t> n_inside{0};
   for_each_voxel(result.grid, [&](std::size_t voxel, const Vec<3>& x) {
-    const auto from = back.within_domain(in_space_of(deformation, x));
+    const auto from = back.within_domain(exchange_with_ras(deformation, x));
     if (!from) return;
     ++n_inside;
-    result.values[voxel] = sampler(in_space_of(deformation, *from), 0.0f);
+    result.values[voxel] = sampler(exchange_with_ras(deformation, *from), 0.0f);
   });
   if (n_inside == 0)
     throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?", command.like.empty() ? command.file : command.like,
@@ -72,12 +75,12 @@ void write_displacement(const ApplyCommand& command, const Deformation<3>& defor
   std::vector<float> values(3 * grid.n_voxels(), 0.0f);
   std::atomic<std::size_t> n_lost{0};
   for_each_voxel(grid, [&](std::size_t voxel, const Vec<3>& x) {
-    const auto y = map(in_space_of(deformation, x));
+    const auto y = map(exchange_with_ras(deformation, x));
     if (!y) {
       ++n_lost;
       return;
     }
-    const Vec<3> displacement = exchange_space(Vec<3>(in_space_of(deformation, *y) - x));
+    const Vec<3> displacement = exchange_space(Vec<3>(exchange_with_ras(deformation, *y) - x));
     for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
   });
   if (n_lost > 0) say(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
@@ -89,7 +92,7 @@ void write_determinant(const ApplyCommand& command, const Deformation<3>& deform
   Volume result{grid, VoxelType::float32, std::vector<float>(grid.n_voxels(), logarithm ? 0.0f : 1.0f)};
   std::atomic<std::size_t> n_folded{0};
   for_each_voxel(grid, [&](std::size_t voxel, const Vec<3>& x) {
-    auto determinant = map.determinant(in_space_of(deformation, x));
+    auto determinant = map.determinant(exchange_with_ras(deformation, x));
     if (!determinant) return;
     if (*determinant <= 0) ++n_folded;
     result.values[voxel] = static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
@@ -116,11 +119,15 @@ void apply_to_volumes(const ApplyCommand& command) {
   if (carries && !is_volume_file(command.file))
     throw_input_error("{}: fields of the map are written without a file to move; give --like the volume whose voxels they are to have, and move this in a "
                       "command of its own", command.file);
+  std::set<std::filesystem::path> outputs;
   for (const std::string& output : {command.output, command.displacement, command.jacobian, command.log_jacobian})
     if (!output.empty()) {
       check_volume_output(output);
       check_report_file(output, command.force);
+      if (!outputs.insert(std::filesystem::absolute(output).lexically_normal()).second)
+        throw_input_error("{}: is named for two results; give each a file of its own", output);
     }
+  if (!carries && !command.sampling.empty()) throw_input_error("apply: --sampling {} is for a volume that is carried, and there is none", command.sampling);
   if (has_fields(command) && command.like.empty() && !carries) throw_input_error("apply: say on which voxels: --like VOLUME");
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   if (carries) carry(command, deformation);

@@ -8,6 +8,7 @@
 #include "base/replace_file.h"
 #include "base/stop.h"
 #include "matching/experiment/option_text.h"
+#include "matching/experiment/yaml_document.h"
 #include "matching/progress/process_info.h"
 #include "studies/report/collect.h"
 
@@ -18,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace shellmatch {
@@ -89,20 +91,38 @@ std::string contents_of(const std::string& file) {
   return text.str();
 }
 
-// The study's text with the folder to which its paths are relative, so that the copy can be run from where it lies.
+// What the text of a study says of its folder; none where it says nothing or is no study.
+std::optional<std::string> folder_in(const std::string& text) {
+  try {
+    for (const auto& [key, value] : YamlDocument::from_text(text, "study").tree().entries)
+      if (key == "folder") return value.text;
+  } catch (const InputError&) {
+  }
+  return std::nullopt;
+}
+
+// The study's text with the folder to which its paths are relative, so that the copy can be run from where it lies. Unchanged where the text
+// names a folder, or has a form in which none can be added.
 std::string text_of_copy(const Study& study) {
-  std::string text = contents_of(study.file);
-  if (!study.options.folder.empty()) return text;
-  const std::string entry = "folder: " + scalar_text(std::filesystem::absolute(study.file).parent_path().lexically_normal().string(), OptionKind::text);
+  const std::string text = contents_of(study.file);
+  if (folder_in(text)) return text;
+  const std::string& chosen = study.options.folder;
+  const std::string folder = chosen.empty() ? std::filesystem::absolute(study.file).parent_path().lexically_normal().string() : chosen;
+  const std::string entry = "folder: " + scalar_text(folder, OptionKind::text);
   // A map in braces, or one with a key on each line.
   std::size_t begin = 0;
   while (begin < text.size() && (std::isspace(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '#'))
     begin = text[begin] == '#' ? std::min(text.find('\n', begin), text.size()) : begin + 1;
-  if (begin < text.size() && text[begin] == '{') return text.insert(begin + 1, entry + ", ");
-  const std::size_t line = text.rfind('\n', begin);
-  const std::string indentation(begin - (line == std::string::npos ? 0 : line + 1), ' ');
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  return text + indentation + entry + "\n";
+  std::string copy = text;
+  if (begin < text.size() && text[begin] == '{') {
+    copy.insert(begin + 1, entry + ", ");
+  } else {
+    const std::size_t line = text.rfind('\n', begin);
+    const std::string indentation(begin - (line == std::string::npos ? 0 : line + 1), ' ');
+    if (!copy.empty() && copy.back() != '\n') copy += '\n';
+    copy += indentation + entry + "\n";
+  }
+  return folder_in(copy) == folder ? copy : text;
 }
 
 // The study's own file may lie where its results go.

@@ -1,4 +1,5 @@
 // Holes of a surface through CGAL's Polygon Mesh Processing.
+#include "base/stop.h"
 #include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/close_surface.h"
 
@@ -16,8 +17,9 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// A hole with more edges would take quadratic memory, and is no small one.
-constexpr std::size_t most_edges = 3000, most_holes = 2000;
+// The search for the best triangles takes the third power of a hole's edges where the one among Delaunay triangles fails: that one alone is
+// used beyond `most_searched`. Larger holes, and more edges in all, are not small ones.
+constexpr std::size_t most_searched = 200, most_edges = 1200, most_edges_of_all = 20'000;
 
 CgalMesh oriented_mesh(const Surface<3>& open) {
   std::vector<CgalKernel::Point_3> points;
@@ -48,11 +50,13 @@ std::optional<FilledHoles> fill_holes(const Surface<3>& open) try {
   if (n_before == 0) return std::nullopt;
   std::vector<CgalMesh::Halfedge_index> holes;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
-  if (holes.size() > most_holes) return std::nullopt;
+  std::size_t n_edges = 0;
   for (const CgalMesh::Halfedge_index hole : holes) {
-    if (length_of(hole, mesh) > most_edges) return std::nullopt;
+    const std::size_t length = length_of(hole, mesh);
+    if (length > most_edges || (n_edges += length) > most_edges_of_all) return std::nullopt;
+    stop_if_wanted();
     std::vector<CgalMesh::Face_index> patch;
-    PMP::triangulate_hole(mesh, hole, std::back_inserter(patch));
+    PMP::triangulate_hole(mesh, hole, std::back_inserter(patch), CGAL::parameters::do_not_use_cubic_algorithm(length > most_searched));
     if (patch.empty()) return std::nullopt;
   }
   if (!CGAL::is_closed(mesh)) return std::nullopt;
@@ -65,7 +69,7 @@ std::optional<FilledHoles> fill_holes(const Surface<3>& open) try {
   }
   if (area > 0) filled.new_share /= area;
   return filled;
-} catch (const CGAL::Failure_exception&) {  // a hole that its preconditions exclude
+} catch (const CGAL::Failure_exception&) {  // what CGAL checks in every build
   return std::nullopt;
 }
 

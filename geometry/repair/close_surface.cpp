@@ -51,7 +51,8 @@ double close_surface(Surface<3>& surface, const std::string& source, std::vector
   const double diagonal = bounding_box(surface.vertices).diagonal();
   if (!(diagonal > 0)) throw InputError(why);
   Surface<3> wrap = wrapped(surface, gap * diagonal, distance * diagonal);
-  if (wrap.facets.empty() || encloses_next_to_nothing(wrap, distance * diagonal))
+  if (wrap.facets.empty()) throw_input_error("{} (and no wrap could be made)", why);
+  if (encloses_next_to_nothing(wrap, distance * diagonal))
     throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
   notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}",
                               distance * diagonal, gap * diagonal));

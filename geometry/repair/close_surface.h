@@ -17,7 +17,7 @@ struct FilledHoles {
   double new_share = 0;             ///< of the area of the result
 };
 
-/// Fills every hole with triangles (CGAL's triangulate_hole: the least sum of areas). Edges with more than two triangles are taken apart
+/// Fills every hole with triangles (CGAL's triangulate_hole: those that bend least, and of these the least area). Edges with more than two triangles are taken apart
 /// first. None where a hole cannot be filled, or the result is not closed.
 std::optional<FilledHoles> fill_holes(const Surface<3>& open);
 

@@ -17,7 +17,7 @@
 namespace shellmatch {
 
 /// From RAS to LPS and back: half a turn about the third axis.
-inline Vec<3> exchange_space(const Vec<3>& x) { return {-x[0], -x[1], x[2]}; }
+inline Vec<3> exchange_space(const Vec<3>& x) { return in_space(x, Space::ras, Space::lps); }
 
 /// Where the voxels are. The voxel with the index (i, j, k) has its centre at origin + axes (i, j, k).
 struct VoxelGrid {

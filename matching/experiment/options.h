@@ -72,7 +72,7 @@ struct InputOptions {
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most three tenths of the area and wraps what else has gaps or inner walls, and says so (docs/closing.md); never refuses them, as --strict does"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
-    visit("space", self.space, {.meaning = "frame of shapes out of volumes, and so of the results: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
+    visit("space", self.space, {.meaning = "frame of shapes out of volumes: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
   }
 };
 

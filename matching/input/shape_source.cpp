@@ -1,6 +1,7 @@
 #include "matching/input/shape_source.h"
 
 #include "geometry/repair/make_shape.h"
+#include "geometry/volume/volume_header.h"
 #include "geometry/volume/volume_name.h"
 #include "geometry/label/volume_shape.h"
 #include "matching/experiment/generated_source.h"
@@ -16,6 +17,11 @@ AnyShape open_shape(const std::string& source, Closing closing, Space space) {
                     generated_original(source));
 }
 
-std::string file_of_shape(const std::string& source) { return file_of(source); }
+std::vector<std::string> files_of_shape(const std::string& source) {
+  const std::string file = file_of(source);
+  if (!parse_volume_name(source)) return {file};
+  const std::string values = read_volume_header(file).file;
+  return values == file ? std::vector{file} : std::vector{file, values};
+}
 
 }  // namespace shellmatch

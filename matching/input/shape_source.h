@@ -6,6 +6,7 @@
 #include "geometry/surface/space.h"
 
 #include <string>
+#include <vector>
 
 namespace shellmatch {
 
@@ -14,7 +15,8 @@ namespace shellmatch {
 /// \param space the frame of shapes out of volumes \throws InputError where it cannot be used
 AnyShape open_shape(const std::string& source, Closing closing = Closing::never, Space space = default_space);
 
-/// The file that `source` names, without what is chosen of a volume.
-std::string file_of_shape(const std::string& source);
+/// The files that `source` names, without what is chosen of a volume; of a volume whose values lie in a file of their own also that one.
+/// \throws InputError where a volume's header cannot be read
+std::vector<std::string> files_of_shape(const std::string& source);
 
 }  // namespace shellmatch

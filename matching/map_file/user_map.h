@@ -9,8 +9,8 @@
 
 namespace shellmatch {
 
-/// A point of a volume, given in RAS, in the frame of the map, and back.
-inline Vec<3> in_space_of(const MapFrame<3>& frame, const Vec<3>& x) { return frame.space == Space::lps ? exchange_space(x) : x; }
+/// A point in RAS, as volumes are, in the frame of the map; and from there to RAS, as the conversion is its own inverse.
+inline Vec<3> exchange_with_ras(const MapFrame<3>& frame, const Vec<3>& x) { return in_space(x, Space::ras, or_default(frame.space)); }
 
 template <int Dim>
 class UserMap {

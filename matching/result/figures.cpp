@@ -68,13 +68,14 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
       sum += shares.back().first * shares.back().second;
     }
     std::ranges::sort(shares);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto quantile_of = [&](double q) {
       double area = 0;
       for (const auto& [value, share] : shares)
         if ((area += share) >= q * total) return value;
-      return shares.empty() ? std::numeric_limits<double>::quiet_NaN() : shares.back().first;
+      return shares.empty() ? nan : shares.back().first;
     };
-    return DistortionSummary{sum / total, quantile_of(0), quantile_of(1), quantile_of(0.05), quantile_of(0.95)};
+    return DistortionSummary{sum / total, shares.empty() ? nan : shares.front().first, shares.empty() ? nan : shares.back().first, quantile_of(0.05), quantile_of(0.95)};
   };
   summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
   if constexpr (Dim == 3) {

@@ -24,6 +24,19 @@ constexpr double apart = 0.25;                // mean distance in diagonals, bef
 // Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
 
+// Two digits without an exponent.
+std::string figure_text(double x) { return std::abs(x) < 10 ? fmt::format("{:.2g}", x) : fmt::format("{:.0f}", x); }
+std::string percent_text(double share) { return figure_text(100 * share) + " %"; }
+
+// A place to about a thousandth of the template.
+std::string place_text(const std::vector<double>& place, const MatchSummary& summary) {
+  const double size = summary.template_diagonal.value_or(1);
+  const int digits = size > 0 ? std::clamp(static_cast<int>(std::ceil(3 - std::log10(size))), 0, 12) : 3;
+  std::vector<std::string> coordinates;
+  for (const double x : place) coordinates.push_back(fmt::format("{:.{}f}", x, digits));
+  return fmt::format("({})", fmt::join(coordinates, ", "));
+}
+
 // Collects reasons; the verdict is that of the gravest.
 class Reasons {
  public:
@@ -56,7 +69,7 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
                places.template_shape});
   if (uncovered)
     reasons.add(*uncovered, unreached,
-                {fmt::format("{:.2g} % of the template is not reached", 100 * *uncovered),
+                {percent_text(*uncovered) + " of the template is not reached",
                  "--align auto, landmarks there (docs/landmarks.md) or coverage.levels=2 can tell where to go", "template", places.template_shape});
   reasons.add(there.max, largest_distance,
               {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
@@ -70,7 +83,7 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
   const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: --align auto or landmarks (docs/landmarks.md)";
   if (summary.flipped_share)
     reasons.add(*summary.flipped_share, flipped,
-                {fmt::format("{:.2g} % of the surface face away from the template next to them", 100 * *summary.flipped_share),
+                {fmt::format("{} of the {} faces away from the template next to it", percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
                  "look at the pictures; the parts may belong to different limbs", "", {}});
   if (summary.angle_distortion && summary.angle_distortion->p95)
     reasons.add(*summary.angle_distortion->p95, turned_angles,
@@ -79,12 +92,12 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
     const double factor = std::max(*area->p95, 1 / *area->p5);
     reasons.add(summary.dimension == 2 ? factor * factor : factor, stretched_areas,
-                {fmt::format("{} change by a factor of more than {:.2g} on a twentieth of the {}", summary.dimension == 2 ? "lengths" : "areas",
-                             factor, summary.dimension == 2 ? "curve" : "surface"),
+                {fmt::format("{} change by a factor of more than {} on a twentieth of the {}", summary.dimension == 2 ? "lengths" : "areas",
+                             figure_text(factor), summary.dimension == 2 ? "curve" : "surface"),
                  wrong, "deformed", places.distorted});
   }
   if (!summary.levels.empty() && summary.levels.back().folds.n_folded_cells > 0)
-    reasons.look({fmt::format("{} cells of the grid are folded", summary.levels.back().folds.n_folded_cells),
+    reasons.look({fmt::format("folded cells of the grid: {}", summary.levels.back().folds.n_folded_cells),
                   "the profile default forbids folds", "", {}});
 }
 
@@ -96,7 +109,7 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
                   "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or squeezed", "", {}});
   for (const auto& [shape, name] : {std::pair{&a, "reference"}, std::pair{&b, "template"}})
     if (shape->invented)
-      reasons.look({*shape->invented < 1 ? fmt::format("{:.2g} % of the {}'s surface was made up to close it", 100 * *shape->invented, name)
+      reasons.look({*shape->invented < 1 ? fmt::format("{} of the {}'s surface was made up to close it", percent_text(*shape->invented), name)
                                          : fmt::format("the {} is not closed, and its wrap was matched", name),
                     "what is matched there is no data; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
@@ -111,7 +124,9 @@ std::string length_text(double diagonals, const MatchSummary& summary) {
   const std::string relative = fmt::format("{:.2g} diagonals", diagonals);
   if (!summary.template_diagonal) return relative;
   const std::string unit = summary.unit.value_or("");
-  return fmt::format("{:.3g}{}{} ({})", diagonals * *summary.template_diagonal, unit.empty() ? "" : " ", unit, relative);
+  const double length = diagonals * *summary.template_diagonal;
+  const std::string text = length >= 1000 && length < 1e9 ? fmt::format("{:.0f}", length) : fmt::format("{:.3g}", length);
+  return fmt::format("{}{}{} ({})", text, unit.empty() ? "" : " ", unit, relative);
 }
 
 Verdict judge(const MatchSummary& summary, const VerdictPlaces& places) {
@@ -131,7 +146,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
     };
     lines.push_back(fmt::format("distance of the deformed reference from the template: {}", text(there)));
     lines.push_back(fmt::format("distance of the template from the deformed reference: {}", text(back)));
-    if (uncovered) lines.back() += fmt::format("; {:.2g} % is not reached", 100 * *uncovered);
+    if (uncovered) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
   }
   if (!summary.verdict) return lines;
   const Verdict& v = *summary.verdict;
@@ -140,7 +155,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
                                              : "verdict: not matched");
   for (const VerdictReason& r : v.reasons)
     lines.push_back(fmt::format("  {}{}; {}", r.what,
-                                r.place.empty() ? "" : fmt::format(", near ({:.4g}) of the {}", fmt::join(r.place, ", "), r.shape == "deformed" ? "deformed reference" : r.shape),
+                                r.place.empty() ? "" : fmt::format(", near {} of the {}", place_text(r.place, summary), r.shape == "deformed" ? "deformed reference" : r.shape),
                                 r.advice));
   return lines;
 }

@@ -28,7 +28,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary);
 /// A length given in diagonals of the template, in words: "0.021 mm (1.2e-04 diagonals)".
 std::string length_text(double diagonals, const MatchSummary& summary);
 
-/// A warning before the run, where the shapes as placed lie apart from each other or have different sizes. None otherwise.
+/// A warning before the run, where the shapes as placed lie apart from each other on average. None otherwise.
 std::optional<std::string> far_apart_warning(const MatchSummary& summary);
 
 /// A warning after a level, from the third on, which has left more than a tenth of the template unreached, hardly less than the level

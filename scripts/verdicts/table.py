@@ -7,13 +7,17 @@ def outcome(result):
     return result.summary["verdict"]["outcome"]
 
 
+def percent(share):
+    return f"{100 * share:.2g}" if share < 0.1 else f"{100 * share:.0f}"
+
+
 def row(result):
     s = result.summary
     there, back = s["distance"]["deformed_to_template"], s["distance"]["template_to_deformed"]
     angle, area = s.get("angle_distortion"), s["area_distortion"]
     error = s.get("correspondence_error")
     return [result.case.name, result.case.kind, f"{error:.1e}" if error is not None else "", "right" if result.is_right else "wrong", outcome(result), f"{there['mean']:.1e}", f"{back['mean']:.1e}", f"{back['max']:.1e}",
-            f"{100 * s['distance']['uncovered']:.2g}", f"{100 * s['flipped_share']:.2g}",
+            percent(s["distance"]["uncovered"]), percent(s["flipped_share"]),
             f"{angle['p95']:.0f}" if angle else "", f"{area['p5']:.2g} to {area['p95']:.2g}"]
 
 

@@ -32,7 +32,7 @@ class InputContents {
       if (is_generated_source(source))
         check_generated_source(source);
       else
-        entry->second = file_checksum(file_of_shape(source));
+        for (const std::string& file : files_of_shape(source)) entry->second += file_checksum(file);
     } catch (const InputError& error) {
       known_.erase(entry);
       throw_input_error("{}: {}", where, error.what());

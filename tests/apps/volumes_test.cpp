@@ -277,6 +277,8 @@ TEST_F(Volumes, Refusals) {
   says({"apply", out, a, "-o", to, "--sampling", "cubic"}, "expected nearest, label or linear");
   says({"apply", out, *tmp / "out/deformed.ply", "-o", *tmp / "new.ply", "--like", a}, "--like and --sampling are for volumes");
   says({"apply", out, *tmp / "out/deformed.ply", "-o", *tmp / "new.ply", "--jacobian", to}, "without a file to move");
+  says({"apply", out, a, "-o", to, "--jacobian", to}, "is named for two results");
+  says({"apply", out, "--jacobian", to, "--like", a, "--sampling", "label"}, "for a volume that is carried");
   says({"match", a, "generate:circle", "-o", *tmp / "plane"}, "both shapes must have the same dimension");
   write(*tmp / "far.nii", nifti(volume_of(grid_over({500, 0, 0}, {1, 1, 1}, {4, 4, 4}), [](const Vec<3>&) { return 1; })));
   says({"apply", out, a, "-o", to, "--like", *tmp / "far.nii"}, "none of its voxels lies where the map is defined");

@@ -43,7 +43,7 @@ const std::vector<Case> cases = {
     {"largest there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.max = x; }, 0.03, 0.2, "part of the deformed", places.deformed},
     {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2, "part of the template", places.template_shape},
     {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05, "% of the template is not reached", places.template_shape},
-    {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface face away", {}},
+    {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface faces away", {}},
     {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 60, "angles on a twentieth", places.distorted},
     {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor", places.distorted},
     {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
@@ -106,7 +106,7 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
         {[](MatchSummary& s) { s.template_shape.invented = 0.02; }, "2 % of the template's surface was made up"},
         {[](MatchSummary& s) { s.reference.invented = 1; }, "the reference is not closed, and its wrap was matched"},
         {[](MatchSummary& s) { s.reference.n_components = 2; }, "the reference has 2 components and genus 0"},
-        {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "7 cells of the grid are folded"},
+        {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "folded cells of the grid: 7"},
         {[](MatchSummary& s) { s.alignment.emplace().doubtful = true; }, "no pose that is clearly the best"},
         {[](MatchSummary& s) { s.interrupted = true; }, "stopped before its last level"}}) {
     MatchSummary s = good_summary();
@@ -129,7 +129,12 @@ TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
   EXPECT_NE(lines[1].find("mean 0.08 mm (0.0004 diagonals)"), std::string::npos) << lines[1];
   EXPECT_NE(lines[1].find("; 3.4 % is not reached"), std::string::npos) << lines[1];
   EXPECT_EQ(lines[2], "verdict: matched, but look here");
-  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4, 5, 6) of the template; --align auto"), 0u) << lines[3];
+  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4.0, 5.0, 6.0) of the template; --align auto"), 0u) << lines[3];
+  s.distance->deformed_to_template.mean = 50;
+  EXPECT_NE(verdict_lines(s)[0].find("mean 10000 mm (50 diagonals)"), std::string::npos) << verdict_lines(s)[0];
+  s.distance->deformed_to_template.mean = 1e-4;
+  s.distance->uncovered = 1;
+  EXPECT_NE(verdict_lines(s)[1].find("; 100 % is not reached"), std::string::npos) << verdict_lines(s)[1];
   s.unit = "";
   EXPECT_NE(verdict_lines(s)[0].find("mean 0.02 (0.0001 diagonals)"), std::string::npos) << verdict_lines(s)[0];
 }

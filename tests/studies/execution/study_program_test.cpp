@@ -228,6 +228,12 @@ TEST_F(StudyProgram, TheCopyInTheOutputFolderRunsFromThere) {
     EXPECT_EQ(lasting_table(out), lasting_table(again));
     EXPECT_EQ(run_program({"study", study, "-o", out}).err.find("finished after"), std::string::npos) << "the same study";
   }
+  // A folder that the command line names stands in the copy, too.
+  fs::create_directories(folder_ / "elsewhere");
+  const std::string moved = write("elsewhere/study.yaml", "version: 1\nproblems: {leaf: {base: base.yaml}}\nsolvers: [newton]\n");
+  ASSERT_EQ(run_program({"study", moved, "-o", path("out9"), "-q", "--set", "folder=" + folder_.string()}).exit_code, 0);
+  const ProgramResult copied = run_program({"study", "study.yaml", "-o", path("again9"), "-q"}, path("out9"));
+  EXPECT_EQ(copied.exit_code, 0) << copied.err;
   const ProgramResult relative = run_program({"study", write("study.yaml", fmt::format("folder: here\n{}", small_study)), "-o", path("r")});
   EXPECT_EQ(relative.exit_code, 2);
   EXPECT_NE(relative.err.find("folder: here is no absolute path"), std::string::npos) << relative.err;
