@@ -48,6 +48,7 @@ class Matching {
     summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
                                  (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     summary_.distance_before = two_sided_distance(reference_.surface, template_distance_).figures;
+    summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
     for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks, inputs_.prepared.alignment,
@@ -94,7 +95,7 @@ class Matching {
     s.distance = measure_distance(deformed, state.grid, state.phi);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
-    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.note(*warning);
+    if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.warn(*warning);
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
@@ -107,11 +108,10 @@ class Matching {
 
   // The distances, and where they are greatest. In the plane segments bend within themselves.
   TwoSidedDistance measure_distance(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-    const auto measured_surface = [&] {
-      if constexpr (Dim == 3) return deformed;
-      else return deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi);
-    };
-    const MeasuredDistance<Dim> distance = two_sided_distance(measured_surface(), template_distance_);
+    const MeasuredDistance<Dim> distance = [&] {
+      if constexpr (Dim == 3) return two_sided_distance(deformed, template_distance_);
+      else return two_sided_distance(deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi), template_distance_);
+    }();
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
@@ -160,7 +160,6 @@ class Matching {
     s.placement = {std::string(enum_name(options_.input.placement)), inputs_.prepared.placement.scale,
                    {inputs_.prepared.placement.offset.begin(), inputs_.prepared.placement.offset.end()}};
     s.direction = inputs_.prepared.direction;
-    s.alignment = inputs_.prepared.alignment.summary;
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     clock_.state(s.run);
     return s;

@@ -22,15 +22,11 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 constexpr std::size_t most_searched = 200, most_edges = 1200, most_edges_of_all = 20'000;
 
 CgalMesh oriented_mesh(const Surface<3>& open) {
-  std::vector<CgalKernel::Point_3> points;
-  for (const Vec<3>& x : open.vertices) points.emplace_back(x.x(), x.y(), x.z());
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& [a, b, c] : open.facets)
-    triangles.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
-  PMP::orient_polygon_soup(points, triangles);
+  CgalSoup soup(open);
+  PMP::orient_polygon_soup(soup.points, soup.triangles);
   CgalMesh mesh;
-  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles)) return mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.triangles)) return mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
   PMP::stitch_borders(mesh);
   mesh.collect_garbage();
   return mesh;

@@ -1,13 +1,13 @@
 // Consistent orientation and flat triangles through CGAL's Polygon Mesh Processing.
+#include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/repair_steps.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 namespace shellmatch {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = CgalKernel;
 
 Kernel::Point_3 kernel_point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
@@ -24,12 +24,7 @@ bool same_turn(const std::array<Index, 3>& before, const std::array<std::size_t,
 }  // namespace
 
 Orientation orient_consistently(Surface<3>& surface) {
-  std::vector<Kernel::Point_3> points;
-  for (const Vec<3>& x : surface.vertices) points.push_back(kernel_point(x));
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& [a, b, c] : surface.facets)
-    triangles.push_back(
-        {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  auto [points, triangles] = CgalSoup(surface);
   CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles);
   Orientation result;
   result.n_split = points.size() - surface.vertices.size();

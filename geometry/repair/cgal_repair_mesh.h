@@ -7,6 +7,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
+#include <vector>
+
 namespace shellmatch {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -28,6 +31,18 @@ inline CgalMesh cgal_mesh(const Surface<3>& surface, const std::vector<std::arra
   }
   return mesh;
 }
+
+/// Points and triangles by themselves.
+struct CgalSoup {
+  std::vector<CgalKernel::Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+
+  explicit CgalSoup(const Surface<3>& surface) {
+    for (const Vec<3>& x : surface.vertices) points.emplace_back(x.x(), x.y(), x.z());
+    for (const auto& [a, b, c] : surface.facets)
+      triangles.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  }
+};
 
 /// The surface of a mesh. \pre nothing was removed from it since its last collect_garbage()
 inline Surface<3> surface_of(const CgalMesh& mesh) {

@@ -7,13 +7,9 @@
 namespace shellmatch {
 
 Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset) try {
-  std::vector<CgalKernel::Point_3> points;
-  for (const Vec<3>& x : triangles.vertices) points.emplace_back(x.x(), x.y(), x.z());
-  std::vector<std::array<std::size_t, 3>> facets;
-  for (const auto& [a, b, c] : triangles.facets)
-    facets.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  const CgalSoup soup(triangles);
   CgalMesh mesh;
-  CGAL::alpha_wrap_3(points, facets, alpha, offset, mesh);
+  CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, mesh);
   mesh.collect_garbage();
   return surface_of(mesh);
 } catch (const CGAL::Failure_exception&) {

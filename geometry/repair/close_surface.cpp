@@ -32,13 +32,37 @@ bool encloses_next_to_nothing(const Surface<3>& wrap, double offset) {
   return enclosed_measure(wrap) < 3 * offset * area;
 }
 
+// Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there is nothing else.
+std::size_t drop_loose_triangles(Surface<3>& surface) {
+  const std::vector<std::vector<Index>> parts = connected_parts(surface);
+  Triangles kept;
+  for (const std::vector<Index>& part : parts)
+    if (part.size() > 1)
+      for (const Index f : part) kept.push_back(surface.facets[f]);
+  if (kept.empty()) return 0;
+  const std::size_t n_loose = surface.facets.size() - kept.size();
+  if (n_loose > 0) surface.facets = std::move(kept);
+  return n_loose;
+}
+
 }  // namespace
 
 double close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes) {
   const std::string why = why_open(surface, source);
   if (why.empty()) return 0;
-  std::optional<FilledHoles> filled = fill_holes(surface);
+  Surface<3> bodies = surface;
+  const std::size_t n_loose = drop_loose_triangles(bodies);
+  const auto note_loose = [&] {
+    if (n_loose > 0) notes.push_back(fmt::format("{} left out", counted(n_loose, "loose triangle", "loose triangles")));
+  };
+  if (n_loose > 0 && why_open(bodies, source).empty()) {
+    note_loose();
+    surface = std::move(bodies);
+    return 0;
+  }
+  std::optional<FilledHoles> filled = fill_holes(bodies);
   if (filled && filled->new_share <= most_filled && why_open(filled->surface, source).empty()) {
+    note_loose();
     surface = std::move(filled->surface);
     if (filled->n_holes == 0) {
       notes.emplace_back("edges with more than two triangles taken apart");

@@ -37,6 +37,12 @@ std::string place_text(const std::vector<double>& place, const MatchSummary& sum
   return fmt::format("({})", fmt::join(coordinates, ", "));
 }
 
+// What finds a pose: not what has been tried already.
+std::string pose_advice(const MatchSummary& summary) {
+  const bool was_tried = summary.alignment && summary.alignment->mode != "none";
+  return was_tried ? "landmarks (docs/landmarks.md)" : "--align auto or landmarks (docs/landmarks.md)";
+}
+
 // Collects reasons; the verdict is that of the gravest.
 class Reasons {
  public:
@@ -60,7 +66,7 @@ class Reasons {
 void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   if (!summary.distance) return;
   const auto& [there, back, uncovered] = *summary.distance;
-  const std::string whole = "are units and poses the same (shellmatch inspect; --align auto), are both shapes whole and of one kind?";
+  const std::string whole = "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " + pose_advice(summary);
   reasons.add(there.mean, mean_distance,
               {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)), whole, "deformed",
                places.deformed});
@@ -70,7 +76,7 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
   if (uncovered)
     reasons.add(*uncovered, unreached,
                 {percent_text(*uncovered) + " of the template is not reached",
-                 "--align auto, landmarks there (docs/landmarks.md) or coverage.levels=2 can tell where to go", "template", places.template_shape});
+                 pose_advice(summary) + ", or coverage.levels=2 can tell where to go", "template", places.template_shape});
   reasons.add(there.max, largest_distance,
               {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
                "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
@@ -80,7 +86,7 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
 }
 
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
-  const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: --align auto or landmarks (docs/landmarks.md)";
+  const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
   if (summary.flipped_share)
     reasons.add(*summary.flipped_share, flipped,
                 {fmt::format("{} of the {} faces away from the template next to it", percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
@@ -165,8 +171,8 @@ std::optional<std::string> far_apart_warning(const MatchSummary& summary) {
   const double back = summary.distance_before->template_to_deformed.mean, there = summary.distance_before->deformed_to_template.mean;
   if (std::max(there, back) <= apart) return std::nullopt;
   return fmt::format("the shapes begin far apart: the reference lies {} from the template on average, the template {} from the reference; are units "
-                     "and places the same (shellmatch inspect)? --align auto finds a common pose",
-                     length_text(there, summary), length_text(back, summary));
+                     "and places the same (shellmatch inspect)? Otherwise {}",
+                     length_text(there, summary), length_text(back, summary), pose_advice(summary));
 }
 
 std::optional<std::string> stuck_warning(const std::vector<LevelSummary>& levels) {

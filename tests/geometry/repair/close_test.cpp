@@ -107,6 +107,18 @@ TEST(CloseSurface, ManyGapsAreWrapped) {
   EXPECT_NEAR(enclosed_measure(wrap.surface), enclosed_measure(ball), 0.1);
 }
 
+TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
+  Surface<3> surface = unit_sphere(3);
+  const auto n = static_cast<Index>(surface.vertices.size());
+  surface.vertices.insert(surface.vertices.end(), {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}});
+  surface.facets.push_back({n, n + 1, n + 2});
+  std::vector<std::string> notes;
+  const MendedSurface ball = mended(surface, notes);
+  EXPECT_EQ(ball.surface.facets.size(), unit_sphere(3).facets.size());
+  EXPECT_EQ(ball.invented_share, 0);
+  EXPECT_TRUE(has_note(notes, "1 loose triangle left out"));
+}
+
 TEST(CloseSurface, ASheetEnclosesNothing) {
   Surface<3> sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

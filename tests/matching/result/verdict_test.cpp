@@ -129,7 +129,9 @@ TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
   EXPECT_NE(lines[1].find("mean 0.08 mm (0.0004 diagonals)"), std::string::npos) << lines[1];
   EXPECT_NE(lines[1].find("; 3.4 % is not reached"), std::string::npos) << lines[1];
   EXPECT_EQ(lines[2], "verdict: matched, but look here");
-  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4.0, 5.0, 6.0) of the template; --align auto"), 0u) << lines[3];
+  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4.0, 5.0, 6.0) of the template; --align auto or landmarks"), 0u) << lines[3];
+  s.alignment.emplace().mode = "auto";  // it has been tried
+  EXPECT_EQ(judge(s, places).reasons[0].advice.find("landmarks"), 0u);
   s.distance->deformed_to_template.mean = 50;
   EXPECT_NE(verdict_lines(s)[0].find("mean 10000 mm (50 diagonals)"), std::string::npos) << verdict_lines(s)[0];
   s.distance->deformed_to_template.mean = 1e-4;
