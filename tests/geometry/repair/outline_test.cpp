@@ -88,6 +88,11 @@ TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
   EXPECT_TRUE(has_note(spike, "without width removed"));
 }
 
+TEST(Outline, TooSmallWithoutItsSpike) {
+  const std::string said = message("0 0\n1e-60 0\n1e-60 1e-60\n0 1e-60\n-30 1e-60\n0 1e-60\n");
+  EXPECT_TRUE(contains(said, "the mended shape has a size of 1e-60, and sizes from 1e-50 on can be used")) << said;
+}
+
 TEST(Outline, BadTextIsRefusedWithItsLine) {
   EXPECT_TRUE(contains(message("0 0\n1 0\n1 x\n"), "line 3: a column should be a number, not 'x'"));
   EXPECT_TRUE(contains(message("0 0\n1 0 3\n"), "line 2: 3 columns, the lines above have 2"));
