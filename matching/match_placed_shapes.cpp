@@ -9,6 +9,7 @@
 #include "matching/result/nearest_faces.h"
 #include "matching/result/verdict.h"
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,9 @@ class Matching {
         options_(options),
         recorder_(recorder),
         clock_(clock),
+        observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
+        parts_(is_backward_ ? MeasuredParts<Dim>(observed_.template_shape, reference_.surface.vertices, observed_.reference)
+                            : MeasuredParts<Dim>(observed_.reference, reference_.surface.vertices, observed_.template_shape)),
         d1_(is_backward_ ? template_.surface : reference_.surface),
         d2_(is_backward_ ? reference_.surface : template_.surface) {}
 
@@ -47,7 +51,7 @@ class Matching {
     summary_.unit = options_.input.unit;
     summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
                                  (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
-    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_).figures;
+    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_, parts_).figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
@@ -60,7 +64,7 @@ class Matching {
     recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
-                                   clock_.phases, std::move(before), pairs);
+                                   clock_.phases, std::move(before), pairs, observed_);
     summary_.interrupted = result.interrupted;
     PhaseClock phase(clock_.phases);
     phase.start("output");
@@ -99,7 +103,7 @@ class Matching {
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
-      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, template_distance_, summary_so_far(), recorder_.history});
+      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, vertex_distances(deformed), summary_so_far(), recorder_.history});
   }
 
   Surface<Dim> deformed_reference(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
@@ -109,12 +113,38 @@ class Matching {
   // The distances, and where they are greatest. In the plane segments bend within themselves.
   TwoSidedDistance measure_distance(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
     const MeasuredDistance<Dim> distance = [&] {
-      if constexpr (Dim == 3) return two_sided_distance(deformed, template_distance_);
+      if constexpr (Dim == 3) return two_sided_distance(deformed, template_distance_, parts_);
       else return two_sided_distance(deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi), template_distance_);
     }();
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
+  }
+
+  // Of the deformed vertices; NaN where a shape has no data.
+  std::vector<double> vertex_distances(const Surface<Dim>& deformed) const {
+    std::vector<double> distances = distances_to(deformed.vertices, template_distance_);
+    const std::vector<char> measured = parts_.of_deformed(deformed);
+    for (std::size_t v = 0; v < measured.size(); ++v)
+      if (!measured[v]) distances[v] = std::numeric_limits<double>::quiet_NaN();
+    return distances;
+  }
+
+  // Tells the vertices of both results at which the other shape has data from those at which it was made up.
+  void add_observed(OriginalShape<Dim>& moved, OriginalShape<Dim>& covered, const Deformation<Dim>& map, const Surface<Dim>& deformed) const {
+    if (parts_.is_all()) return;
+    const auto add = [&](OriginalShape<Dim>& shape, const std::string& name, const auto& is_observed) {
+      VertexAttribute attribute{name, "uchar", std::vector<double>(shape.vertices.size())};
+      for (std::size_t v = 0; v < shape.vertices.size(); ++v) attribute.values[v] = is_observed(v) ? 1 : 0;
+      set_attribute(shape, std::move(attribute));
+    };
+    const ObservedPart<Dim>& of_template = is_backward_ ? observed_.reference : observed_.template_shape;
+    const auto unit = [&](const Vec<Dim>& y) { return map.placement(is_backward_ ? inputs_.prepared.alignment.pose(y) : y); };
+    add(moved, "template_observed", [&](std::size_t v) { return of_template.contains(unit(moved.vertices[v])); });
+    std::vector<Vec<Dim>> points;
+    for (const Vec<Dim>& y : covered.vertices) points.push_back(unit(y));
+    const std::vector<char> reached = parts_.of_template(points, deformed);
+    add(covered, "deformed_observed", [&](std::size_t v) { return reached[v] != 0; });
   }
 
   std::vector<double> coordinates_of_template(const Vec<Dim>& in_unit_domain) const {
@@ -129,8 +159,10 @@ class Matching {
     summary_.distance = summary_.levels.back().distance;
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(deformed, result.grid, result.phi);
-    add_distortion(summary_, reference_.surface, deformed, template_distance_);
-    places_.distorted = coordinates_of_template(most_distorted_place(reference_.surface, deformed));
+    const std::vector<char> measured_vertices = parts_.of_deformed(deformed);
+    const Surface<Dim> before = measured_facets(reference_.surface, measured_vertices), after = measured_facets(deformed, measured_vertices);
+    add_distortion(summary_, before, after, template_distance_);
+    places_.distorted = coordinates_of_template(most_distorted_place(before, after));
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     moved.space = map.space;
@@ -141,7 +173,8 @@ class Matching {
       summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
       summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
     }
-    std::vector<double> distance = distances_to(deformed.vertices, template_distance_);
+    add_observed(moved, covered, map, deformed);
+    std::vector<double> distance = vertex_distances(deformed);
     return {std::move(map),
             std::move(moved),
             std::move(covered),
@@ -171,6 +204,8 @@ class Matching {
   Recorder& recorder_;
   RunClock& clock_;
   const bool is_backward_ = inputs_.prepared.is_backward();
+  const ObservedPair<Dim> observed_;   // first that of the shape that phi deforms
+  const MeasuredParts<Dim> parts_;
   SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
   const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;
   MatchSummary summary_;

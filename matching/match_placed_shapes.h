@@ -27,7 +27,7 @@ struct LevelEnd {
   const ShapePair<Dim>& shapes;                  ///< those of the inputs
   const PreparedPair<Dim>& prepared;
   const Surface<Dim>& deformed;                  ///< the deformed reference's surface, unit domain
-  const SignedDistance<Dim>& template_distance;  ///< unit domain
+  const std::vector<double>& distance;           ///< of its vertices to the template's; unit domain, NaN where a shape has no data
   const MatchSummary& summary;                   ///< of the levels finished so far
   const History& history;
 };

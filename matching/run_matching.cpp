@@ -194,7 +194,7 @@ class Run {
     p.template_shape = &end.shapes.template_shape.surface;
     p.deformed = &end.deformed;
     p.title = fmt::format("level {}", level);
-    add_distances(p, distances_to(end.deformed.vertices, end.template_distance), end.summary);
+    add_distances(p, end.distance, end.summary);
     if constexpr (Dim == 2) {
       if (!end.prepared.is_backward()) {
         p.grid = &end.state.grid;

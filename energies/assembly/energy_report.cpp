@@ -23,13 +23,14 @@ struct ChunkReport {
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
-                           std::span<const Vec<Dim>> phi, const TermValues& weights) {
+                           std::span<const Vec<Dim>> phi, const TermValues& weights, const BandMask<Dim>* mask) {
   constexpr std::size_t elements_at_a_time = 1024;  // the band of so many elements fits the second-level cache
   const auto elements = unknowns.elements();
   const auto terms = std::make_shared<const EnergyTerms<Dim>>(options);
   const ChunkReport all = parallel_sum(elements.size(), elements_at_a_time, ChunkReport{}, [&](const Chunk& chunk) {
     const auto some = elements.subspan(chunk.begin, chunk.end - chunk.begin);
-    const MatchingEnergy<Dim> energy(some, geometry, terms, sigma, points_per_direction);
+    MatchingEnergy<Dim> energy(some, geometry, terms, sigma, points_per_direction);
+    if (mask) energy.set_mask(phi, *mask);
     ChunkReport report;
     report.is_evaluable = energy.report(phi, weights, report.values, report.band);
     return report;
@@ -38,8 +39,8 @@ EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim
 }
 
 template EnergyReport report_energy<2>(const Unknowns<2>&, const GeometryPair<2>&, const EnergyOptions&, double, int,
-                                       std::span<const Vec<2>>, const TermValues&);
+                                       std::span<const Vec<2>>, const TermValues&, const BandMask<2>*);
 template EnergyReport report_energy<3>(const Unknowns<3>&, const GeometryPair<3>&, const EnergyOptions&, double, int,
-                                       std::span<const Vec<3>>, const TermValues&);
+                                       std::span<const Vec<3>>, const TermValues&, const BandMask<3>*);
 
 }  // namespace shellmatch

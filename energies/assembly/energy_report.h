@@ -19,9 +19,10 @@ struct EnergyReport {
 /// elements would need more memory than the rest of a run.
 /// \param sigma half width of the band
 /// \param phi positions of all nodes
+/// \param mask null for none
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
-                           std::span<const Vec<Dim>> phi, const TermValues& weights);
+                           std::span<const Vec<Dim>> phi, const TermValues& weights, const BandMask<Dim>* mask = nullptr);
 
 }  // namespace shellmatch

@@ -3,6 +3,7 @@
 /// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier on one grid, with its gradient.
 
 #include "energies/elements/band.h"
+#include "energies/elements/band_mask.h"
 #include "energies/assembly/band_report.h"
 #include "energies/compiled/energy_terms.h"
 #include "energies/elements/unknowns.h"
@@ -42,6 +43,10 @@ class MatchingEnergy {
   /// The contribution of some elements to the energy: values only. The elements must outlive this object.
   MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
+
+  /// Multiplies the weights of the band by mask.weight(x, phi(x)), in place of an earlier mask. The energy then is that of these
+  /// weights: they do not move with phi until the next call. Not during an evaluation.
+  void set_mask(std::span<const Vec<Dim>> phi, const BandMask<Dim>& mask);
 
   /// Adds a term of point pairs, and returns its place in TermValues: after those of terms(), in the order of the calls.
   /// \param pairs located on the grid of the unknowns. \pre this energy is of a whole grid

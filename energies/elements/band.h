@@ -47,6 +47,21 @@ class Band {
   }
   /// Point q of batch b.
   const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
+  /// Multiplies the weights at the points of an element by factor(q), in place of those of an earlier call.
+  template <class Factor>
+  void set_mask(std::size_t b, int lane, Factor&& factor) {
+    for (std::size_t q = 0; q < n_points_; ++q) {
+      const std::size_t i = b * n_points_ + q;
+      points_[i].weight[lane] = unmasked_[i][lane] * factor(q);
+    }
+  }
+  /// Before the first set_mask().
+  void keep_unmasked_weights() {
+    if (!unmasked_.empty()) return;
+    unmasked_.reserve(points_.size());
+    for (const Point& p : points_) unmasked_.push_back(p.weight);
+  }
+
   /// Asks for the point after that one, early: what lies between takes too long for the processor to see the row.
   void prefetch_after(std::size_t b, std::size_t q) const {
     const auto next = reinterpret_cast<const char*>(&point(b, q) + 1);
@@ -54,13 +69,14 @@ class Band {
   }
   std::size_t n_elements() const { return n_elements_; }
   std::size_t n_active_points() const { return n_active_points_; }
-  /// Integral of eta_sigma(d1) over the domain: tends to the measure of M1. Unit: length^(Dim-1).
+  /// Integral of eta_sigma(d1) over the domain, without a mask: tends to the measure of M1. Unit: length^(Dim-1).
   double measure() const { return measure_; }
 
  private:
   std::vector<Batch> batches_;
   std::vector<std::size_t> first_batch_;  ///< by block
   std::vector<Point> points_;
+  std::vector<autodiff::Pack> unmasked_;  ///< weights of the points; empty without a mask
   std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
   double measure_ = 0;
 };

@@ -10,34 +10,40 @@ namespace shellmatch {
 
 namespace {
 
-/// Share of the surface's area around vertices that are farther away than `most`. \param distances of used_vertices()
+/// Vertices of a surface at which distances are measured.
 template <int Dim>
-double share_beyond(const Surface<Dim>& surface, const std::vector<double>& distances, double most) {
+struct MeasuredVertices {
+  std::vector<Vec<Dim>> points;
+  std::vector<double> areas;  ///< of the facets around each
+};
+
+/// Those that have facets. \param measured one entry for each vertex; empty for all
+template <int Dim>
+MeasuredVertices<Dim> measured_vertices(const Surface<Dim>& surface, const std::vector<char>& measured) {
   std::vector<double> area(surface.vertices.size(), 0.0);
   std::vector<bool> used(surface.vertices.size(), false);
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
     for (const Index v : surface.facets[f]) {
       area[v] += facet_measure(surface, static_cast<Index>(f));
-      used[v] = true;
+      used[v] = measured.empty() || measured[v] != 0;
     }
-  double beyond = 0, all = 0;
-  for (std::size_t v = 0, i = 0; v < area.size(); ++v) {
+  MeasuredVertices<Dim> found;
+  for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
-    all += area[v];
-    if (distances[i++] > most) beyond += area[v];
+    found.points.push_back(surface.vertices[v]);
+    found.areas.push_back(area[v]);
   }
-  return all > 0 ? beyond / all : 0;
+  return found;
 }
 
-template <int Dim>
-std::vector<Vec<Dim>> used_vertices(const Surface<Dim>& surface) {
-  std::vector<bool> used(surface.vertices.size(), false);
-  for (const auto& facet : surface.facets)
-    for (const Index v : facet) used[v] = true;
-  std::vector<Vec<Dim>> points;
-  for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v]) points.push_back(surface.vertices[v]);
-  return points;
+/// Share of the area around vertices that are farther away than `most`.
+double share_beyond(const std::vector<double>& areas, const std::vector<double>& distances, double most) {
+  double beyond = 0, all = 0;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    all += areas[i];
+    if (distances[i] > most) beyond += areas[i];
+  }
+  return all > 0 ? beyond / all : areas.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
 }
 
 }  // namespace
@@ -68,26 +74,29 @@ std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Sign
 }
 
 template <int Dim>
-MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
-  const std::vector<Vec<Dim>> template_points = used_vertices(template_distance.surface());
-  const double diagonal = bounding_box(template_points).diagonal();
+MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts) {
+  const Surface<Dim>& template_surface = template_distance.surface();
+  const MeasuredVertices<Dim> of_deformed = measured_vertices(deformed, parts.of_deformed(deformed));
+  const MeasuredVertices<Dim> of_template = measured_vertices(template_surface, parts.of_template(template_surface.vertices, deformed));
+  // Of the whole template, whatever is measured.
+  const double diagonal = bounding_box(measured_vertices(template_surface, {}).points).diagonal();
   const auto summary = [&](std::vector<double> distances) {
     const DistanceStatistics s = statistics(std::move(distances));
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
   };
-  const auto farthest = [](const std::vector<Vec<Dim>>& points, const std::vector<double>& distances) {
+  const auto farthest = [](const std::vector<Vec<Dim>>& points, const std::vector<double>& distances) -> Vec<Dim> {
+    if (points.empty()) return Vec<Dim>::Constant(std::numeric_limits<double>::quiet_NaN());
     return points[static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin())];
   };
-  const std::vector<Vec<Dim>> deformed_points = used_vertices(deformed);
-  const std::vector<double> there = distances_to(deformed_points, template_distance);
-  const std::vector<double> back = distances_to(template_points, SignedDistance<Dim>(deformed));
-  return {summary(there), summary(back), share_beyond(template_distance.surface(), back, covered_within * diagonal),
-          farthest(deformed_points, there), farthest(template_points, back)};
+  const std::vector<double> there = distances_to(of_deformed.points, template_distance);
+  const std::vector<double> back = distances_to(of_template.points, SignedDistance<Dim>(deformed));
+  return {summary(there), summary(back), share_beyond(of_template.areas, back, covered_within * diagonal),
+          farthest(of_deformed.points, there), farthest(of_template.points, back)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
-template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&);
-template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&);
+template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&);
+template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&);
 
 }  // namespace shellmatch

@@ -2,6 +2,7 @@
 /// \file
 /// Distances between two surfaces: of the vertices of each to the other one.
 
+#include "geometry/distance/measured_parts.h"
 #include "geometry/distance/signed_distance.h"
 
 #include <vector>
@@ -37,8 +38,9 @@ struct MatchQuality {
   Vec<Dim> farthest_of_deformed, farthest_of_template;
 };
 
-/// Two-sided distances. Vertices without a facet are ignored. \pre neither surface is empty.
+/// Two-sided distances. Vertices without a facet are ignored. \param parts the vertices at which they are measured; where one of the
+/// surfaces has none, all figures of its direction are NaN. \pre neither surface is empty.
 template <int Dim>
-MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
+MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts = {});
 
 }  // namespace shellmatch

@@ -1,39 +1,35 @@
 #include "geometry/label/surface_parts.h"
 
+#include "base/disjoint_sets.h"
+
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace shellmatch {
 
 std::size_t drop_small_parts(Surface<3>& surface, double least) {
-  std::vector<Index> parent(surface.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets sets(surface.vertices.size());
   for (const auto& [a, b, c] : surface.facets) {
-    parent[root(b)] = root(a);
-    parent[root(c)] = root(a);
+    sets.join(b, a);
+    sets.join(c, a);
   }
   std::vector<double> volume(surface.vertices.size(), 0);
   const Vec<3> origin = surface.vertices.empty() ? Vec<3>::Zero() : surface.vertices[0];
   for (const auto& [a, b, c] : surface.facets)
-    volume[root(a)] += (surface.vertices[a] - origin).dot((surface.vertices[b] - origin).cross(surface.vertices[c] - origin)) / 6;
+    volume[sets.find(a)] += (surface.vertices[a] - origin).dot((surface.vertices[b] - origin).cross(surface.vertices[c] - origin)) / 6;
   double largest = 0;
   for (const double v : volume) largest = std::max(largest, std::abs(v));
   // Cavities have a negative volume.
   const auto stays = [&](Index r) { return std::abs(volume[r]) >= std::min(least, largest); };
   std::size_t n_dropped = 0;
-  for (Index v = 0; v < static_cast<Index>(parent.size()); ++v)
-    if (root(v) == v && !stays(v)) ++n_dropped;
+  for (Index v = 0; v < static_cast<Index>(surface.vertices.size()); ++v)
+    if (sets.find(v) == v && !stays(v)) ++n_dropped;
   if (n_dropped == 0) return 0;
   Surface<3> rest;
   std::vector<Index> number(surface.vertices.size(), no_index);
-  for (Index v = 0; v < static_cast<Index>(parent.size()); ++v)
-    if (stays(root(v))) {
+  for (Index v = 0; v < static_cast<Index>(surface.vertices.size()); ++v)
+    if (stays(sets.find(v))) {
       number[v] = static_cast<Index>(rest.vertices.size());
       rest.vertices.push_back(surface.vertices[v]);
     }

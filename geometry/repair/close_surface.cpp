@@ -1,8 +1,11 @@
 #include "geometry/repair/close_surface.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/text.h"
+#include "geometry/distance/facet_tree.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/surface/facet_point.h"
 
 #include <utility>
 
@@ -10,8 +13,8 @@ namespace shellmatch {
 
 namespace {
 
-// Larger patches are guesses rather than repairs.
-constexpr double most_filled = 0.3;
+// More than half of a surface is not made up: a flat sheet has nothing else.
+constexpr double most_filled = 0.45;
 // Of the diagonal of the bounding box: gaps up to a fiftieth are closed, and the wrap lies a fiftieth of that outside.
 constexpr double gap = 0.02, distance = 0.02 * gap;
 
@@ -25,11 +28,15 @@ std::string why_open(const Surface<3>& surface, const std::string& source) {
   }
 }
 
+double area_of(const Surface<3>& surface) {
+  double area = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
+  return area;
+}
+
 // A sheet has two sides at twice the wrap's distance: half of its area times that.
 bool encloses_next_to_nothing(const Surface<3>& wrap, double offset) {
-  double area = 0;
-  for (std::size_t f = 0; f < wrap.facets.size(); ++f) area += facet_measure(wrap, static_cast<Index>(f));
-  return enclosed_measure(wrap) < 3 * offset * area;
+  return enclosed_measure(wrap) < 3 * offset * area_of(wrap);
 }
 
 // Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there is nothing else.
@@ -45,11 +52,42 @@ std::size_t drop_loose_triangles(Surface<3>& surface) {
   return n_loose;
 }
 
+// The facets of the wrap that lie farther from the triangles than the wrap of a plane does: they bridge gaps and fill corners.
+Surface<3> bridges(const Surface<3>& wrap, const Surface<3>& triangles, double offset) {
+  const FacetTree<3> tree(triangles);
+  const auto is_away = [&](const Vec<3>& x) {
+    const Index f = tree.nearest(x);
+    return f == no_index || (closest_point_on_facet(triangles, f, x).point - x).norm() > 3 * offset;
+  };
+  std::vector<char> vertex_is_away(wrap.vertices.size()), is_bridge(wrap.facets.size());
+  parallel_for(wrap.vertices.size(), [&](std::size_t v) { vertex_is_away[v] = is_away(wrap.vertices[v]); }, 256);
+  parallel_for(
+      wrap.facets.size(),
+      [&](std::size_t i) {
+        const auto& [a, b, c] = wrap.facets[i];
+        is_bridge[i] = vertex_is_away[a] || vertex_is_away[b] || vertex_is_away[c] ||
+                       is_away((wrap.vertices[a] + wrap.vertices[b] + wrap.vertices[c]) / 3);
+      },
+      256);
+  Surface<3> found{wrap.vertices, {}};
+  for (std::size_t f = 0; f < wrap.facets.size(); ++f)
+    if (is_bridge[f]) found.facets.push_back(wrap.facets[f]);
+  remove_unused_vertices(found);
+  return found;
+}
+
+// The patches with which the holes of `observed` were filled.
+Closure closure_by(FilledHoles& filled, Surface<3> observed) {
+  Surface<3> patches{filled.surface.vertices, {filled.surface.facets.end() - static_cast<std::ptrdiff_t>(filled.n_new), filled.surface.facets.end()}};
+  remove_unused_vertices(patches);
+  return {{std::move(observed), std::move(patches)}, filled.new_share};
+}
+
 }  // namespace
 
-double close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes) {
+Closure close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes) {
   const std::string why = why_open(surface, source);
-  if (why.empty()) return 0;
+  if (why.empty()) return {};
   Surface<3> bodies = surface;
   const std::size_t n_loose = drop_loose_triangles(bodies);
   const auto note_loose = [&] {
@@ -58,19 +96,21 @@ double close_surface(Surface<3>& surface, const std::string& source, std::vector
   if (n_loose > 0 && why_open(bodies, source).empty()) {
     note_loose();
     surface = std::move(bodies);
-    return 0;
+    return {};
   }
   std::optional<FilledHoles> filled = fill_holes(bodies);
   if (filled && filled->new_share <= most_filled && why_open(filled->surface, source).empty()) {
     note_loose();
-    surface = std::move(filled->surface);
+    Closure closure;
     if (filled->n_holes == 0) {
       notes.emplace_back("edges with more than two triangles taken apart");
-      return 0;
+    } else {
+      notes.push_back(fmt::format("{} filled with {}, {:.2g} % of the area: that part is made up, and weighs nothing",
+                                  counted(filled->n_holes, "hole", "holes"), counted(filled->n_new, "triangle", "triangles"), 100 * filled->new_share));
+      closure = closure_by(*filled, std::move(bodies));
     }
-    notes.push_back(fmt::format("{} filled with {}, {:.2g} % of the area: that part is made up", counted(filled->n_holes, "hole", "holes"),
-                                counted(filled->n_new, "triangle", "triangles"), 100 * filled->new_share));
-    return filled->new_share;
+    surface = std::move(filled->surface);
+    return closure;
   }
   const double diagonal = bounding_box(surface.vertices).diagonal();
   if (!(diagonal > 0)) throw InputError(why);
@@ -78,10 +118,14 @@ double close_surface(Surface<3>& surface, const std::string& source, std::vector
   if (wrap.facets.empty()) throw_input_error("{} (and no wrap could be made)", why);
   if (encloses_next_to_nothing(wrap, distance * diagonal))
     throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
-  notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}",
-                              distance * diagonal, gap * diagonal));
+  Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
+  closure.invented_share = area_of(closure.evidence.invented) / area_of(wrap);
+  notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
+                              "{:.2g} % of its area is made up, and weighs nothing",
+                              distance * diagonal, gap * diagonal, 100 * closure.invented_share));
+  if (closure.evidence.invented.facets.empty()) closure.evidence = {};
   surface = std::move(wrap);
-  return 1;
+  return closure;
 }
 
 }  // namespace shellmatch

@@ -26,9 +26,14 @@ std::optional<FilledHoles> fill_holes(const Surface<3>& open);
 /// Without facets where it fails. \pre alpha, offset > 0; at least one triangle
 Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset);
 
+/// What closed a surface.
+struct Closure {
+  Evidence<3> evidence;       ///< complete where nothing was made up
+  double invented_share = 0;  ///< of the area of the closed surface
+};
+
 /// Closes a surface that is not closed: by filling its holes where these are small, by a wrap otherwise. Says so in `notes`.
-/// \return the share of the area that is new; 0 where nothing was to be done, 1 for a wrap
 /// \throws InputError with the place of a gap where even the wrap encloses next to nothing
-double close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes);
+Closure close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes);
 
 }  // namespace shellmatch

@@ -32,6 +32,7 @@ Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vect
   else {
     MendedSurface mended = mend_surface(shape.original, shape.source, shape.notes, closing);
     shape.surface = std::move(mended.surface);
+    shape.evidence = std::move(mended.evidence);
     shape.invented_share = mended.invented_share;
   }
   // What is left may be much smaller than the original: a spike without width has been removed.

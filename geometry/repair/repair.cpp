@@ -106,7 +106,8 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
   if (surface.facets.empty())
     throw_input_error("{}: the faces have no area; a closed surface is needed", source);
-  const double invented_share = closing == Closing::automatic ? close_surface(surface, source, note_list) : 0;
+  Closure closure;
+  if (closing == Closing::automatic) closure = close_surface(surface, source, note_list);
   check_closed(surface, source);
 
   const Orientation orientation = orient_consistently(surface);
@@ -132,7 +133,7 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   if (surface.facets.size() <= self_intersection_limit)
     notes.add(self_intersecting_facets(surface).size(), "triangle", "triangles",
               "that cross or touch others (left as they are)");
-  return {std::move(surface), invented_share};
+  return {std::move(surface), std::move(closure.evidence), closure.invented_share};
 }
 
 }  // namespace shellmatch

@@ -15,7 +15,8 @@ enum class Closing { never, automatic };
 /// A closed surface, and what of it was made up.
 struct MendedSurface {
   Surface<3> surface;
-  double invented_share = 0;  ///< of the area: triangles that fill holes; 1 for a wrap
+  Evidence<3> evidence;
+  double invented_share = 0;  ///< of the area
 };
 
 /// Triangulates polygons, welds open seams whose vertices have equal coordinates, removes repeated triangles
@@ -24,7 +25,7 @@ struct MendedSurface {
 /// other parts. Describes the repairs in `notes`. \param source the name for messages. \throws InputError
 /// where there are no faces, where the surface remains open (with the numbers of boundary edges and loops,
 /// and a position), has an edge with more than two triangles (with the number, and a position), is one-sided
-/// or encloses no volume. With Closing::automatic holes that make up at most three tenths of the area are filled, and everything else
+/// or encloses no volume. With Closing::automatic holes that make up at most 45 % of the area are filled, and everything else
 /// that is not closed is wrapped; it is then refused only where the wrap encloses next to nothing.
 MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& notes,
                            Closing closing = Closing::never);

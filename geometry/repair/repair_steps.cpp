@@ -1,5 +1,6 @@
 #include "geometry/repair/repair_steps.h"
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -40,24 +41,6 @@ void for_each_edge(const Surface<3>& surface, Visit&& visit) {
     visit(edges[i], j - i);
   }
 }
-
-// Disjoint sets with union; each is represented by its smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 std::string position(const Vec<3>& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z()); }
 

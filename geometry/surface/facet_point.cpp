@@ -60,7 +60,35 @@ FacetPoint<Dim> closest_point_on_facet(const Surface<Dim>& surface, Index f, con
   return closest_on(corners, x);
 }
 
+template <int Dim>
+std::array<double, Dim> barycentric_coordinates(const Surface<Dim>& surface, Index f, const FacetPoint<Dim>& nearest) {
+  std::array<double, Dim> weights{};
+  const auto corner = [&](int k) { return surface.vertices[surface.facets[f][k]]; };
+  int first = -1, second = -1, n = 0;
+  for (int k = 0; k < Dim; ++k)
+    if (nearest.feature >> k & 1u) (n++ == 0 ? first : second) = k;
+  if constexpr (Dim == 3) {
+    if (n == 3) {
+      const Vec<3> e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), w = nearest.point - corner(0);
+      const Vec<3> normal = e1.cross(e2), m = w.cross(normal) / normal.squaredNorm();
+      const double beta = std::max(0.0, -m.dot(e2)), gamma = std::max(0.0, m.dot(e1)), sum = std::max(1.0, beta + gamma);
+      return {1 - (beta + gamma) / sum, beta / sum, gamma / sum};
+    }
+  }
+  if (n == 1) {
+    weights[static_cast<std::size_t>(first)] = 1;
+    return weights;
+  }
+  const double length = (corner(second) - corner(first)).norm();
+  const double t = length > 0 ? std::min(1.0, (nearest.point - corner(first)).norm() / length) : 0;
+  weights[static_cast<std::size_t>(first)] = 1 - t;
+  weights[static_cast<std::size_t>(second)] = t;
+  return weights;
+}
+
 template FacetPoint<2> closest_point_on_facet(const Surface<2>&, Index, const Vec<2>&);
 template FacetPoint<3> closest_point_on_facet(const Surface<3>&, Index, const Vec<3>&);
+template std::array<double, 2> barycentric_coordinates<2>(const Surface<2>&, Index, const FacetPoint<2>&);
+template std::array<double, 3> barycentric_coordinates<3>(const Surface<3>&, Index, const FacetPoint<3>&);
 
 }  // namespace shellmatch

@@ -5,6 +5,8 @@
 #include "base/types.h"
 #include "geometry/surface/surface.h"
 
+#include <array>
+
 namespace shellmatch {
 
 /// The feature of a facet that contains a point, as a bit for each of its corners: 1, 2 or 4 for a corner, 3,
@@ -27,5 +29,9 @@ bool is_degenerate(const Vec<3>& edge_1, const Vec<3>& edge_2);
 /// length as its first corner.
 template <int Dim>
 FacetPoint<Dim> closest_point_on_facet(const Surface<Dim>& surface, Index f, const Vec<Dim>& x);
+
+/// Barycentric coordinates of such a point: >= 0, sum 1, and exactly 0 at the corners that do not belong to its feature.
+template <int Dim>
+std::array<double, Dim> barycentric_coordinates(const Surface<Dim>& surface, Index f, const FacetPoint<Dim>& nearest);
 
 }  // namespace shellmatch

@@ -34,5 +34,8 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 /// facets over, so that they still face outward.
 template <int Dim>
 void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface);
+/// The surface of a shape, and its observed and invented parts; the original stays.
+template <int Dim>
+void apply_placement(const Similarity<Dim>& placement, Shape<Dim>& shape);
 
 }  // namespace shellmatch

@@ -43,6 +43,14 @@ struct OriginalShape {
   Space space = Space::unsaid;  ///< the frame of the coordinates, where the file names it
 };
 
+/// What of a closed surface its file has, and what was made up to close it.
+template <int Dim>
+struct Evidence {
+  /// The file's own facets, and those that fill or bridge gaps. Both are empty where nothing was made up.
+  Surface<Dim> observed, invented;
+  bool is_complete() const { return invented.facets.empty(); }
+};
+
 /// A shape ready for matching. `surface` is closed, welded and oriented outward.
 template <int Dim>
 struct Shape {
@@ -50,6 +58,7 @@ struct Shape {
   OriginalShape<Dim> original;
   Surface<Dim> surface;
   std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
+  Evidence<Dim> evidence = {};     ///< for `surface`, in its coordinates
   double invented_share = 0;       ///< of the surface's area: what was made up to close it, in [0, 1]
 };
 

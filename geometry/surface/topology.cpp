@@ -1,7 +1,8 @@
 #include "geometry/surface/topology.h"
 
+#include "base/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,23 +23,18 @@ std::size_t count_edges(const Surface<3>& s) {
 
 template <int Dim>
 Topology topology(const Surface<Dim>& s) {
-  std::vector<Index> parent(s.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets sets(s.vertices.size());
   std::vector<bool> used(s.vertices.size());
   for (const auto& facet : s.facets)
     for (const Index v : facet) {
       used[v] = true;
-      parent[root(v)] = root(facet[0]);
+      sets.join(v, facet[0]);
     }
   Topology result;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
     if (used[v]) {
       ++result.n_vertices;
-      result.n_components += root(v) == v;
+      result.n_components += sets.find(v) == v;
     }
   if constexpr (Dim == 3) {
     const long euler = static_cast<long>(result.n_vertices + s.facets.size()) - static_cast<long>(count_edges(s));

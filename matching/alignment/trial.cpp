@@ -55,16 +55,19 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
   try {
     const Similarity<Dim> placement = placed.place(options_, start.pose);
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
+    const ObservedPair<Dim> observed = observed_pair(placed.reference, placed.template_shape);
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
     TrialObserver silent(observer_);
     PhaseSeconds seconds;
-    const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs);
+    const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
     const TermValues& terms = end.levels.back().minimised;
     const double with_pairs = terms.sum();
     if (!std::isfinite(with_pairs)) return result;
     result.with_pairs = with_pairs;
     result.energy = with_pairs - (start.pairs.empty() ? 0 : terms[terms.size() - 1]);
-    result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2).figures.template_to_deformed.mean;
+    result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2,
+                                                  MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape))
+                                   .figures.template_to_deformed.mean;
   } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
   }
   return result;

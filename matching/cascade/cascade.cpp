@@ -47,7 +47,7 @@ template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
                                PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before,
-                               const std::vector<PairSet<Dim>>& pairs) {
+                               const std::vector<PairSet<Dim>>& pairs, const ObservedPair<Dim>& observed) {
   const CascadeOptions& schedule = options.cascade;
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
   Octree<Dim>& grid = result.grid;
@@ -55,7 +55,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   ShapeFields<Dim> shapes(reference, template_shape, options);
   std::optional<Coverage<Dim>> coverage;
   if (options.coverage.levels > 0)
-    coverage.emplace(reference.surface(), template_shape.surface(), options.coverage);
+    coverage.emplace(reference.surface(), template_shape.surface(), options.coverage, observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.reference = at_nodes(geometry.reference, grid);
@@ -86,7 +86,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     } else {
       {  // frees the level's matrices before the output
         clock.start("set-up");
-        LevelMinimisation<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr);
+        LevelMinimisation<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr, observed);
         clock.start("minimisation");
         result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
         clock.start("report");
@@ -111,10 +111,10 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<2>&, PhaseSeconds&,
                                          std::optional<FinishedLevel<2>>,
-                                         const std::vector<PairSet<2>>&);
+                                         const std::vector<PairSet<2>>&, const ObservedPair<2>&);
 template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<3>&, PhaseSeconds&,
                                          std::optional<FinishedLevel<3>>,
-                                         const std::vector<PairSet<3>>&);
+                                         const std::vector<PairSet<3>>&, const ObservedPair<3>&);
 
 }  // namespace shellmatch

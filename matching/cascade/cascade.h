@@ -9,6 +9,7 @@
 #include "grid/octree/octree.h"
 #include "matching/cascade/level_result.h"
 #include "matching/level/deformation.h"
+#include "matching/level/pair_mask.h"
 #include "matching/progress/phase_clock.h"
 #include "matching/experiment/options.h"
 #include "matching/progress/observer.h"
@@ -52,11 +53,12 @@ using LevelCallback = std::function<void(const LevelResult&, const LevelState<Di
 /// Runs the cascade from the identity, or continues after the level `before`: with the same shapes and options the
 /// result is then the same bit for bit. \pre the shapes lie in the unit domain
 /// \param pairs terms of point pairs, besides that of coverage (options.coverage)
+/// \param observed what the shapes have data of; match, membrane, bending and coverage weigh nothing elsewhere
 /// \throws InputError if the map `before` does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
                                PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {},
-                               const std::vector<PairSet<Dim>>& pairs = {});
+                               const std::vector<PairSet<Dim>>& pairs = {}, const ObservedPair<Dim>& observed = {});
 
 }  // namespace shellmatch

@@ -7,9 +7,11 @@
 #include "matching/cascade/level_result.h"
 #include "matching/experiment/options.h"
 #include "matching/level/level_energy.h"
+#include "matching/level/pair_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/progress/observer.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +24,9 @@ class LevelMinimisation {
  public:
   /// \param grid, options  outlive this object
   /// \param coverage       null where it does not act; outlives this object
+  /// \param observed       what the shapes have data of: the terms of the band are masked elsewhere
   LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
-                    const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage);
+                    const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed);
 
   /// All steps of the schedule of `level`. \param interrupted set where the observer ends it
   /// \throws InputError where the energy of the very first phi is no finite number
@@ -47,6 +50,7 @@ class LevelMinimisation {
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
   const Coverage<Dim>* coverage_;
+  std::optional<PairMask<Dim>> mask_;  ///< where a shape has gaps
   TermValues weights_;  ///< of the last minimisation
 };
 

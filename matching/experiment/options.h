@@ -70,7 +70,7 @@ struct InputOptions {
     visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
     visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: coordinates are said to be in units of the file"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
-    visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most three tenths of the area and wraps what else has gaps or inner walls, and says so (docs/closing.md); never refuses them, as --strict does"});
+    visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); never refuses them, as --strict does"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
     visit("space", self.space, {.meaning = "frame of shapes out of volumes: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
   }

@@ -38,13 +38,13 @@ std::pair<AnyShape, AnyShape> open_both(const InputOptions& input) {
 
 template <int Dim>
 Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose) {
-  if (!pose.is_identity()) apply_placement(pose, reference.surface);
+  if (!pose.is_identity()) apply_placement(pose, reference);
   const double clearance = 1.0 / static_cast<double>(1 << options.cascade.max_level);
   const Similarity<Dim> placement = options.input.placement == PlacementKind::fit
                                         ? fit_placement(reference, template_shape, options.input.margin)
                                         : as_is_placement(reference, template_shape, clearance);
-  apply_placement(placement, reference.surface);
-  apply_placement(placement, template_shape.surface);
+  apply_placement(placement, reference);
+  apply_placement(placement, template_shape);
   return placement;
 }
 
@@ -61,7 +61,8 @@ void share_space(ShapePair<Dim>& pair, Observer& observer) {
   if constexpr (Dim == 3) {
     // A turn by half a circle about the z axis: facets stay outward.
     if (!change_space(reference.vertices, reference.space, template_shape.space)) return;
-    change_space(pair.reference.surface.vertices, reference.space, template_shape.space);
+    for (Surface<3>* surface : {&pair.reference.surface, &pair.reference.evidence.observed, &pair.reference.evidence.invented})
+      change_space(surface->vertices, reference.space, template_shape.space);
     observer.note(fmt::format("{}: from {} to {}, the frame of {}: x and y change their sign", pair.reference.source,
                               space_name(reference.space), space_name(template_shape.space), pair.template_shape.source));
     reference.space = template_shape.space;

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace shellmatch {
 
@@ -49,8 +48,9 @@ Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, I
 }  // namespace
 
 template <int Dim>
-Coverage<Dim>::Coverage(const Surface<Dim>& reference, const Surface<Dim>& template_shape, const CoverageOptions& options)
-    : reference_(&reference), tolerance_(options.tolerance * bounding_box(template_shape.vertices).diagonal()) {
+Coverage<Dim>::Coverage(const Surface<Dim>& reference, const Surface<Dim>& template_shape, const CoverageOptions& options,
+                        const ObservedPair<Dim>& observed)
+    : reference_(&reference), observed_(observed), tolerance_(options.tolerance * bounding_box(template_shape.vertices).diagonal()) {
   const auto n_samples = static_cast<std::size_t>(options.samples);
   const std::size_t n = template_shape.vertices.size();
   std::vector<double> area(n, 0.0);
@@ -64,8 +64,9 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const Surface<Dim>& templ
   }
   std::vector<std::size_t> order;
   for (std::size_t v = 0; v < n; ++v)
-    if (area[v] > 0 && normal[v].norm() > 0) order.push_back(v);
-  const double total = std::accumulate(area.begin(), area.end(), 0.0);
+    if (area[v] > 0 && normal[v].norm() > 0 && observed.template_shape.contains(template_shape.vertices[v])) order.push_back(v);
+  double total = 0;
+  for (const std::size_t v : order) total += area[v];
   const auto sample = [&](std::size_t v, double stands_for) {
     samples_.push_back({template_shape.vertices[v], normal[v].normalized(), stands_for});
   };
@@ -107,7 +108,7 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Ve
         const Index f = tree.nearest(s.y);
         if (f == no_index || facet_normal(deformed, f).dot(s.normal) <= 0) return;
         found[i].p = preimage(*reference_, deformed, f, closest_point_on_facet(deformed, f, s.y).point);
-        found[i].weight = s.area;
+        if (observed_.reference.contains(found[i].p)) found[i].weight = s.area;
       },
       64);
   std::erase_if(found, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });

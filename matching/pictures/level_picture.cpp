@@ -162,8 +162,10 @@ void add_distances(LevelPicture<Dim>& picture, std::vector<double> distance, con
   const double diagonal = bounding_box(picture.template_shape->vertices).diagonal();
   const double scale = summary.template_diagonal.value_or(diagonal) / diagonal;
   for (double& d : distance) d *= scale;
+  const bool has_gaps = std::ranges::any_of(distance, [](double d) { return std::isnan(d); });
   picture.distance = std::move(distance);
-  picture.distance_label = fmt::format("distance to template ({})", summary.unit.value_or("").empty() ? "unit of the files" : *summary.unit);
+  picture.distance_label = fmt::format("distance to template ({}){}", summary.unit.value_or("").empty() ? "unit of the files" : *summary.unit,
+                                       has_gaps ? "; grey: no data" : "");
 }
 
 template <int Dim>

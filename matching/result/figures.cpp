@@ -12,8 +12,9 @@
 namespace shellmatch {
 
 template <int Dim>
-MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
-  const MatchQuality<Dim> quality = match_quality(deformed, template_distance);
+MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
+                                         const MeasuredParts<Dim>& parts) {
+  const MatchQuality<Dim> quality = match_quality(deformed, template_distance, parts);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
   return {{one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered},
           quality.farthest_of_deformed,
@@ -53,6 +54,15 @@ LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   s.folds = r.folds;
   s.band = r.band;
   return s;
+}
+
+template <int Dim>
+Surface<Dim> measured_facets(const Surface<Dim>& surface, const std::vector<char>& measured) {
+  if (measured.empty()) return surface;
+  Surface<Dim> some{surface.vertices, {}};
+  for (const auto& facet : surface.facets)
+    if (std::ranges::all_of(facet, [&](Index v) { return measured[static_cast<std::size_t>(v)] != 0; })) some.facets.push_back(facet);
+  return some;
 }
 
 template <int Dim>
@@ -113,7 +123,8 @@ Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>&
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
-  template MeasuredDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&); \
+  template MeasuredDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&, const MeasuredParts<Dim>&); \
+  template Surface<Dim> measured_facets<Dim>(const Surface<Dim>&, const std::vector<char>&);          \
   template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \
                                     const SignedDistance<Dim>&)

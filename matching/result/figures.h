@@ -2,6 +2,7 @@
 /// \file
 /// Computes the figures of a summary from the results of a matching.
 
+#include "geometry/distance/measured_parts.h"
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
 #include "matching/cascade/level_result.h"
@@ -17,16 +18,21 @@ struct MeasuredDistance {
 };
 
 template <int Dim>
-MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
+MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
+                                         const MeasuredParts<Dim>& parts = {});
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
-/// Adds area (length) and angle distortion and the number of flipped facets, over all facets.
+/// The facets of a surface whose vertices all take part. \param measured one entry for each vertex; empty for all
+template <int Dim>
+Surface<Dim> measured_facets(const Surface<Dim>& surface, const std::vector<char>& measured);
+
+/// Adds area (length) and angle distortion and the number of flipped facets, over all facets. \pre the surfaces have the same facets
 template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance);
 
-/// The vertex of the deformed surface around which areas and angles (lengths) have changed most.
+/// The vertex of the deformed surface around which areas and angles (lengths) have changed most. \pre the surfaces have the same facets
 template <int Dim>
 Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 

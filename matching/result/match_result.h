@@ -18,7 +18,7 @@ template <int Dim>
 struct MatchedSurfaces {
   Surface<Dim> reference, template_shape;
   Surface<Dim> deformed;         ///< vertex by vertex the image of `reference`
-  std::vector<double> distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0
+  std::vector<double> distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0; NaN where a shape has no data
 };
 
 template <int Dim>

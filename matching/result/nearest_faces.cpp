@@ -40,33 +40,6 @@ FileFacets<Dim> facets_of_file(const OriginalShape<Dim>& shape, const Similarity
   return facets;
 }
 
-/// Barycentric coordinates of a point of a facet.
-template <int Dim>
-std::array<double, Dim> barycentric(const Surface<Dim>& surface, Index f, const FacetPoint<Dim>& nearest) {
-  std::array<double, Dim> weights{};
-  const auto corner = [&](int k) { return surface.vertices[surface.facets[f][k]]; };
-  int first = -1, second = -1, n = 0;
-  for (int k = 0; k < Dim; ++k)
-    if (nearest.feature >> k & 1u) (n++ == 0 ? first : second) = k;
-  if constexpr (Dim == 3) {
-    if (n == 3) {
-      const Vec<3> e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), w = nearest.point - corner(0);
-      const Vec<3> normal = e1.cross(e2), m = w.cross(normal) / normal.squaredNorm();
-      const double beta = std::max(0.0, -m.dot(e2)), gamma = std::max(0.0, m.dot(e1)), sum = std::max(1.0, beta + gamma);
-      return {1 - (beta + gamma) / sum, beta / sum, gamma / sum};
-    }
-  }
-  if (n == 1) {
-    weights[static_cast<std::size_t>(first)] = 1;
-    return weights;
-  }
-  const double length = (corner(second) - corner(first)).norm();
-  const double t = length > 0 ? std::min(1.0, (nearest.point - corner(first)).norm() / length) : 0;
-  weights[static_cast<std::size_t>(first)] = 1 - t;
-  weights[static_cast<std::size_t>(second)] = t;
-  return weights;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -81,7 +54,7 @@ void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& 
     const Vec<Dim> x = placement(deformed.vertices[i]);
     const Index f = tree.nearest(x);
     SHELLMATCH_CHECK(f != no_index, "a vertex has a nearest face");
-    const std::array<double, Dim> weights = barycentric(facets.surface, f, closest_point_on_facet(facets.surface, f, x));
+    const std::array<double, Dim> weights = barycentric_coordinates(facets.surface, f, closest_point_on_facet(facets.surface, f, x));
     face[i] = facets.polygon[f];
     for (int k = 0; k < Dim; ++k) corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
   });

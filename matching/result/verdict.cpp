@@ -20,6 +20,7 @@ constexpr Limits unreached{0.015, 0.05};      // share of the template's area
 constexpr Limits flipped{0.02, 0.08};         // share of the reference's area
 constexpr Limits turned_angles{20, 60};       // degrees; 95 % of the area have less
 constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
+constexpr double much_invented = 0.5;         // share of a shape's area
 constexpr double apart = 0.25;                // mean distance in diagonals, before a run
 // Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
@@ -114,10 +115,9 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
                               *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
                   "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or squeezed", "", {}});
   for (const auto& [shape, name] : {std::pair{&a, "reference"}, std::pair{&b, "template"}})
-    if (shape->invented)
-      reasons.look({*shape->invented < 1 ? fmt::format("{} of the {}'s surface was made up to close it", percent_text(*shape->invented), name)
-                                         : fmt::format("the {} is not closed, and its wrap was matched", name),
-                    "what is matched there is no data; --strict refuses such files (docs/closing.md)", "", {}});
+    if (shape->invented && *shape->invented > much_invented)
+      reasons.look({fmt::format("{} of the {}'s surface was made up to close it", percent_text(*shape->invented), name),
+                    "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
     reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks or other starts (docs/alignment.md)", "", {}});
   if (summary.interrupted)
@@ -150,8 +150,9 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
     const auto text = [&](const OneSidedDistance& d) {
       return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary), length_text(d.max, summary));
     };
-    lines.push_back(fmt::format("distance of the deformed reference from the template: {}", text(there)));
-    lines.push_back(fmt::format("distance of the template from the deformed reference: {}", text(back)));
+    const char* where = summary.reference.invented || summary.template_shape.invented ? " where both have data" : "";
+    lines.push_back(fmt::format("distance of the deformed reference from the template{}: {}", where, text(there)));
+    lines.push_back(fmt::format("distance of the template from the deformed reference{}: {}", where, text(back)));
     if (uncovered) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
   }
   if (!summary.verdict) return lines;

@@ -41,11 +41,18 @@ bool has_note(const std::vector<std::string>& notes, const std::string& part) {
   return false;
 }
 
+double area_of(const Surface<3>& surface) {
+  double area = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
+  return area;
+}
+
 TEST(CloseSurface, ClosedOnesStayAsTheyAre) {
   std::vector<std::string> notes, strict_notes;
   const MendedSurface ball = mended(unit_sphere(3), notes), strict = mended(unit_sphere(3), strict_notes, Closing::never);
   EXPECT_EQ(ball.surface.facets, strict.surface.facets);
   EXPECT_EQ(ball.invented_share, 0);
+  EXPECT_TRUE(ball.evidence.is_complete());
   EXPECT_EQ(notes, strict_notes);
 }
 
@@ -60,6 +67,10 @@ TEST(CloseSurface, AHoleIsFilledFlatAndSaid) {
   EXPECT_NEAR(ball.invented_share, disc / (disc + 2 * pi * (1 + height)), 0.01);
   EXPECT_TRUE(has_note(notes, "1 hole filled with ")) << notes.back();
   EXPECT_TRUE(has_note(notes, "that part is made up"));
+  // The patch alone is invented: the disc.
+  EXPECT_EQ(ball.evidence.observed.facets.size(), open.facets.size());
+  EXPECT_NEAR(area_of(ball.evidence.invented), disc, 0.02);
+  for (const Vec<3>& x : ball.evidence.invented.vertices) EXPECT_NEAR(x.z(), height, 0.06);
   // What was there keeps its triangles.
   for (std::size_t f = 0; f < 3; ++f)
     for (int k = 0; k < 3; ++k) EXPECT_EQ(ball.surface.vertices[ball.surface.facets[f][k]], open.vertices[open.facets[f][k]]);
@@ -87,24 +98,39 @@ TEST(CloseSurface, TwoBoxesThatShareAnEdgeAreTakenApart) {
   EXPECT_NEAR(enclosed_measure(two.surface), 2, 0.2);
 }
 
-TEST(CloseSurface, ManyGapsAreWrapped) {
-  // Every triangle is by itself, a little smaller than it was.
-  const Surface<3> ball = unit_sphere(4);
+// Every triangle by itself, shrunk towards its centre.
+Surface<3> shrunk_triangles(const Surface<3>& surface, double factor) {
   Surface<3> soup;
-  for (const auto& facet : ball.facets) {
+  for (const auto& facet : surface.facets) {
     Vec<3> centre = Vec<3>::Zero();
-    for (const Index v : facet) centre += ball.vertices[v] / 3;
+    for (const Index v : facet) centre += surface.vertices[v] / 3;
     std::array<Index, 3>& own = soup.facets.emplace_back();
     for (int k = 0; k < 3; ++k) {
       own[k] = static_cast<Index>(soup.vertices.size());
-      soup.vertices.emplace_back(centre + 0.9 * (ball.vertices[facet[k]] - centre));
+      soup.vertices.emplace_back(centre + factor * (surface.vertices[facet[k]] - centre));
     }
   }
+  return soup;
+}
+
+TEST(CloseSurface, ManyGapsAreWrapped) {
+  const Surface<3> ball = unit_sphere(4), soup = shrunk_triangles(ball, 0.9);
   std::vector<std::string> notes;
   const MendedSurface wrap = mended(soup, notes);
-  EXPECT_EQ(wrap.invented_share, 1);
   EXPECT_TRUE(has_note(notes, "not closed, and wrapped")) << notes.front();
   EXPECT_NEAR(enclosed_measure(wrap.surface), enclosed_measure(ball), 0.1);
+  // Gaps of 0.004 are hardly wider than the wrap is far from the triangles.
+  EXPECT_LT(wrap.invented_share, 0.01);
+}
+
+TEST(CloseSurface, WhatAWrapBridgesIsInvented) {
+  const Surface<3> soup = shrunk_triangles(unit_sphere(4), 0.6);
+  std::vector<std::string> notes;
+  const MendedSurface wrap = mended(soup, notes);
+  EXPECT_NEAR(area_of(wrap.evidence.observed) / area_of(unit_sphere(4)), 0.36, 1e-12);
+  // Triangles have an inscribed radius of 0.0217, and the wrap counts as theirs up to 0.0042 beside them: 1 - (0.6 + 0.19)^2.
+  EXPECT_NEAR(wrap.invented_share, 0.38, 0.08);
+  EXPECT_NEAR(area_of(wrap.evidence.invented) / area_of(wrap.surface), wrap.invented_share, 1e-12);
 }
 
 TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
@@ -116,6 +142,7 @@ TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
   const MendedSurface ball = mended(surface, notes);
   EXPECT_EQ(ball.surface.facets.size(), unit_sphere(3).facets.size());
   EXPECT_EQ(ball.invented_share, 0);
+  EXPECT_TRUE(ball.evidence.is_complete());
   EXPECT_TRUE(has_note(notes, "1 loose triangle left out"));
 }
 

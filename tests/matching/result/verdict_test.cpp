@@ -103,8 +103,7 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
   using Change = void (*)(MatchSummary&);
   for (const auto& [change, what] :
        {std::pair<Change, const char*>([](MatchSummary& s) { s.template_shape.genus = 1; }, "the reference has 1 component and genus 0, the template 1 and 1"),
-        {[](MatchSummary& s) { s.template_shape.invented = 0.02; }, "2 % of the template's surface was made up"},
-        {[](MatchSummary& s) { s.reference.invented = 1; }, "the reference is not closed, and its wrap was matched"},
+        {[](MatchSummary& s) { s.reference.invented = 0.62; }, "62 % of the reference's surface was made up"},
         {[](MatchSummary& s) { s.reference.n_components = 2; }, "the reference has 2 components and genus 0"},
         {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "folded cells of the grid: 7"},
         {[](MatchSummary& s) { s.alignment.emplace().doubtful = true; }, "no pose that is clearly the best"},
@@ -116,6 +115,15 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
     ASSERT_EQ(v.reasons.size(), 1u) << what;
     EXPECT_NE(v.reasons[0].what.find(what), std::string::npos) << v.reasons[0].what;
   }
+}
+
+TEST(Verdict, WhatWasMadeUpWeighsNothingAndIsNoReason) {
+  MatchSummary s = good_summary();
+  s.template_shape.invented = 0.3;
+  s.verdict = judge(s, places);
+  EXPECT_EQ(s.verdict->outcome, "matched");
+  const auto lines = verdict_lines(s);
+  EXPECT_NE(lines.at(0).find("from the template where both have data: mean"), std::string::npos) << lines[0];
 }
 
 TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {

@@ -1,0 +1,56 @@
+#include "geometry/distance/measured_parts.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "geometry/surface/facet_point.h"
+
+#include <utility>
+
+namespace shellmatch {
+
+template <int Dim>
+MeasuredParts<Dim>::MeasuredParts(const ObservedPart<Dim>& reference, const std::vector<Vec<Dim>>& its_vertices, ObservedPart<Dim> template_part)
+    : least_margin_(reference.least_margin()), template_part_(std::move(template_part)) {
+  if (reference.is_all()) return;
+  margins_.resize(its_vertices.size());
+  parallel_for(its_vertices.size(), [&](std::size_t v) { margins_[v] = reference.margin(its_vertices[v]); }, 256);
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) const {
+  if (is_all()) return {};
+  SHELLMATCH_CHECK(margins_.empty() || margins_.size() == deformed.vertices.size(), "margins are those of other vertices");
+  std::vector<char> measured(deformed.vertices.size());
+  parallel_for(
+      measured.size(),
+      [&](std::size_t v) {
+        measured[v] = (margins_.empty() || margins_[v] > least_margin_) && template_part_.contains(deformed.vertices[v]);
+      },
+      256);
+  return measured;
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const {
+  if (is_all()) return {};
+  const FacetTree<Dim> tree(deformed);
+  // Margins are interpolated, as they are 0 along the edge of a gap.
+  const auto is_observed = [&](const Vec<Dim>& x) {
+    if (margins_.empty()) return true;
+    const Index f = tree.nearest(x);
+    if (f == no_index) return false;
+    const auto& facet = deformed.facets[static_cast<std::size_t>(f)];
+    const auto weights = barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, x));
+    double margin = 0;
+    for (int k = 0; k < Dim; ++k) margin += weights[static_cast<std::size_t>(k)] * margins_[static_cast<std::size_t>(facet[k])];
+    return margin > least_margin_;
+  };
+  std::vector<char> measured(points.size());
+  parallel_for(points.size(), [&](std::size_t i) { measured[i] = template_part_.contains(points[i]) && is_observed(points[i]); }, 256);
+  return measured;
+}
+
+template class MeasuredParts<2>;
+template class MeasuredParts<3>;
+
+}  // namespace shellmatch

@@ -1,0 +1,61 @@
+#include "geometry/distance/observed_part.h"
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "geometry/surface/facet_point.h"
+
+#include <algorithm>
+
+namespace shellmatch {
+
+template <int Dim>
+ObservedPart<Dim>::ObservedPart(const Evidence<Dim>& evidence) {
+  if (evidence.is_complete()) return;
+  Parts parts{Part(evidence.observed), Part(evidence.invented), {}};
+  scale_ = bounding_box(evidence.observed.vertices).diagonal();
+  const Surface<Dim>& invented = parts.invented.surface;
+  // Patches have their vertices on the edge of the gap: the centres of their facets are farther inside.
+  std::vector<double> reach(invented.facets.size());
+  parallel_for(
+      reach.size(),
+      [&](std::size_t f) {
+        Vec<Dim> centre = Vec<Dim>::Zero();
+        for (const Index v : invented.facets[f]) {
+          centre += invented.vertices[v] / Dim;
+          reach[f] = std::max(reach[f], parts.observed.nearest(invented.vertices[v]).distance);
+        }
+        reach[f] = std::max(reach[f], parts.observed.nearest(centre).distance);
+      },
+      64);
+  DisjointSets sets(invented.vertices.size());
+  for (const auto& facet : invented.facets)
+    for (const Index v : facet) sets.join(v, facet[0]);
+  std::vector<double> of_set(invented.vertices.size(), 0.0);
+  for (std::size_t f = 0; f < reach.size(); ++f) {
+    double& largest = of_set[sets.find(invented.facets[f][0])];
+    largest = std::max(largest, reach[f]);
+  }
+  for (const auto& facet : invented.facets) parts.half_widths.push_back(of_set[sets.find(facet[0])]);
+  parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+template <int Dim>
+auto ObservedPart<Dim>::Part::nearest(const Vec<Dim>& x) const -> Nearest {
+  const Index f = tree.nearest(x);
+  if (f == no_index) return {f, std::numeric_limits<double>::infinity()};
+  return {f, (closest_point_on_facet(surface, f, x).point - x).norm()};
+}
+
+template <int Dim>
+auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
+  if (is_all()) return {};
+  const auto invented = parts_->invented.nearest(x);
+  // So far away that nothing can be told.
+  if (invented.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
+  return {invented.distance - parts_->observed.nearest(x).distance, parts_->half_widths[static_cast<std::size_t>(invented.facet)]};
+}
+
+template class ObservedPart<2>;
+template class ObservedPart<3>;
+
+}  // namespace shellmatch

@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// Which part of space belongs to what a file has of a surface, and which to what was made up to close it.
+
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/surface.h"
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+
+/// The points that are nearer to the observed than to the invented part of a surface. Copies share the data.
+template <int Dim>
+class ObservedPart {
+ public:
+  /// Of a surface of which nothing was made up: all of space.
+  ObservedPart() = default;
+  explicit ObservedPart(const Evidence<Dim>& evidence);
+
+  bool is_all() const { return parts_ == nullptr; }
+
+  struct Gap {
+    /// Distance to the invented part less distance to the observed one: at a point of the observed surface its distance to the nearest
+    /// gap, 0 along the edge of a gap, negative beyond, infinite where nothing was made up. The Lipschitz constant is 2.
+    double margin = std::numeric_limits<double>::infinity();
+    /// How far the centres of the facets of the nearest gap reach from the observed part: half of the gap's width or somewhat less.
+    double half_width = 0;
+  };
+  Gap nearest_gap(const Vec<Dim>& x) const;
+  double margin(const Vec<Dim>& x) const { return nearest_gap(x).margin; }
+
+  /// Is the observed part nearer? Points that are nearest to the edge of a gap, up to rounding, belong to the other: a correspondence
+  /// with an edge is that of whatever lies beyond it (Turk and Levoy, Zippered polygon meshes from range images, SIGGRAPH 1994).
+  bool contains(const Vec<Dim>& x) const { return is_all() || margin(x) > least_margin(); }
+  /// What the margin of a point of the observed part exceeds: rounding errors.
+  double least_margin() const { return rounding * scale_; }
+
+ private:
+  static constexpr double rounding = 1e-9;
+  struct Part {
+    explicit Part(Surface<Dim> s) : surface(std::move(s)), tree(surface) {}
+    struct Nearest {
+      Index facet;
+      double distance;
+    };
+    Nearest nearest(const Vec<Dim>& x) const;
+    Surface<Dim> surface;
+    FacetTree<Dim> tree;
+  };
+  struct Parts {
+    Part observed, invented;
+    std::vector<double> half_widths;  ///< for each invented facet that of its connected part
+  };
+  std::shared_ptr<const Parts> parts_;
+  double scale_ = 0;  ///< diagonal of the observed part
+};
+
+}  // namespace shellmatch

@@ -1,0 +1,95 @@
+"""Meshes as points and polygons: STL and PLY beside what verdicts/shapes.py reads; bent, and cut in parts."""
+import math
+import pathlib
+import re
+import struct
+
+from verdicts.shapes import read_mesh
+
+SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d",
+         "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
+
+
+def read_stl(data):
+    if len(data) >= 84 and len(data) == 84 + 50 * struct.unpack_from("<I", data, 80)[0]:
+        corners = [struct.unpack_from("<3f", data, 84 + 50 * t + 12 + 12 * k) for t in range((len(data) - 84) // 50) for k in range(3)]
+    else:
+        corners = [tuple(map(float, words)) for words in re.findall(r"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data.decode("latin-1"))]
+    number = {}
+    for x in corners:
+        number.setdefault(x, len(number))
+    return list(number), [[number[x] for x in corners[t:t + 3]] for t in range(0, len(corners), 3)]
+
+
+def read_ply(data):
+    head, body = data.split(b"end_header", 1)
+    body = body[body.index(b"\n") + 1:]
+    elements, order = [], None
+    for words in (line.split() for line in head.decode("latin-1").splitlines()):
+        if words[:1] == ["format"]:
+            order = {"ascii": None, "binary_little_endian": "<", "binary_big_endian": ">"}[words[1]]
+        elif words[:1] == ["element"]:
+            elements.append((words[1], int(words[2]), []))
+        elif words[:1] == ["property"]:
+            elements[-1][2].append(words[1:])
+    text, at = body.split() if order is None else None, 0
+
+    def number(kind):
+        nonlocal at
+        if order is None:
+            at += 1
+            return float(text[at - 1])
+        at += struct.calcsize(SIZES[kind])
+        return struct.unpack_from(order + SIZES[kind], body, at - struct.calcsize(SIZES[kind]))[0]
+
+    points, faces = [], []
+    for name, count, properties in elements:
+        for _ in range(count):
+            row = {}
+            for p in properties:
+                row[p[-1]] = [number(p[2]) for _ in range(int(number(p[1])))] if p[0] == "list" else number(p[0])
+            if name == "vertex":
+                points.append((row["x"], row["y"], row["z"]))
+            elif name == "face":
+                faces.append([int(v) for v in next(v for k, v in row.items() if k.startswith("vertex_ind"))])
+    return points, faces
+
+
+def read(path):
+    suffix = pathlib.Path(path).suffix.lower()
+    if suffix in (".stl", ".ply"):
+        return (read_stl if suffix == ".stl" else read_ply)(pathlib.Path(path).read_bytes())
+    return read_mesh(path)
+
+
+def bent(points):
+    """By a smooth map that moves points by up to 3 % of the diagonal."""
+    low, high = [[f(c) for c in zip(*points)] for f in (min, max)]
+    size = math.dist(low, high) or 1
+    return [tuple(p[k] + 0.03 * size * math.sin(4 * (p[(k + 1) % 3] - low[(k + 1) % 3]) / size + k) for k in range(3)) for p in points]
+
+
+def area(points, face):
+    a = points[face[0]]
+    total = 0.0
+    for b, c in zip(face[1:], face[2:]):
+        u, v = [[points[i][k] - a[k] for k in range(3)] for i in (b, c)]
+        total += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+    return total
+
+
+def cut(points, faces, direction, share):
+    """Without the share of the area that lies farthest along the direction: points, faces, and the numbers of the points before."""
+    def height(face):
+        return sum(points[v][k] * direction[k] for v in face for k in range(3)) / len(face)
+
+    ordered = sorted(faces, key=height)
+    left, kept = (1 - share) * sum(area(points, f) for f in faces), []
+    for face in ordered:
+        left -= area(points, face)
+        if left < 0:
+            break
+        kept.append(face)
+    before = sorted({v for f in kept for v in f})
+    number = {v: i for i, v in enumerate(before)}
+    return [points[v] for v in before], [[number[v] for v in f] for f in kept], before

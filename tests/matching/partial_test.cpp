@@ -1,0 +1,167 @@
+// A whole head onto one without its neck, and the reverse: what is there is matched as between whole heads, and what the
+// other lacks is neither pulled nor measured.
+
+#include "geometry/repair/make_shape.h"
+#include "matching/input/shape_source.h"
+#include "matching/match_shapes.h"
+#include "matching/result/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shellmatch {
+namespace {
+
+struct CutShape {
+  Shape<3> shape;
+  std::vector<Index> kept;  // its vertices in the whole shape
+  double height = 0;        // along the direction, of the cut
+};
+
+// Without the share of the surface that lies farthest along `direction`.
+CutShape cut(const Shape<3>& whole, const Vec<3>& direction, double share) {
+  const Surface<3>& surface = whole.surface;  // nothing had to be mended: vertices are those of the original
+  std::vector<std::pair<double, std::size_t>> order;
+  double total = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+    double height = 0;
+    for (const Index v : surface.facets[f]) height += surface.vertices[static_cast<std::size_t>(v)].dot(direction) / 3;
+    order.emplace_back(height, f);
+    total += facet_measure(surface, static_cast<Index>(f));
+  }
+  std::ranges::sort(order);
+  OriginalShape<3> rest;
+  std::vector<Index> number(surface.vertices.size(), no_index);
+  CutShape result;
+  double area = 0;
+  for (const auto& [height, f] : order) {
+    area += facet_measure(surface, static_cast<Index>(f));
+    if (area > (1 - share) * total) break;
+    result.height = height;
+    std::vector<Index>& polygon = rest.polygons.emplace_back();
+    for (const Index v : surface.facets[f]) {
+      Index& n = number[static_cast<std::size_t>(v)];
+      if (n == no_index) {
+        n = static_cast<Index>(rest.vertices.size());
+        rest.vertices.push_back(surface.vertices[static_cast<std::size_t>(v)]);
+        result.kept.push_back(v);
+      }
+      polygon.push_back(n);
+    }
+  }
+  result.shape = make_shape(std::move(rest), "cut", {}, Closing::automatic);
+  return result;
+}
+
+const VertexAttribute* column(const OriginalShape<3>& shape, const std::string& name) {
+  const auto found = std::ranges::find(shape.attributes, name, &VertexAttribute::name);
+  return found == shape.attributes.end() ? nullptr : &*found;
+}
+
+// The match of the whole heads tells where every vertex of the reference belongs.
+class Partial : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    reference = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face")));
+    other = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face/other")));
+    Observer quiet;
+    whole = std::make_unique<MatchResult<3>>(match_shapes(*reference, *other, options(), quiet));
+  }
+  static void TearDownTestSuite() {
+    reference.reset();
+    other.reset();
+    whole.reset();
+  }
+  static ExperimentOptions options() {
+    ExperimentOptions o = profile_defaults(Profile::standard);
+    o.cascade.max_level = 5;
+    o.align.mode = AlignMode::none;
+    return o;
+  }
+  // Mean distance of ends from those of the whole heads, over vertices of the reference; diagonals of the template.
+  template <class EndOf>
+  static double difference(const std::vector<Index>& vertices, EndOf&& end_of) {
+    EXPECT_GT(vertices.size(), 1000u);
+    double sum = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) sum += (end_of(i) - whole->deformed.vertices[static_cast<std::size_t>(vertices[i])]).norm();
+    return sum / static_cast<double>(vertices.size()) / bounding_box(other->original.vertices).diagonal();
+  }
+
+  const Vec<3> down{0, -1, 0};
+  static inline std::unique_ptr<Shape<3>> reference, other;
+  static inline std::unique_ptr<MatchResult<3>> whole;
+  Observer quiet;
+};
+
+TEST_F(Partial, AWholeHeadFitsAPartOfOne) {
+  const CutShape part = cut(*other, down, 1.0 / 3);
+  EXPECT_GT(part.shape.invented_share, 0.1);
+  const MatchResult<3> fitted = match_shapes(*reference, part.shape, options(), quiet);
+  std::vector<Index> kept, gone;
+  for (std::size_t v = 0; v < reference->original.vertices.size(); ++v)
+    (whole->deformed.vertices[v].dot(down) < part.height ? kept : gone).push_back(static_cast<Index>(v));
+  const auto end_in = [](const MatchResult<3>& r, const std::vector<Index>& vertices) {
+    return [&](std::size_t i) { return r.deformed.vertices[static_cast<std::size_t>(vertices[i])]; };
+  };
+  // Without the mask the cut is matched like the rest.
+  CutShape taken_for_whole = part;
+  taken_for_whole.shape.evidence = {};
+  const MatchResult<3> pulled = match_shapes(*reference, taken_for_whole.shape, options(), quiet);
+  EXPECT_LT(difference(kept, end_in(fitted, kept)), 0.008);
+  EXPECT_GT(difference(kept, end_in(pulled, kept)), 0.012);
+  // What the template lacks is not pulled to the cut, which is up to 0.3 diagonals away.
+  EXPECT_LT(difference(gone, end_in(fitted, gone)), 0.03);
+  EXPECT_GT(difference(gone, end_in(pulled, gone)), 0.06);
+
+  // Nothing is measured there, and the result says where.
+  EXPECT_EQ(fitted.summary.verdict->outcome, "matched") << verdict_lines(fitted.summary).back();
+  EXPECT_NEAR(*fitted.summary.template_shape.invented, part.shape.invented_share, 1e-12);
+  const VertexAttribute* observed = column(fitted.deformed, "template_observed");
+  ASSERT_NE(observed, nullptr);
+  const auto share_observed = [&](const std::vector<Index>& vertices) {
+    const auto n = std::ranges::count_if(vertices, [&](Index v) { return observed->values[static_cast<std::size_t>(v)] != 0; });
+    return static_cast<double>(n) / static_cast<double>(vertices.size());
+  };
+  EXPECT_GT(share_observed(kept), 0.95);
+  EXPECT_LT(share_observed(gone), 0.1);
+  EXPECT_EQ(column(whole->deformed, "template_observed"), nullptr);
+  EXPECT_TRUE(std::ranges::any_of(fitted.surfaces.distance, [](double d) { return std::isnan(d); }));
+}
+
+TEST_F(Partial, APartOfAHeadFitsAWholeOne) {
+  const CutShape part = cut(*reference, down, 1.0 / 3);
+  for (const int coverage_levels : {0, 2}) {
+    ExperimentOptions o = options();
+    o.coverage.levels = coverage_levels;
+    const MatchResult<3> fitted = match_shapes(part.shape, *other, o, quiet);
+    EXPECT_LT(difference(part.kept, [&](std::size_t i) { return fitted.deformed.vertices[i]; }), 0.008);
+    EXPECT_EQ(fitted.summary.verdict->outcome, "matched") << verdict_lines(fitted.summary).back();
+    const VertexAttribute* observed = column(fitted.template_shape, "deformed_observed");
+    ASSERT_NE(observed, nullptr);
+    const double share = static_cast<double>(std::ranges::count(observed->values, 1.0)) / static_cast<double>(observed->values.size());
+    EXPECT_NEAR(share, 2.0 / 3, 0.1);
+  }
+}
+
+TEST_F(Partial, PosesAreNotSearchedWithLargeGaps) {
+  struct Notes final : Observer {
+    void note(const std::string& text) override { all += text + "\n"; }
+    std::string all;
+  } notes;
+  ExperimentOptions o = options();
+  o.align.mode = AlignMode::automatic;
+  o.cascade.max_level = 3;
+  const MatchResult<3> r = match_shapes(*reference, cut(*other, down, 1.0 / 3).shape, o, notes);
+  EXPECT_NE(notes.all.find("alignment: not searched"), std::string::npos) << notes.all;
+  EXPECT_FALSE(r.summary.alignment->doubtful);
+  EXPECT_EQ(r.summary.alignment->n_pairs, 0);
+}
+
+}  // namespace
+}  // namespace shellmatch
