@@ -21,7 +21,7 @@ needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
-inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), labels of volumes (NIfTI, NRRD, MetaImage; scan.nii.gz:3 or
+inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), labels of volumes (NIfTI, NRRD, MetaImage, VTI; scan.nii.gz:3 or
 "scan.nii.gz:>0.5", otherwise all above 0), closed contours in the plane (CSV) or masks (PNG, PGM), or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
 
 Examples:
@@ -65,7 +65,7 @@ those of the reference. With --keep-pose the result stays where the reference li
 by the motion that alignment found. Together with --inverse the file lies there.
 Control points of 3D Slicer (.mrk.json, .fcsv) keep names, descriptions and frame.
 
-A volume (.nii .nii.gz .nrrd .mha) is pulled back: every voxel of the result, on the voxels of --like or its own, gets what lies where it comes from,
+A volume (.nii .nii.gz .nrrd .mha .vti) is pulled back: every voxel of the result, on the voxels of --like or its own, gets what lies where it comes from,
 0 where the map is not defined. Fields of the map need no FILE, but --like (docs/volumes.md).
 
 Examples:

@@ -2,6 +2,7 @@
 #include "geometry/io/read_text.h"
 #include "geometry/volume/volume_file.h"
 #include "geometry/volume/volume_header.h"
+#include "geometry/volume/volume_name.h"
 #include "geometry/volume/zlib_volume.h"
 
 #include <algorithm>
@@ -93,7 +94,22 @@ class ValueList {
 
 VoxelGrid read_voxel_grid(const std::string& path) { return read_volume_header(path).grid; }
 
+namespace {
+
+Volume read_vti_volume(const std::string& path) {
+  const auto [header, numbers] = read_vti(path, true);
+  check_frame(path, header.grid);
+  Volume volume{header.grid, header.type, {}};
+  volume.values.reserve(numbers.size());
+  ValueList values(path, header, volume);
+  for (const double number : numbers) values.add(number);
+  return volume;
+}
+
+}  // namespace
+
 Volume read_volume(const std::string& path) {
+  if (volume_format(path) == VolumeFormat::vti) return read_vti_volume(path);
   const VolumeHeader header = read_volume_header(path);
   Volume volume{header.grid, header.slope == 1 && header.intercept == 0 ? header.type : VoxelType::float32, {}};
   const std::size_t n = volume.grid.n_voxels(), n_bytes = n * bytes_of(header.type);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files of volumes: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) and MetaImage (.mha, .mhd). Spacing, origin and direction of the axes
+/// Files of volumes: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) and VTK's images (.vti). Spacing, origin and direction of the axes
 /// are kept.
 ///
 /// The files are distrusted: sizes are compared with the bytes that are there before anything is allocated.
@@ -24,7 +24,7 @@ VoxelGrid read_voxel_grid(const std::string& path);
 /// The same with its values. \throws InputError as above, and where a value is not finite or a whole number too large
 Volume read_volume(const std::string& path);
 
-/// What can be written. \throws InputError naming the formats where the name's ending is none of .nii .nii.gz .nrrd .mha
+/// What can be written. \throws InputError naming the formats where the name's ending is none of .nii .nii.gz .nrrd .mha .vti
 void check_volume_output(const std::string& path);
 
 /// Writes a volume given in RAS in its own type of values, rounded and limited to the range of the type; compressed, but for .nii.
@@ -32,7 +32,7 @@ void check_volume_output(const std::string& path);
 void write_volume(const std::string& path, const Volume& volume, Existing existing);
 
 /// Writes vectors of single precision, one for each voxel, whose components are along the axes of LPS: as ANTs and ITK read a field
-/// of displacements. \param values 3 n_voxels, voxel by voxel. \throws as write_volume
+/// of displacements; in .vti along those of RAS. \param values 3 n_voxels, voxel by voxel. \throws as write_volume
 void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing);
 
 }  // namespace shellmatch

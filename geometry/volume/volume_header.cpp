@@ -19,6 +19,7 @@ VolumeHeader read_volume_header(const std::string& path) {
   switch (volume_format(path)) {
     case VolumeFormat::nrrd: header = read_nrrd_header(path); break;
     case VolumeFormat::meta_image: header = read_meta_image_header(path); break;
+    case VolumeFormat::vti: header = read_vti(path, false).first; break;
     case VolumeFormat::nifti: header = read_nifti_header(path); break;
   }
   check_frame(path, header.grid);

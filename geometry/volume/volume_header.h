@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace shellmatch {
 
@@ -30,6 +32,8 @@ VolumeHeader read_volume_header(const std::string& path);
 VolumeHeader read_nifti_header(const std::string& path);
 VolumeHeader read_nrrd_header(const std::string& path);
 VolumeHeader read_meta_image_header(const std::string& path);
+/// With its values, in the order of the voxels, where they are asked for. VTK's files name no frame: taken to be RAS.
+std::pair<VolumeHeader, std::vector<double>> read_vti(const std::string& path, bool with_values);
 
 /// Sets the size of the grid. \throws InputError unless there are three dimensions of 2 or more voxels, and max_voxels at most
 void set_size(const std::string& path, std::span<const std::int64_t> size, VoxelGrid& grid);

@@ -55,7 +55,7 @@ std::string VoxelChoice::text() const {
 }
 
 bool is_volume_file(const std::string& path) {
-  return std::ranges::any_of(std::initializer_list<std::string_view>{".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"},
+  return std::ranges::any_of(std::initializer_list<std::string_view>{".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti"},
                              [&](std::string_view ending) { return has_ending(path, ending); });
 }
 
@@ -63,6 +63,7 @@ VolumeFormat volume_format(const std::string& path) {
   const std::string ending = file_extension(path);
   if (ending == ".nrrd" || ending == ".nhdr") return VolumeFormat::nrrd;
   if (ending == ".mha" || ending == ".mhd") return VolumeFormat::meta_image;
+  if (ending == ".vti") return VolumeFormat::vti;
   if (is_volume_file(path)) return VolumeFormat::nifti;
   throw_input_error("{}: no volume by its ending; supported are {}", path, volume_endings);
 }

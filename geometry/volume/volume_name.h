@@ -23,16 +23,16 @@ struct VolumeName {
   VoxelChoice choice;
 };
 
-/// Whether the name's ending is that of a volume: .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, in capitals, too.
+/// Whether the name's ending is that of a volume: .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd, .vti, in capitals, too.
 bool is_volume_file(const std::string& path);
 
-enum class VolumeFormat { nifti, nrrd, meta_image };
+enum class VolumeFormat { nifti, nrrd, meta_image, vti };
 
 /// By the ending. \throws InputError where it is no volume's
 VolumeFormat volume_format(const std::string& path);
 
 /// The endings, for messages.
-inline constexpr const char* volume_endings = ".nii .nii.gz .nrrd .nhdr .mha .mhd";
+inline constexpr const char* volume_endings = ".nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
 
 /// Splits the name of a file from what is chosen in it, at the last colon. None where the name, without what is chosen, has not
 /// the ending of a volume: a colon elsewhere belongs to the name. \throws InputError where what is chosen cannot be understood

@@ -111,6 +111,27 @@ std::string meta_image_header(const VoxelGrid& in_ras, VoxelType type, bool is_v
                      grid.size[1], grid.size[2], is_vector ? "ElementNumberOfChannels = 3\n" : "", names[static_cast<std::size_t>(type)]);
 }
 
+// Values follow as they are, after their number: VTK's own compression is by blocks.
+std::string vti_file(const VoxelGrid& grid, VoxelType type, bool is_vector, const std::string& bytes) {
+  static constexpr const char* names[] = {"UInt8", "Int8", "UInt16", "Int16", "UInt32", "Int32", "UInt64", "Int64", "Float32", "Float64"};
+  const Vec<3> spacing = grid.axes.colwise().norm();
+  std::string direction;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) direction += fmt::format("{}{}", direction.empty() ? "" : " ", grid.axes(i, k) / spacing[k]);
+  const std::string extent = fmt::format("0 {} 0 {} 0 {}", grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1);
+  const char* name = is_vector ? "displacement" : "values";
+  std::string file = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<ImageData WholeExtent=\"{0}\" Origin=\"{1} {2} {3}\" Spacing=\"{4} {5} {6}\" Direction=\"{7}\">\n<Piece Extent=\"{0}\">\n"
+      "<PointData {8}=\"{9}\"><DataArray type=\"{10}\" Name=\"{9}\" NumberOfComponents=\"{11}\" format=\"appended\" offset=\"0\"/></PointData>\n"
+      "<CellData/>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
+      extent, grid.origin[0], grid.origin[1], grid.origin[2], spacing[0], spacing[1], spacing[2], direction, is_vector ? "Vectors" : "Scalars", name,
+      names[static_cast<std::size_t>(type)], is_vector ? 3 : 1);
+  const std::uint64_t n = bytes.size();
+  file.append(reinterpret_cast<const char*>(&n), sizeof n);
+  return file + bytes + "\n</AppendedData>\n</VTKFile>\n";
+}
+
 // \param bytes the values, voxel by voxel; for vectors in a NIfTI, component by component
 void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool is_vector, std::string bytes, Existing existing) {
   check_volume_output(path);
@@ -127,6 +148,7 @@ void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool 
       bytes = deflated(bytes, Deflated::zlib);
       bytes.insert(0, meta_image_header(grid, type, is_vector, bytes.size()));
       break;
+    case VolumeFormat::vti: bytes = vti_file(grid, type, is_vector, bytes); break;
   }
   publish_file(path, existing, bytes);
 }
@@ -136,7 +158,7 @@ void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool 
 void check_volume_output(const std::string& path) {
   const std::string ending = file_extension(path);
   if (!is_volume_file(path) || ending == ".nhdr" || ending == ".mhd")
-    throw_input_error("{}: volumes are written as .nii, .nii.gz, .nrrd or .mha", path);
+    throw_input_error("{}: volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti", path);
 }
 
 void write_volume(const std::string& path, const Volume& volume, Existing existing) {
@@ -153,7 +175,12 @@ void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::sp
   const bool by_component = is_volume_file(path) && volume_format(path) == VolumeFormat::nifti;
   std::string bytes;
   bytes.reserve(values.size() * sizeof(float));
-  for (std::size_t i = 0; i < values.size(); ++i) append_as<float>(values[by_component ? 3 * (i % n) + i / n : i], bytes);
+  // VTK's files name no frame: their components are along the axes of their positions, which are in RAS.
+  const bool is_in_ras = is_volume_file(path) && volume_format(path) == VolumeFormat::vti;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float value = values[by_component ? 3 * (i % n) + i / n : i];
+    append_as<float>(is_in_ras && i % 3 < 2 ? -value : value, bytes);
+  }
   write(path, grid, VoxelType::float32, true, std::move(bytes), existing);
 }
 

@@ -1,8 +1,8 @@
 #include "matching/map_file/vtu_file.h"
 
 #include "base/error.h"
-#include "geometry/polydata/inflate.h"
-#include "geometry/polydata/xml_head.h"
+#include "geometry/vtk_xml/inflate.h"
+#include "geometry/vtk_xml/xml_head.h"
 
 #include <algorithm>
 #include <array>

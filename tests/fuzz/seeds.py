@@ -70,6 +70,12 @@ def volume_seeds():
         return header.ljust(344, b"\0") + b"n+1\0\0\0\0\0" + data
     plain = nifti(2, 8, voxels)
     gzip = lambda data: (lambda c: c.compress(data) + c.flush())(zlib.compressobj(9, zlib.DEFLATED, 31))
+    def vti(section, kind, form, values, last):
+        extent = " ".join(f"0 {i}" for i in last)
+        return (f'<VTKFile type="ImageData" byte_order="LittleEndian"><ImageData WholeExtent="{extent}" Origin="1 2 3" Spacing="1 1 2" '
+                f'Direction="0 1 0 -1 0 0 0 0 1"><Piece Extent="{extent}"><{section}><DataArray type="{kind}" Name="a" format="{form}">{values}'
+                f"</DataArray></{section}></Piece></ImageData></VTKFile>")
+
     nrrd = ("NRRD0004\ntype: {}\ndimension: 3\nspace: {}\nsizes: 6 5 5\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nkinds: domain domain domain\n"
             "endian: little\nencoding: {}\nspace origin: (1,2,3)\n\n")
     meta = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n{}TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
@@ -79,6 +85,9 @@ def volume_seeds():
     return {"nifti": [plain, nifti(16, 32, floats), nifti(4, 16, struct.pack(">150h", *voxels), ">"), plain[:400], plain[:200],
                       nifti(2, 8, voxels, frame=(1.0, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0))],
             "nifti_gz": [gzip(plain), gzip(plain)[:-30], plain],
+            "vti": [vti("PointData", "UInt8", "ascii", " ".join(map(str, voxels)), (5, 4, 4)).encode(),
+                    vti("CellData", "Float32", "ascii", " ".join(map(str, voxels)), (6, 5, 5)).encode(),
+                    vti("PointData", "UInt8", "binary", base64.b64encode(struct.pack("<I", n) + voxels).decode(), (5, 4, 4)).encode()],
             "nrrd": [nrrd.format("uchar", "left-posterior-superior", "raw").encode() + voxels,
                      nrrd.format("float", "right-anterior-superior", "gzip").encode() + gzip(floats),
                      nrrd.format("uchar", "scanner-xyz", "ascii").encode() + " ".join(map(str, voxels)).encode(),
@@ -200,6 +209,10 @@ def repair_seeds():
                     body + tetrahedron(4, 0, 0, 4) + b"\x08" + two(4) + two(1), b"\x02" + n(0, 0, 0), body + b"\x07" + two(0) + n(1, 1, 2),
                     b"", prism(square, (0, 0, 0)), body + b"\x03" + two(2) + two(0) + two(1), body + b"\x02\xff\xff\xff",
                     body + tetrahedron(1, 1, 1, 4), body + b"\x0b" + two(0) + two(1) + b"\x01"],
+        # Without one or two of their polygons, with one twice, and with a vertex of its own for one.
+        "close3": [body + b"\x06" + two(0), prism(square, (0, 0, 2)) + b"\x06" + two(1), prism(square, (0, 0, 2)) + b"\x06" + two(5) + b"\x06" + two(0),
+                   body + tetrahedron(.25, .25, .25, 1) + b"\x06" + two(4), body + b"\x05" + two(2), body + b"\x0a" + two(1) + b"\x07" + two(4) + n(1, 1, 2),
+                   body + tetrahedron(4, 0, 0, 4) + b"\x08" + two(4) + two(1) + b"\x06" + two(7), b"", body + b"\x03" + two(3) + two(0) + two(1) + two(2)],
         "repair2": [b"".join(b"\x00" + n(x, y) for x, y in [(0, 0), (4, 0), (4, 4), (0, 4)]), b"\x04" + n(0, 0, 8, 8) + b"\x04" + n(1, 1, 2, 2),
                     b"\x05" + two(2) + two(1) + n(0, 0, 4), b"\x05" + two(3) + two(0) + n(0, 0, 4), b"", b"\x03",
                     b"\x04" + n(0, 0, 4, 4) + b"\x04" + n(4, 4, 4, 4), b"\x04" + n(0, 0, 4, 4) + b"\x00" + n(0, 2) + b"\x06" + two(0),

@@ -84,6 +84,14 @@ void read_points_of_space(std::string_view bytes) { check_original(read_points<3
 void read_png_bytes(std::string_view bytes) { check_image(read_png("input", bytes)); }
 void read_pgm_bytes(std::string_view bytes) { check_image(read_pgm("input", bytes)); }
 void mend_edited_mesh(std::string_view bytes) { mend(edited_mesh(bytes)); }
+void close_edited_mesh(std::string_view bytes) {
+  const Shape<3> shape = make_shape(edited_mesh(bytes), "input", {}, Closing::automatic);
+  check_mended(shape.surface);
+  demand(shape.invented_share >= 0 && shape.invented_share <= 1 + 1e-9, "a share is one");
+  demand(shape.evidence.is_complete() == (shape.invented_share == 0), "what was made up is there");
+  for (const Surface<3>* part : {&shape.evidence.observed, &shape.evidence.invented})
+    for (const Vec<3>& x : part->vertices) demand(x.allFinite(), "coordinates of parts are finite");
+}
 void mend_edited_outline(std::string_view bytes) { mend(edited_outline(bytes)); }
 
 }  // namespace shellmatch::fuzz

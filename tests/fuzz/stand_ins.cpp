@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "geometry/generate/exact_shape.h"
 #include "geometry/generate/generate_shape.h"
-#include "geometry/repair/close_surface.h"
 #include "solvers/minimizer.h"
 #include "solvers/options.h"
 
@@ -28,7 +27,6 @@ std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
 [[noreturn]] static void never_called() { throw std::logic_error("readers generate no shapes"); }
 
 AnyOriginal generate_shape(std::string_view, std::string_view, double, const GeneratorParameters&) { never_called(); }
-double close_surface(Surface<3>&, const std::string&, std::vector<std::string>&) { never_called(); }  // readers refuse what is open
 AnyKnownPositions known_positions(std::string_view, std::string_view, std::string_view) { never_called(); }
 std::optional<AnyExactShape> exact_shape(std::string_view, std::string_view) { never_called(); }
 

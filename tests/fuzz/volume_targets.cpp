@@ -54,5 +54,6 @@ void read_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii"); }
 void read_compressed_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii.gz"); }
 void read_nrrd_bytes(std::string_view bytes) { read_as(bytes, ".nrrd"); }
 void read_meta_image_bytes(std::string_view bytes) { read_as(bytes, ".mha"); }
+void read_vti_bytes(std::string_view bytes) { read_as(bytes, ".vti"); }
 
 }  // namespace shellmatch::fuzz

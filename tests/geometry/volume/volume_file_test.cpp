@@ -70,7 +70,7 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read.values[1], 255);
   EXPECT_EQ(read.values[2], 2);
   EXPECT_TRUE(contains(input_error_of([&] { write_volume(folder.path("w.nrrd"), wild, Existing::is_kept); }), "exists"));
-  EXPECT_TRUE(contains(input_error_of([&] { check_volume_output("a.mhd"); }), "volumes are written as .nii, .nii.gz, .nrrd or .mha"));
+  EXPECT_TRUE(contains(input_error_of([&] { check_volume_output("a.mhd"); }), "volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti"));
 }
 
 class RefusedVolume : public ::testing::Test {

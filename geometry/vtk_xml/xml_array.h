@@ -2,7 +2,7 @@
 /// \file
 /// The values of an array in VTK's XML files: as text, as base64 or raw, compressed by zlib or not.
 
-#include "geometry/polydata/value_type.h"
+#include "geometry/vtk_xml/value_type.h"
 
 #include <cstddef>
 #include <string>

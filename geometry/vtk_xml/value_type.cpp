@@ -1,4 +1,4 @@
-#include "geometry/polydata/value_type.h"
+#include "geometry/vtk_xml/value_type.h"
 
 #include <algorithm>
 #include <array>

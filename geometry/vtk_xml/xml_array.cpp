@@ -1,8 +1,8 @@
-#include "geometry/polydata/xml_array.h"
+#include "geometry/vtk_xml/xml_array.h"
 
 #include "base/error.h"
 #include "base/printable.h"
-#include "geometry/polydata/inflate.h"
+#include "geometry/vtk_xml/inflate.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "geometry/polydata/inflate.h"
+#include "geometry/vtk_xml/inflate.h"
 
 #include <zlib.h>
 

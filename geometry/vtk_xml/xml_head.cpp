@@ -1,4 +1,4 @@
-#include "geometry/polydata/xml_head.h"
+#include "geometry/vtk_xml/xml_head.h"
 
 #include <algorithm>
 #include <cctype>
