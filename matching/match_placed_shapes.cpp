@@ -159,8 +159,8 @@ class Matching {
     summary_.distance = summary_.levels.back().distance;
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(deformed, result.grid, result.phi);
-    const std::vector<char> measured_vertices = parts_.of_deformed(deformed);
-    const Surface<Dim> before = measured_facets(reference_.surface, measured_vertices), after = measured_facets(deformed, measured_vertices);
+    const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
+    const Surface<Dim> before = measured_facets(reference_.surface, facets), after = measured_facets(deformed, facets);
     add_distortion(summary_, before, after, template_distance_);
     places_.distorted = coordinates_of_template(most_distorted_place(before, after));
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};

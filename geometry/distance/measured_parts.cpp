@@ -9,11 +9,26 @@
 namespace shellmatch {
 
 template <int Dim>
-MeasuredParts<Dim>::MeasuredParts(const ObservedPart<Dim>& reference, const std::vector<Vec<Dim>>& its_vertices, ObservedPart<Dim> template_part)
-    : least_margin_(reference.least_margin()), template_part_(std::move(template_part)) {
-  if (reference.is_all()) return;
+MeasuredParts<Dim>::MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices, ObservedPart<Dim> template_part)
+    : reference_part_(std::move(reference)), template_part_(std::move(template_part)) {
+  if (reference_part_.is_all()) return;
   margins_.resize(its_vertices.size());
-  parallel_for(its_vertices.size(), [&](std::size_t v) { margins_[v] = reference.margin(its_vertices[v]); }, 256);
+  parallel_for(its_vertices.size(), [&](std::size_t v) { margins_[v] = reference_part_.margin(its_vertices[v]); }, 256);
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::of_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) const {
+  if (is_all()) return {};
+  std::vector<char> measured(reference.facets.size());
+  const auto centre = [](const Surface<Dim>& surface, std::size_t f) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (const Index v : surface.facets[f]) sum += surface.vertices[static_cast<std::size_t>(v)] / Dim;
+    return sum;
+  };
+  parallel_for(
+      measured.size(),
+      [&](std::size_t f) { measured[f] = reference_part_.contains(centre(reference, f)) && template_part_.contains(centre(deformed, f)); }, 256);
+  return measured;
 }
 
 template <int Dim>
@@ -24,7 +39,7 @@ std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) 
   parallel_for(
       measured.size(),
       [&](std::size_t v) {
-        measured[v] = (margins_.empty() || margins_[v] > least_margin_) && template_part_.contains(deformed.vertices[v]);
+        measured[v] = (margins_.empty() || margins_[v] > reference_part_.least_margin()) && template_part_.contains(deformed.vertices[v]);
       },
       256);
   return measured;
@@ -43,7 +58,7 @@ std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& p
     const auto weights = barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, x));
     double margin = 0;
     for (int k = 0; k < Dim; ++k) margin += weights[static_cast<std::size_t>(k)] * margins_[static_cast<std::size_t>(facet[k])];
-    return margin > least_margin_;
+    return margin > reference_part_.least_margin();
   };
   std::vector<char> measured(points.size());
   parallel_for(points.size(), [&](std::size_t i) { measured[i] = template_part_.contains(points[i]) && is_observed(points[i]); }, 256);

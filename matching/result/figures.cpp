@@ -60,14 +60,15 @@ template <int Dim>
 Surface<Dim> measured_facets(const Surface<Dim>& surface, const std::vector<char>& measured) {
   if (measured.empty()) return surface;
   Surface<Dim> some{surface.vertices, {}};
-  for (const auto& facet : surface.facets)
-    if (std::ranges::all_of(facet, [&](Index v) { return measured[static_cast<std::size_t>(v)] != 0; })) some.facets.push_back(facet);
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    if (measured[f]) some.facets.push_back(surface.facets[f]);
   return some;
 }
 
 template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance) {
+  if (reference.facets.empty()) return;
   const auto weighted = [&](const std::vector<double>& values) {
     std::vector<std::pair<double, double>> shares;  // value and area
     double total = 0, sum = 0;

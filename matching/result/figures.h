@@ -23,11 +23,12 @@ MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const Sig
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
-/// The facets of a surface whose vertices all take part. \param measured one entry for each vertex; empty for all
+/// The surface with some of its facets. \param measured one entry for each facet; empty for all
 template <int Dim>
 Surface<Dim> measured_facets(const Surface<Dim>& surface, const std::vector<char>& measured);
 
-/// Adds area (length) and angle distortion and the number of flipped facets, over all facets. \pre the surfaces have the same facets
+/// Adds area (length) and angle distortion and the number of flipped facets, over all facets; nothing where there is none. \pre the surfaces
+/// have the same facets
 template <int Dim>
 void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const Surface<Dim>& deformed,
                     const SignedDistance<Dim>& template_distance);

@@ -52,6 +52,7 @@ class Reasons {
     if (figure <= limits.look) return;
     (figure <= limits.fail ? look_ : fail_).push_back(std::move(reason));
   }
+  void fail(VerdictReason reason) { fail_.push_back(std::move(reason)); }
   void look(VerdictReason reason) { look_.push_back(std::move(reason)); }
 
   Verdict verdict() && {
@@ -67,6 +68,10 @@ class Reasons {
 void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   if (!summary.distance) return;
   const auto& [there, back, uncovered] = *summary.distance;
+  if (std::isnan(there.mean) || std::isnan(back.mean)) {
+    reasons.fail({"nothing was measured: what the one shape has, the other lacks", "do they lie in one place (shellmatch inspect)?", "", {}});
+    return;
+  }
   const std::string whole = "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " + pose_advice(summary);
   reasons.add(there.mean, mean_distance,
               {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)), whole, "deformed",

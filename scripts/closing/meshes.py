@@ -1,10 +1,8 @@
-"""Meshes as points and polygons: STL and PLY beside what verdicts/shapes.py reads; bent, and cut in parts."""
+"""Meshes of any format as points and polygons; bent, and cut in parts."""
 import math
 import pathlib
 import re
 import struct
-
-from verdicts.shapes import read_mesh
 
 SIZES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d",
          "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
@@ -55,11 +53,30 @@ def read_ply(data):
     return points, faces
 
 
+def read_off(data):
+    """Line by line: colours may follow, comments and blank lines may stand between."""
+    lines = [line.split("#")[0].replace("OFF", " ").split() for line in data.decode("latin-1").splitlines()]
+    lines = [words for words in lines if words]
+    n_points, n_faces = int(lines[0][0]), int(lines[0][1])
+    points = [tuple(map(float, words[:3])) for words in lines[1:1 + n_points]]
+    return points, [[int(v) for v in words[1:1 + int(words[0])]] for words in lines[1 + n_points:1 + n_points + n_faces]]
+
+
+def read_obj(data):
+    """Numbers from 1, or backward from the last vertex."""
+    points, faces = [], []
+    for words in (line.split("#")[0].split() for line in data.decode("latin-1").splitlines()):
+        if words[:1] == ["v"]:
+            points.append(tuple(map(float, words[1:4])))
+        elif words[:1] == ["f"]:
+            numbers = [int(word.split("/")[0]) for word in words[1:]]
+            faces.append([v - 1 if v > 0 else len(points) + v for v in numbers])
+    return points, faces
+
+
 def read(path):
-    suffix = pathlib.Path(path).suffix.lower()
-    if suffix in (".stl", ".ply"):
-        return (read_stl if suffix == ".stl" else read_ply)(pathlib.Path(path).read_bytes())
-    return read_mesh(path)
+    readers = {".stl": read_stl, ".ply": read_ply, ".obj": read_obj, ".off": read_off}
+    return readers[pathlib.Path(path).suffix.lower()](pathlib.Path(path).read_bytes())
 
 
 def bent(points):

@@ -33,9 +33,9 @@ def mean_error(ends, truth, numbers):
 
 
 def dirty_row(program, path, folder):
-    strict, _ = run(program, "inspect", "--strict", path)
-    before = "read" if strict.returncode == 0 else words_of(strict, path)
     folder.mkdir(parents=True, exist_ok=True)
+    strict, _ = run(program, "match", path, path, "-o", folder / "strict", "--levels", "3:3", "--strict", *LEVELS[2:])
+    before = "read" if strict.returncode == 0 else words_of(strict, path)
     end = ["", "", "", ""]
     try:
         points, faces = meshes.read(path)

@@ -17,6 +17,9 @@ constexpr std::size_t largest_expansion = 30000;
 // are turned, and a few more where they are a label's.
 constexpr std::size_t volume_start = std::size_t{32} << 20, most_per_volume_byte = 10000;
 
+// A wrap has as many triangles as its bound on gaps asks for, however few the input has.
+constexpr std::size_t wrap_memory = std::size_t{400} << 20;
+
 constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"off", read_off_bytes},
                           {"ply", read_ply_bytes},
@@ -33,7 +36,7 @@ constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"meta_image", read_meta_image_bytes, volume_start, most_per_volume_byte},
                           {"vti", read_vti_bytes, volume_start, largest_expansion},
                           {"repair3", mend_edited_mesh},
-                          {"close3", close_edited_mesh},
+                          {"close3", close_edited_mesh, wrap_memory},
                           {"repair2", mend_edited_outline},
                           {"yaml", read_options},
                           {"experiment", read_whole_experiment},

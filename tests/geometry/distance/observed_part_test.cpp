@@ -94,6 +94,13 @@ TEST(MeasuredParts, TheCapOfAWholeBallIsNotMeasuredAgainstOneWithout) {
     EXPECT_EQ(deformed[v] != 0, is_below(x)) << x.transpose();
     EXPECT_EQ(reached[v] != 0, is_below(x)) << x.transpose();
   }
+  const std::vector<char> facets = template_cut.of_facets(whole, whole);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto& [a, b, c] = whole.facets[f];
+    const Vec<3> centre = (whole.vertices[a] + whole.vertices[b] + whole.vertices[c]) / 3;
+    if (!is_below(centre) && !is_above(centre)) continue;
+    EXPECT_EQ(facets[f] != 0, is_below(centre));
+  }
   EXPECT_TRUE(MeasuredParts<3>(all, whole.vertices, all).of_deformed(whole).empty());
 
   // All that is measured agrees, whichever of the two is cut; without the parts the cap is a quarter of the diagonal away.

@@ -126,6 +126,15 @@ TEST(Verdict, WhatWasMadeUpWeighsNothingAndIsNoReason) {
   EXPECT_NE(lines.at(0).find("from the template where both have data: mean"), std::string::npos) << lines[0];
 }
 
+TEST(Verdict, NothingInCommonIsNoMatch) {
+  MatchSummary s = good_summary();
+  s.distance->deformed_to_template.mean = std::numeric_limits<double>::quiet_NaN();
+  const Verdict v = judge(s, places);
+  EXPECT_EQ(v.outcome, "not-matched");
+  ASSERT_EQ(v.reasons.size(), 1u);
+  EXPECT_NE(v.reasons[0].what.find("nothing was measured"), std::string::npos);
+}
+
 TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
   MatchSummary s = good_summary();
   s.distance->uncovered = 0.034;
