@@ -76,6 +76,11 @@ struct SelfTestCommand {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct ViewCommand {
+  std::string folder;       ///< of a result, or its report
+  bool print_only = false;  ///< open nothing
+};
+
 struct ConfigCommand {
   std::string profile;
   bool markdown = false;
@@ -96,7 +101,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, SelfTestCommand, ConfigCommand, StudyCommand, PrintCommand>;
+                             CheckGradientCommand, SelfTestCommand, ViewCommand, ConfigCommand, StudyCommand, PrintCommand>;
 
 /// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -113,6 +118,7 @@ void execute(const InspectCommand& command);
 void execute(const CurvatureCommand& command);
 void execute(const CheckGradientCommand& command);
 void execute(const SelfTestCommand& command);
+void execute(const ViewCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const StudyCommand& command);
 void execute(const PrintCommand& command);

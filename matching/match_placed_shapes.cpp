@@ -96,6 +96,7 @@ class Matching {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
+    if (options_.report && s.level < options_.cascade.max_level) levels_.push_back({s.level, deformed.vertices});
     s.distance = measure_distance(deformed, state.grid, state.phi);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
@@ -181,6 +182,7 @@ class Matching {
             {},
             {},
             {reference_.surface, template_.surface, std::move(deformed), std::move(distance)},
+            std::move(levels_),
             std::move(result.reference),
             std::move(result.target)};
   }
@@ -209,6 +211,7 @@ class Matching {
   SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
   const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;
   MatchSummary summary_;
+  std::vector<LevelVertices<Dim>> levels_;
   VerdictPlaces places_;  ///< after the last level
 };
 

@@ -93,6 +93,10 @@ class Run {
     write_result_files(result, options_, folder_, recorder_);
     phase.stop();
     clock_.state(result.summary.run);
+    phase.start("page");
+    write_report_file(result, options_, folder_, recorder_);
+    phase.stop();
+    clock_.state(result.summary.run);
     write_summary(result.summary, folder_.path_of("summary.json"));
     folder_.commit();
     if (checkpoints_ && !result.summary.interrupted) remove_checkpoint();

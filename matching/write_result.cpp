@@ -10,9 +10,12 @@
 #include "matching/map_file/map_fields.h"
 #include "matching/output/summary.h"
 #include "matching/output/write_file.h"
+#include "matching/report/report.h"
 #include "render/canvas/plot.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <new>
 
 namespace shellmatch {
@@ -82,16 +85,29 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
 }
 
 template <int Dim>
+void write_report_file(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer) {
+  if (!options.report) return;
+  std::string picture;
+  if (options.pictures != Pictures::none) {
+    std::ifstream in(folder.path_of("pictures/result.png"), std::ios::binary);
+    picture.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  draw(folder, report_file_name, observer, [&](const std::string& path) { write_report(result, options, picture, path); });
+}
+
+template <int Dim>
 void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
   OutputFolder place(folder, force);
   Observer nobody;
   write_result_files(result, options, place, nobody);
+  write_report_file(result, options, place, nobody);
   write_summary(result.summary, place.path_of("summary.json"));
   place.commit();
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
   template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
+  template void write_report_file<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);         \
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

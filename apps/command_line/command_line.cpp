@@ -23,6 +23,7 @@ struct Commands {
   CurvatureCommand curvature;
   CheckGradientCommand check_gradient;
   SelfTestCommand self_test;
+  ViewCommand view;
   ConfigCommand config;
   StudyCommand study;
   Limits limits;  ///< of whichever it is
@@ -183,6 +184,10 @@ void describe(CLI::App& app, Commands& commands) {
   self_test->add_option("--threads", commands.self_test.threads, "0 uses all of the machine")->type_name("N");
   add_verbosity(*self_test, commands.self_test.verbosity, "each group as it begins");
 
+  CLI::App* view = add_command(app, "view", help_text::view, help_text::view_footer);
+  view->add_option("DIR", commands.view.folder, "output folder of a run, or its report.html")->required()->type_name("");
+  view->add_flag("--print", commands.view.print_only, "print the name of the page, and open nothing");
+
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
   config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
   config->add_flag("--markdown", commands.config.markdown, "as a Markdown table instead");
@@ -222,6 +227,7 @@ Command named_command(const std::string& name, const Commands& commands) {
   }
   if (name == "check-gradient") return commands.check_gradient;
   if (name == "self-test") return commands.self_test;
+  if (name == "view") return commands.view;
   return commands.config;
 }
 

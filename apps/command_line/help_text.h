@@ -42,7 +42,7 @@ Examples:
 inline constexpr const char* output_footer = R"(
 
 The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours) with the nearest points of the
-template, the template with its distance to it (template.ply, template.csv), the deformation (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml and pictures/.
+template, the template with its distance to it (template.ply, template.csv), the deformation (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml, pictures/ and report.html, a page to look at it all.
 It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
 replaces it if it is the output of an earlier run, and never anything else. While a run works, the last
 finished level is kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart
@@ -114,6 +114,15 @@ inline constexpr const char* self_test_footer = R"(A table of figures and bounds
 Examples:
   shellmatch self-test
   shellmatch self-test --threads 1)";
+
+inline constexpr const char* view = "Open the page of a result in the browser.";
+
+inline constexpr const char* view_footer = R"(A run writes report.html into its output folder: shapes to turn, time and level to slide over, colours, the verdict's places,
+plots, figures and options in one file that needs no network (docs/report.md). Its name is printed; where there is no display, open it elsewhere.
+
+Examples:
+  shellmatch view out/hand
+  xdg-open $(shellmatch view out/hand --print))";
 
 inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
 

@@ -65,7 +65,7 @@ std::string landmark_checksum(const std::vector<Landmark<Dim>>& landmarks) {
 // Shapes and landmarks are compared by checksums of their contents; true positions are read only for the final report.
 bool changes_no_level(const std::string& option) {
   for (const char* path : {"input.reference", "input.template", "input.correspondence", "landmarks.file",
-                           "landmarks.template_file", "threads"})
+                           "landmarks.template_file", "report", "threads"})
     if (option == path) return true;
   return option.starts_with("resume.");
 }

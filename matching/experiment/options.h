@@ -128,6 +128,7 @@ struct ExperimentOptions {
   CoverageOptions coverage;
   CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::all;
+  bool report = true;
   ResumeOptions resume;
   int threads = 0;
   template <class Self, class Visitor>
@@ -142,6 +143,7 @@ struct ExperimentOptions {
     visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
+    visit("report", self.report, {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network (docs/report.md)"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
     visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});

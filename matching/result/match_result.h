@@ -21,6 +21,13 @@ struct MatchedSurfaces {
   std::vector<double> distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0; NaN where a shape has no data
 };
 
+/// The deformed reference at the end of a level but the last.
+template <int Dim>
+struct LevelVertices {
+  int level = 0;
+  std::vector<Vec<Dim>> vertices;  ///< of MatchedSurfaces::reference, in the unit domain
+};
+
 template <int Dim>
 struct MatchResult {
   /// The map phi. PointMap(map, Toward::template_shape) carries points of the reference, in the coordinates of the given shapes; it is
@@ -37,6 +44,7 @@ struct MatchResult {
   MatchSummary summary;
   History history;  ///< every accepted step
   MatchedSurfaces<Dim> surfaces;
+  std::vector<LevelVertices<Dim>> levels;  ///< from coarse to fine, if options.report asks for them; not those before a run was resumed
   /// Distance, normal and classified shape operator at the nodes of `map.grid`, of the shape that phi deforms and of the other one.
   CoefficientFields<Dim> moving_fields, target_fields;
 };

@@ -59,6 +59,7 @@ std::string energy_key_of(ExperimentOptions o, const std::string& inputs) {
   o.solver = defaults.solver;
   o.threads = defaults.threads;
   o.pictures = defaults.pictures;
+  o.report = defaults.report;
   o.input.correspondence.clear();
   CascadeOptions& c = o.cascade;
   c.nu = last.nu;

@@ -1,0 +1,80 @@
+#include "matching/report/surface_figures.h"
+
+#include "base/parallel.h"
+#include "geometry/curvature/curve_curvature.h"
+#include "geometry/curvature/mesh_curvature.h"
+#include "geometry/distance/distortion.h"
+#include "geometry/distance/surface_distance.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shellmatch {
+
+namespace {
+
+// Mean curvature at the vertices: 1/R on a sphere or circle of radius R.
+std::vector<double> mean_curvatures(const Surface<3>& surface) {
+  std::vector<double> mean;
+  for (const VertexCurvature& c : vertex_curvatures(surface)) mean.push_back((c.k1 + c.k2) / 2);
+  return mean;
+}
+std::vector<double> mean_curvatures(const Surface<2>& curve) { return curve_curvatures(curve); }
+
+// The nearest corner is near enough for a colour.
+template <int Dim>
+Index nearest_corner(const Surface<Dim>& surface, const ClosestPoint<Dim>& closest) {
+  Index best = no_index;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Index v : surface.facets[closest.facet])
+    if (const double d = (surface.vertices[v] - closest.point).squaredNorm(); d < least) best = v, least = d;
+  return best;
+}
+
+// Means over the facets around each vertex, weighted by their measure.
+template <int Dim>
+std::vector<double> at_vertices(const Surface<Dim>& surface, const std::vector<double>& of_facets) {
+  std::vector<double> sum(surface.vertices.size(), 0.0), weight(surface.vertices.size(), 0.0);
+  for (std::size_t f = 0; f < of_facets.size(); ++f) {
+    if (!std::isfinite(of_facets[f])) continue;
+    const double measure = facet_measure(surface, static_cast<Index>(f));
+    for (const Index v : surface.facets[f]) sum[v] += measure * of_facets[f], weight[v] += measure;
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : std::numeric_limits<double>::quiet_NaN();
+  return sum;
+}
+
+}  // namespace
+
+template <int Dim>
+SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
+  const auto& [reference, template_shape, deformed, distance] = result.surfaces;
+  const double unit = unit_of_template<Dim>(result.map);
+  SurfaceFigures figures;
+  figures.distance_to_template = distance;
+  figures.distance_to_deformed = distances_to(template_shape.vertices, SignedDistance<Dim>(deformed));
+  for (std::vector<double>* lengths : {&figures.distance_to_template, &figures.distance_to_deformed})
+    for (double& d : *lengths) d *= unit;
+  figures.measure_ratio = vertex_measure_ratios(reference, deformed);
+  if constexpr (Dim == 3) {
+    // As the summary's (matching/result/figures.cpp): 2 atan(sqrt(s1/s2)) - 90 degrees.
+    std::vector<double> degrees = angle_distortions(reference, deformed);
+    for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
+    figures.angle_change = at_vertices(reference, degrees);
+  }
+  std::array<std::vector<double>, 2> curvatures;
+  for_both([&](int i) { curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape); });
+  const SignedDistance<Dim> template_distance(template_shape);
+  figures.curvature_change.resize(deformed.vertices.size());
+  parallel_for(deformed.vertices.size(), [&](std::size_t v) {
+    const Index there = nearest_corner(template_shape, template_distance.closest(deformed.vertices[v]));
+    figures.curvature_change[v] = (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
+  });
+  return figures;
+}
+
+template SurfaceFigures surface_figures(const MatchResult<2>&);
+template SurfaceFigures surface_figures(const MatchResult<3>&);
+
+}  // namespace shellmatch

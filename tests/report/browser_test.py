@@ -1,0 +1,201 @@
+#!/usr/bin/python3
+"""report.html as a browser shows it: no complaint, no network, and what is clicked or moved changes what is seen."""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts/lib"))
+import browser  # noqa: E402
+
+RUNS = {
+    "hand": ["match", "generate:hand", "generate:hand/bent", "--levels", "3:5", "--placement", "as-is"],
+    "leaf": ["match", "generate:leaf/deep", "generate:leaf/shallow", "--levels", "4:6"],
+    # A ball that was not told where the limbs are.
+    "unlike": ["match", "generate:sphere", "generate:hand", "--levels", "3:4", "--set", "input.unit=mm"],
+}
+program = None
+results = None
+
+
+def setUpModule():
+    global results
+    results = tempfile.TemporaryDirectory()
+    for name, words in RUNS.items():
+        subprocess.run([program, *words, "--align", "none", "-o", f"{results.name}/{name}", "-q", "--set", f"pictures={'result' if name == 'hand' else 'none'}"],
+                       check=True, stderr=subprocess.DEVNULL)
+
+
+def tearDownModule():
+    results.cleanup()
+
+
+def folder(name):
+    return pathlib.Path(results.name) / name
+
+
+class ReportTest(unittest.TestCase):
+    """One browser for all pages but those that ask for another one."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = browser.Browser(width=1100, height=700)
+        cls.addClassCleanup(cls.browser.__exit__)
+
+    def open(self, name):
+        self.assertEqual(self.browser.open(folder(name) / "report.html")[0], "true")
+        self.summary = json.loads((folder(name) / "summary.json").read_text())
+
+    def tearDown(self):
+        self.assertEqual(self.browser.errors(), [])
+
+    def changes(self, action, *, changed, same=()):
+        """These parts of the page look different after the action, and those do not."""
+        before = {name: self.browser.picture(name) for name in (*changed, *same)}
+        action()
+        self.browser.settle()
+        for name, picture in before.items():
+            (self.assertNotEqual if name in changed else self.assertEqual)(self.browser.picture(name), picture, name)
+
+    def test_needs_no_network(self):
+        self.open("hand")
+        self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').map(e => e.name).filter(n => !n.startsWith('data:'))"), [])
+
+    def test_shows_the_numbers_of_the_run(self):
+        for name in RUNS:
+            self.open(name)
+            largest = "return arguments[0].map(n => window.shellmatchReport.model.arrays[n].reduce((m, x) => Math.max(m, x), 0))"
+            shown = self.browser.run(largest, ["distance_to_template", "distance_to_deformed"])
+            diagonal, distance = self.summary["template_diagonal"], self.summary["distance"]
+            self.assertAlmostEqual(shown[1] / (distance["template_to_deformed"]["max"] * diagonal), 1, delta=2e-4)
+            if name != "leaf":  # in the plane the summary looks between the vertices, too
+                self.assertAlmostEqual(shown[0] / (distance["deformed_to_template"]["max"] * diagonal), 1, delta=2e-4)
+            counts = self.browser.run("const m = window.shellmatchReport.model; return [m.reference, m.template].map(s => [s.positions.length / 3, s.facets.length / m.dimension])")
+            self.assertEqual(counts, [[self.summary[s]["vertices"], self.summary[s]["facets"]] for s in ("reference", "template")])
+
+    def test_rebuilds_the_grid(self):
+        for name in ("hand", "leaf"):
+            self.open(name)
+            grid = self.browser.run("""const m = window.shellmatchReport.model, g = m.grid(), n = g.cornersPerCell; let volume = 0;
+                for (let c = 0; c < g.levels.length; ++c) volume += Math.pow(2, -m.dimension * g.levels[c]);
+                const box = p => [Math.min(...p), Math.max(...p)];
+                return { cells: g.levels.length, volume, box: box(g.positions), most: Math.max(...g.from.map((x, i) => Math.abs(x - g.to[i]))) }""")
+            last = self.summary["levels"][-1]
+            self.assertEqual(grid["cells"], last["cells"])
+            self.assertAlmostEqual(grid["volume"], 1, delta=1e-9)
+            self.assertEqual(grid["box"], [0, 1])
+            self.assertTrue(0.01 < grid["most"] < 0.5, grid["most"])
+
+    def test_sliders_colours_and_grid_change_what_is_seen(self):
+        for name in ("hand", "leaf"):
+            self.open(name)
+            left = ("pane-reference", "pane-template")
+            panes = "return ['reference', 'template', 'result'].map(n => document.getElementById('pane-' + n).getBoundingClientRect().height)"
+            heights = self.browser.run(panes)
+            self.changes(lambda: self.browser.set("time", 0.4), changed=["pane-result"], same=left)
+            self.browser.set("time", 1)
+            self.changes(lambda: self.browser.set("level", 0), changed=["pane-result"], same=left)
+            self.changes(lambda: self.browser.set("coloring", "distance"), changed=["pane-result", *left, "legend"])
+            keys = self.browser.run("return Array.from(document.querySelectorAll('#coloring option')).map(o => o.value)")
+            self.assertEqual("angle" in keys, name == "hand")
+            seen = set()
+            for key in keys:
+                self.browser.set("coloring", key)
+                seen.add(self.browser.picture("pane-result"))
+            self.assertEqual(len(seen), len(keys))
+            self.changes(lambda: self.browser.set("grid", "0"), changed=["pane-result", "pane-reference"], same=["pane-template"])
+            shown = self.browser.run("return document.getElementById('overlay').checked")
+            self.changes(lambda: self.browser.set("overlay", not shown), changed=["pane-result"], same=left)
+            self.assertEqual(self.browser.run(panes), heights)
+
+    def test_a_slice_moves_and_cuts(self):
+        self.open("hand")
+        self.browser.set("grid", "2")
+        both = ["pane-result", "pane-reference"]
+        self.changes(lambda: self.browser.set("place", 0.45), changed=both, same=["pane-template"])
+        self.changes(lambda: self.browser.set("cut", True), changed=both, same=["pane-template"])
+
+    def test_one_camera_for_all_views(self):
+        from selenium.webdriver import ActionChains
+        from selenium.webdriver.common.by import By
+        from selenium.webdriver.common.keys import Keys
+        panes = ["pane-reference", "pane-template", "pane-result"]
+        for name in ("hand", "leaf"):
+            self.open(name)
+            first = self.browser.picture("pane-result")
+            template = self.browser.driver.find_element(By.ID, "pane-template")
+            drag = ActionChains(self.browser.driver, duration=50).move_to_element(template).click_and_hold().move_by_offset(40, 25).release()
+            self.changes(drag.perform, changed=panes)
+            self.changes(lambda: ActionChains(self.browser.driver).send_keys(Keys.ARROW_LEFT).perform(), changed=panes)
+            self.changes(lambda: ActionChains(self.browser.driver).send_keys("+").perform(), changed=panes)
+            self.browser.run("document.getElementById('reset').click()")
+            self.browser.settle()
+            self.assertEqual(self.browser.picture("pane-result"), first)
+
+    def test_keys_choose_colours_and_scheme(self):
+        from selenium.webdriver import ActionChains
+        self.open("hand")
+        back = "return getComputedStyle(document.body).backgroundColor"
+        light = self.browser.run(back)
+        self.changes(lambda: ActionChains(self.browser.driver).send_keys("c").perform(), changed=["pane-result", "legend"])
+        self.changes(lambda: ActionChains(self.browser.driver).send_keys("d").perform(), changed=["pane-result", "panels"])
+        self.assertNotEqual(self.browser.run(back), light)
+
+    def test_a_place_of_the_verdict_is_flown_to(self):
+        self.open("unlike")
+        self.assertEqual(self.summary["verdict"]["outcome"], "not-matched")
+        self.assertEqual(self.browser.run("return document.getElementById('outcome').textContent"), "not matched")
+        places = [reason["place"] for reason in self.summary["verdict"]["reasons"] if reason["place"]]
+        self.assertEqual(self.browser.run("return document.querySelectorAll('.place').length"), len(places))
+        camera = "const c = window.shellmatchReport.view.camera; return [c.controls.target.toArray(), c.position.toArray()]"
+        before = self.browser.run(camera)
+        self.changes(lambda: self.browser.run("document.querySelector('.place').click()"), changed=["pane-result", "pane-template"])
+        target, eye = self.browser.run(camera)
+        for x, place in zip(target, places[0]):
+            self.assertAlmostEqual(x, place, delta=1e-6)
+        self.assertNotEqual(eye, before[1])
+        # The mark is where the place is seen: in the middle of the view.
+        offset = self.browser.run("""const p = document.getElementById("pane-result"), m = p.querySelector(".mark").getBoundingClientRect(), b = p.getBoundingClientRect();
+            return [(m.left + m.right - b.left - b.right) / 2, (m.top + m.bottom - b.top - b.bottom) / 2]""")
+        self.assertLess(max(map(abs, offset)), 3)
+
+    def test_units_are_in_the_labels(self):
+        self.open("unlike")
+        self.browser.set("coloring", "distance")
+        self.assertIn("(mm)", self.browser.run("return document.getElementById('legend').textContent"))
+        self.browser.set("coloring", "curvature")
+        self.assertIn("(1 / mm)", self.browser.run("return document.getElementById('legend').textContent"))
+
+    def test_damaged_data_are_said_to_be(self):
+        page = (folder("leaf") / "report.html").read_text()
+        begin = page.index('id="arrays">') + 12
+        damaged = folder("leaf").parent / "damaged.html"
+        damaged.write_text(page[:begin + 400] + page[page.index("</script>", begin):])
+        self.assertEqual(self.browser.open(damaged)[0], "failed")
+        self.assertIn("cannot be shown", self.browser.run("return document.body.textContent"))
+        self.assertTrue(self.browser.errors())
+
+
+class WithoutWebGL(unittest.TestCase):
+    def test_a_picture_and_the_figures_remain(self):
+        with browser.Browser(webgl=False) as other:
+            self.assertEqual(other.open(folder("hand") / "report.html")[0], "true")
+            self.assertIn("no WebGL", other.run("return document.getElementById('views').textContent"))
+            self.assertGreater(other.run("return document.querySelector('#views img').naturalWidth"), 300)
+            self.assertIn("result → template", other.run("return document.getElementById('panels').textContent"))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    arguments, rest = parser.parse_known_args()
+    program = arguments.program
+    if lacking := browser.missing():
+        print(f"skipped: not installed: {lacking} (scripts/install-dependencies --browser)")
+        sys.exit(1 if os.environ.get("SHELLMATCH_BROWSER") == "required" else 77)
+    unittest.main(argv=[sys.argv[0], *rest])
