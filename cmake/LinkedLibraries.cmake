@@ -34,5 +34,12 @@ shellmatch_linked_library("libpng" "${PNG_VERSION_STRING}" "libpng" "no")
 shellmatch_linked_library("zlib" "${ZLIB_VERSION_STRING}" "Zlib" "no")
 shellmatch_linked_library("xxHash" "${XXHASH_VERSION}" "BSD-2-Clause" "no")
 shellmatch_linked_library("Cairo" "${CAIRO_VERSION}" "LGPL-2.1 or MPL-1.1" "LGPL or MPL")
+# In the page of a result (report/).
+file(READ ${NODE_MODULES}/three/package.json package)
+string(JSON three_version GET "${package}" version)
+file(READ ${NODE_MODULES}/chart.js/package.json package)
+string(JSON chart_version GET "${package}" version)
+shellmatch_linked_library("three.js" "${three_version}" "MIT" "notice")
+shellmatch_linked_library("Chart.js" "${chart_version}" "MIT" "notice")
 
 configure_file(cmake/linked_libraries.cpp.in ${PROJECT_BINARY_DIR}/linked_libraries.cpp @ONLY)

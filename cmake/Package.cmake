@@ -30,7 +30,7 @@ install(TARGETS shellmatch_program LIBRARY DESTINATION ${folder} COMPONENT vecto
 install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # The notices of the libraries whose code is compiled into ours, as Debian has them.
 foreach(package libboost1.74-dev libceres-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libnanoflann-dev libspectra-dev
-        nlohmann-json3-dev)
+        nlohmann-json3-dev libjs-three node-chart.js)
   install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences RENAME ${package} COMPONENT program)
 endforeach()
 

@@ -127,7 +127,7 @@ struct ExperimentOptions {
   LandmarkOptions landmarks;
   CoverageOptions coverage;
   CheckGradientOptions check_gradient;
-  Pictures pictures = Pictures::all;
+  Pictures pictures = Pictures::result;
   bool report = true;
   ResumeOptions resume;
   int threads = 0;
@@ -142,7 +142,7 @@ struct ExperimentOptions {
     visit("align", self.align, {.meaning = "pose and pairs of points, found before the cascade"});
     visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
-    visit("pictures", self.pictures, {.meaning = "which pictures are drawn: all, one for each level; result, those of the end; none"});
+    visit("pictures", self.pictures, {.meaning = "which pictures are drawn: result, those of the end; all, one for each level, too; none"});
     visit("report", self.report, {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network (docs/report.md)"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});

@@ -30,7 +30,7 @@ class Method:
 
 
 def own_method(name, program, arguments, threads):
-    words = (program, "match", "{reference}", "{template}", "-o", "{out}", "--quiet", "--set", "pictures=none")
+    words = (program, "match", "{reference}", "{template}", "-o", "{out}", "--quiet", "--set", "pictures=none", "--set", "report=false")
     # Braces of the user's are no placeholders.
     escaped = tuple(word.replace("{", "{{").replace("}", "}}") for word in arguments)
     check(name, words)

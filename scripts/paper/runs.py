@@ -43,7 +43,7 @@ class Results:
         drawn = next((levels for other, _, levels in experiments if other == name), ())
         pictures = "none" if not drawn or profile != "paper" else "all" if len(drawn) > 1 else "result"
         words = ["--levels", f"{low}:{high}", "--profile", profile, *more]
-        for change in [f"pictures={pictures}", *changes]:
+        for change in [f"pictures={pictures}", "report=false", *changes]:
             words += ["--set", change]
         made_by = {"configuration": fingerprint(root / "configs/paper" / f"{config}.yaml"),
                    "program": fingerprint(self.arguments.program), "arguments": words}

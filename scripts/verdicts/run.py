@@ -62,7 +62,7 @@ def run_case(case, program, output):
             return Result(case, {}, str(error))
         levels = () if "--levels" in case.options else ("--levels", "3:6")
         align = () if "--align" in case.options else ("--align", "none")
-        words = [program, "match", *shape_words, "-o", str(output / name), "-q", "--force", "--set", "pictures=result", "--threads", "1",
+        words = [program, "match", *shape_words, "-o", str(output / name), "-q", "--force", "--set", "pictures=result", "--set", "report=false", "--threads", "1",
                  "--max-seconds", "600", *levels, *align, *case.options]
         run = subprocess.run(words, capture_output=True, text=True, check=False)
         if run.returncode != 0:

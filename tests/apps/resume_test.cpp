@@ -21,7 +21,7 @@ using testing::TemporaryFolder;
 // Pictures, which take a second in all, leave the time to send a signal.
 Words match(const std::string& out, const Words& more = {}) {
   Words words{"match", "generate:circle", "generate:ellipse/long", "-o", out, "--levels", "3:6", "--align", "none",
-              "--set", "resume.min_seconds=0"};
+              "--set", "resume.min_seconds=0", "--set", "pictures=all"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

@@ -10,7 +10,7 @@ PLANE = "--levels 3:4 --align none --set threads=1 --set resume.min_seconds=0"
 MATCH = f"match generate:circle generate:ellipse {PLANE}"
 STUDY = """version: 1
 title: Tiny
-set: {threads: 1, pictures: none, align: {mode: none}, cascade: {min_level: 3, max_level: 3}}
+set: {threads: 1, pictures: none, report: false, align: {mode: none}, cascade: {min_level: 3, max_level: 3}}
 problems: {leaf: {set: {input: {reference: "generate:circle", template: "generate:ellipse"}}}}
 solvers: [newton, lbfgs]
 """
@@ -61,17 +61,18 @@ class Scenario:
 
 
 def all_scenarios():
-    plain, quick = f"{MATCH} --set pictures=none -q", "--edge-length 0.05"
+    plain, quick = f"{MATCH} --set pictures=none --set report=false -q", "--edge-length 0.05"
     study = {"study.yaml": STUDY}
     circle, sphere = "generate circle -o c.csv", f"generate sphere {quick} -o c.ply"
     earlier = f"{plain} -o o".replace("3:4", "3:3")
-    space = "match generate:sphere generate:ellipsoid --levels 2:2 --align none --set threads=1 --set pictures=none -q -o m"
+    space = "match generate:sphere generate:ellipsoid --levels 2:2 --align none --set threads=1 --set pictures=none --set report=false -q -o m"
     return [
         Scenario("match", f"{plain} -o o"),
         Scenario("match-force", f"{plain} -o o --force", before=[earlier]),
         Scenario("match-resume", f"{plain} -o o", before=[f"{plain} -o o"], tail=True),
-        Scenario("match-pictures", f"{MATCH} --set pictures=result -q -o o"),
-        Scenario("match-files", f"match c.csv e.csv {PLANE} --set pictures=none --set landmarks.file=l.csv -q -o new/deep/o", result="new/deep/o",
+        Scenario("match-pictures", f"{MATCH} --set pictures=result --set report=false -q -o o"),
+        Scenario("match-report", f"{MATCH} --set pictures=none -q -o o"),
+        Scenario("match-files", f"match c.csv e.csv {PLANE} --set pictures=none --set report=false --set landmarks.file=l.csv -q -o new/deep/o", result="new/deep/o",
                  before=[circle, "generate ellipse -o e.csv"], files={"l.csv": LANDMARKS}),
         Scenario("match-threads", f"{plain} -o o".replace("threads=1", "threads=3")),
         Scenario("match-in-place", f"{plain} -o locked/o", result="locked/o", in_place=True),

@@ -57,6 +57,8 @@ def lasting(path, folder):
             return table(data, lambda column: not TIMINGS.search(column))
     except (ValueError, KeyError, IndexError, UnicodeDecodeError):
         return data
+    if path.name == "report.html":  # it holds times; whole, or bytes that agree with nothing
+        return "page" if data.startswith(b"<!DOCTYPE html>") and data.endswith(b"</html>\n") else data
     measured = path.name in ("log.txt", "summary.md") or "seconds" in path.name
     return "text" if measured and data else data
 
@@ -75,5 +77,5 @@ def table(data, is_kept):
 
 def listed(files):
     """Names, and the checksums of those whose bytes last."""
-    measured = ("history.csv", "summary.json", "log.txt", "result.json", "files.json", "config.yaml")
+    measured = ("history.csv", "summary.json", "log.txt", "result.json", "files.json", "config.yaml", "report.html")
     return [(file["name"], "" if file["name"].rpartition("/")[2] in measured else file["checksum"]) for file in files["files"]]

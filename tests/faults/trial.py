@@ -150,9 +150,9 @@ class Stage:
 
     @staticmethod
     def lacks_pictures_only(now, whole, err):
-        """A picture that cannot be drawn is missing from the result, with a message."""
+        """A picture or report that cannot be made is missing from the result, with a message."""
         missing = [name for name in whole if name not in now]
-        return bool(missing) and all(name.endswith((".png", "/pictures")) for name in missing) and err.count("is missing") == sum(name.endswith(".png") for name in missing) and not [
+        return bool(missing) and all(name.endswith((".png", ".html", "/pictures")) for name in missing) and err.count("is missing") == sum(name.endswith((".png", ".html")) for name in missing) and not [
             n for n in now if now[n] != whole.get(n) and not n.endswith("files.json")]
 
     @staticmethod

@@ -40,9 +40,11 @@ struct RunTest : ::testing::Test {
 TEST_F(RunTest, WritesEveryFileAndMatches) {
   Observer quiet;
   const std::string out = folder / "out";
-  run_matching(options("generate:circle", "generate:ellipse/long", 7), out, {}, quiet);
+  ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 7);
+  o.pictures = Pictures::all;
+  run_matching(o, out, {}, quiet);
   for (const char* name : {"deformed.csv", "template.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
-                           "pictures/result.png", "pictures/energy.png", "pictures/level_07.png"})
+                           "pictures/result.png", "report.html", "pictures/energy.png", "pictures/level_07.png"})
     EXPECT_TRUE(fs::exists(fs::path(out) / name)) << name;
   const MatchSummary s = read_summary(fs::path(out) / "summary.json");
   EXPECT_EQ(s.levels.size(), 5u);
