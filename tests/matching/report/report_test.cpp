@@ -2,6 +2,7 @@
 
 #include "matching/report/report.h"
 
+#include "matching/checkpoint/checkpoints.h"
 #include "matching/input/shape_source.h"
 #include "matching/json/json_text.h"
 #include "matching/match_shapes.h"
@@ -79,6 +80,15 @@ TEST(Report, KeepsNoLevelsWhereThereIsNone) {
   ExperimentOptions o = quick(3, 4);
   o.report = false;
   EXPECT_TRUE(matched<2>("circle", "ellipse", o).levels.empty());
+}
+
+// A run that was stopped goes on whether it writes a report or not.
+TEST(Report, ChangesNoLevel) {
+  ExperimentOptions with = quick(3, 4), without = with;
+  without.report = false;
+  EXPECT_EQ(changed_option(with, without), "");
+  without.cascade.nu /= 2;
+  EXPECT_TRUE(changed_option(with, without).starts_with("cascade.nu"));
 }
 
 // A name that would end the element, begin another one or a comment stays a name.
