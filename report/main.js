@@ -27,7 +27,7 @@ function addPanes(container, model) {
 function messageInstead(stage, model, error) {
   const picture = model.data.picture;
   stage.classList.add("without-views");
-  stage.replaceChildren(element("p", { class: "message" }, `The shapes cannot be turned here: this browser offers no WebGL (${error.message}). All figures are beside.`),
+  stage.replaceChildren(element("p", { class: "message" }, `The shapes cannot be turned, since this browser offers no WebGL: ${error.message}. All figures are beside.`),
     picture ? element("img", { alt: "Reference, template and result", src: `data:image/png;base64,${picture}` }) : "");
 }
 

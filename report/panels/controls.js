@@ -54,7 +54,7 @@ export function addControls(container, model, colorings, state, changed, reset) 
       element("p", { class: "note" }, note + carried));
   };
 
-  const overlay = checkbox("overlay", "Template over the result", state.overlay, (value) => { state.overlay = value; changed(); });
+  const overlay = checkbox("overlay", "Template over result", state.overlay, (value) => { state.overlay = value; changed(); });
   const axes = model.dimension === 3 ? [["none", "no grid"], ["0", "across x"], ["1", "across y"], ["2", "across z"]] : [["none", "no grid"], ["0", "all cells"]];
   const place = slider("place", "at (domain sides)", 0, 1, 0.005, state.place, (value) => Object.assign(state, { place: value }), changed, (x) => x.toFixed(3));
   const cut = checkbox("cut", "Cut the shapes there", state.cut, (value) => { state.cut = value; changed(); });

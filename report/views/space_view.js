@@ -25,6 +25,7 @@ export class SpaceView {
   /** \param panes elements over which the views lie, by name \throws Error without WebGL */
   constructor(stage, panes, model, colorings) {
     Object.assign(this, { stage, panes, model, colorings, scheme: { line: [0.4, 0.4, 0.4] } });
+    if (!document.createElement("canvas").getContext("webgl")) throw new Error("it is switched off, or there is no driver");
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.autoClear = false;

@@ -187,6 +187,7 @@ class WithoutWebGL(unittest.TestCase):
             self.assertEqual(other.open(folder("hand") / "report.html")[0], "true")
             self.assertIn("no WebGL", other.run("return document.getElementById('views').textContent"))
             self.assertGreater(other.run("return document.querySelector('#views img').naturalWidth"), 300)
+            self.assertEqual(other.errors(), [])
             self.assertIn("result → template", other.run("return document.getElementById('panels').textContent"))
 
 
