@@ -96,7 +96,7 @@ class Matching {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
-    if (options_.report && s.level < options_.cascade.max_level) levels_.push_back({s.level, deformed.vertices});
+    if (options_.report) levels_.push_back({s.level, deformed.vertices});
     s.distance = measure_distance(deformed, state.grid, state.phi);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
@@ -158,6 +158,7 @@ class Matching {
   MatchResult<Dim> measured(CascadeResult<Dim> result) {
     Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
     summary_.distance = summary_.levels.back().distance;
+    if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(deformed, result.grid, result.phi);
     const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
