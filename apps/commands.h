@@ -81,6 +81,12 @@ struct ViewCommand {
   bool print_only = false;  ///< open nothing
 };
 
+struct RenderCommand {
+  std::string folder, output;
+  std::string show, colors, azimuth, elevation, time, size, motion, frames;  ///< empty if not given
+  bool force = false;
+};
+
 struct ConfigCommand {
   std::string profile;
   bool markdown = false;
@@ -101,7 +107,7 @@ struct PrintCommand {
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, SelfTestCommand, ViewCommand, ConfigCommand, StudyCommand, PrintCommand>;
+                             CheckGradientCommand, SelfTestCommand, ViewCommand, RenderCommand, ConfigCommand, StudyCommand, PrintCommand>;
 
 /// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -119,6 +125,7 @@ void execute(const CurvatureCommand& command);
 void execute(const CheckGradientCommand& command);
 void execute(const SelfTestCommand& command);
 void execute(const ViewCommand& command);
+void execute(const RenderCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const StudyCommand& command);
 void execute(const PrintCommand& command);

@@ -94,7 +94,7 @@ class Run {
     phase.stop();
     clock_.state(result.summary.run);
     phase.start("page");
-    write_report_file(result, options_, folder_, recorder_);
+    write_result_page(result, options_, folder_, recorder_);
     phase.stop();
     clock_.state(result.summary.run);
     write_summary(result.summary, folder_.path_of("summary.json"));

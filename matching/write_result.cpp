@@ -85,7 +85,7 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
 }
 
 template <int Dim>
-void write_report_file(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer) {
+void write_result_page(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer) {
   if (!options.report) return;
   std::string picture;
   if (options.pictures != Pictures::none) {
@@ -100,14 +100,14 @@ void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions
   OutputFolder place(folder, force);
   Observer nobody;
   write_result_files(result, options, place, nobody);
-  write_report_file(result, options, place, nobody);
+  write_result_page(result, options, place, nobody);
   write_summary(result.summary, place.path_of("summary.json"));
   place.commit();
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
   template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
-  template void write_report_file<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);         \
+  template void write_result_page<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);         \
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

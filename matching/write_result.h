@@ -31,7 +31,7 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
 /// Writes report.html if `options.report` asks for it, with the picture of the result that is in the folder. The caller calls it before it
 /// writes summary.json, with the times so far in the summary. A report that cannot be made does not end a run (draw()).
 template <int Dim>
-void write_report_file(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer);
+void write_result_page(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer);
 
 /// Draws one picture, NAME in the folder. A picture that cannot be drawn or written does not end a run: it is removed, and
 /// the observer is told. \throws Stopped

@@ -24,6 +24,7 @@ struct Commands {
   CheckGradientCommand check_gradient;
   SelfTestCommand self_test;
   ViewCommand view;
+  RenderCommand render;
   ConfigCommand config;
   StudyCommand study;
   Limits limits;  ///< of whichever it is
@@ -188,6 +189,20 @@ void describe(CLI::App& app, Commands& commands) {
   view->add_option("DIR", commands.view.folder, "output folder of a run, or its report.html")->required()->type_name("");
   view->add_flag("--print", commands.view.print_only, "print the name of the page, and open nothing");
 
+  CLI::App* render = add_command(app, "render", help_text::render, help_text::render_footer);
+  RenderCommand& rendered = commands.render;
+  render->add_option("DIR", rendered.folder, "output folder of a run")->required()->type_name("");
+  render->add_option("-o,--output", rendered.output, "the picture (.png, .svg, .pdf), or with --motion a folder")->type_name("FILE");
+  render->add_option("--show", rendered.show, "which shapes; all is three panels")->type_name("result|reference|template|overlay|all");
+  render->add_option("--color", rendered.colors, "distance and distortion have a scale with its unit")->type_name("checker|distance|distortion|plain");
+  render->add_option("--azimuth", rendered.azimuth, "of the view, around the up axis; a good one is chosen if not given")->type_name("DEGREES");
+  render->add_option("--elevation", rendered.elevation, "of the view, above the horizon")->type_name("DEGREES");
+  render->add_option("--time", rendered.time, "t of phi_t = (1 - t) id + t phi, 0 to 1")->type_name("T");
+  render->add_option("--size", rendered.size, "side of a panel (800)")->type_name("PIXELS");
+  render->add_option("--motion", rendered.motion, "the pictures of an animation, numbered, in a folder")->type_name("morph|turntable");
+  render->add_option("--frames", rendered.frames, "how many pictures (60)")->type_name("N");
+  render->add_flag("--force", rendered.force, "replace the file, or the folder of an earlier animation");
+
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
   config->add_option("--profile", commands.config.profile, "whose defaults to print")->type_name("default|paper");
   config->add_flag("--markdown", commands.config.markdown, "as a Markdown table instead");
@@ -228,6 +243,10 @@ Command named_command(const std::string& name, const Commands& commands) {
   if (name == "check-gradient") return commands.check_gradient;
   if (name == "self-test") return commands.self_test;
   if (name == "view") return commands.view;
+  if (name == "render") {
+    require_output(commands.render.output, "FILE");
+    return commands.render;
+  }
   return commands.config;
 }
 

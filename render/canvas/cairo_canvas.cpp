@@ -2,6 +2,7 @@
 #include "base/printable.h"
 #include "render/canvas/canvas.h"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -18,7 +19,7 @@ namespace shellmatch {
 struct Canvas::State {
   int width, height;
   CanvasKind kind;
-  std::string svg;
+  std::string text;  // of SVG or PDF
   cairo_surface_t* surface = nullptr;
   cairo_t* cairo = nullptr;
 
@@ -131,7 +132,10 @@ Canvas::Canvas(int width, int height, CanvasKind kind, const Color& background)
   SHELLMATCH_CHECK(width > 0 && height > 0, "a canvas needs an area");
   State& s = *state_;
   s.surface = kind == CanvasKind::raster ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)
-                                         : cairo_svg_surface_create_for_stream(append, &s.svg, width, height);
+              : kind == CanvasKind::svg  ? cairo_svg_surface_create_for_stream(append, &s.text, width, height)
+                                         : cairo_pdf_surface_create_for_stream(append, &s.text, width, height);
+  // The same bytes from the same run, whenever it is drawn.
+  if (kind == CanvasKind::pdf) cairo_pdf_surface_set_metadata(s.surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   s.cairo = cairo_create(s.surface);
   check(cairo_status(s.cairo), "the canvas must be creatable");
   require_memory_to_draw();
@@ -222,15 +226,17 @@ Image Canvas::to_image() const {
   return image_of(state_->surface);
 }
 
-void Canvas::write(const std::string& path) {
+std::string Canvas::bytes() {
   State& s = *state_;
   // Where a drawing fails, cairo remembers the error and ignores what follows.
   check(cairo_status(s.cairo), "everything must have been drawn");
-  if (s.kind == CanvasKind::raster) return write_bytes(png_bytes(s.surface), path);
+  if (s.kind == CanvasKind::raster) return png_bytes(s.surface);
   cairo_surface_finish(s.surface);
   check(cairo_surface_status(s.surface), "everything must have been drawn");
-  write_bytes(s.svg, path);
+  return s.text;
 }
+
+void Canvas::write(const std::string& path) { write_bytes(bytes(), path); }
 
 Image::Image(int image_width, int image_height, const Color& color)
     : width(image_width), height(image_height), pixels(3 * static_cast<std::size_t>(width) * height) {

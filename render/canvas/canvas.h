@@ -29,7 +29,7 @@ struct TextStyle {
   double turn = 0;  ///< degrees, counter-clockwise
 };
 
-enum class CanvasKind { raster, svg };
+enum class CanvasKind { raster, svg, pdf };
 
 /// Coordinates are pixels, x to the right, y downwards, (0, 0) the upper left corner. Fonts: DejaVu Sans.
 class Canvas {
@@ -57,7 +57,9 @@ class Canvas {
 
   /// The picture. \pre the canvas is a raster
   Image to_image() const;
-  /// Writes PNG or SVG, depending on the kind of the canvas. \throws EnvironmentError if the file cannot be
+  /// The bytes of a PNG, SVG or PDF file, depending on the kind of the canvas. Nothing can be drawn after that.
+  std::string bytes();
+  /// Writes PNG, SVG or PDF, depending on the kind of the canvas. \throws EnvironmentError if the file cannot be
   /// written.
   void write(const std::string& path);
 

@@ -35,6 +35,10 @@ void draw_bar(const ColorBar& bar, double left, double top, double width, Canvas
 }  // namespace
 
 Image compose_panels(std::span<const Panel> panels, const std::string& title, int columns) {
+  return draw_panels(panels, title, columns, CanvasKind::raster).to_image();
+}
+
+Canvas draw_panels(std::span<const Panel> panels, const std::string& title, int columns, CanvasKind kind) {
   SHELLMATCH_CHECK(!panels.empty(), "a figure needs a panel");
   const int n = static_cast<int>(panels.size());
   if (columns <= 0) columns = n;
@@ -55,7 +59,7 @@ Image compose_panels(std::span<const Panel> panels, const std::string& title, in
   for (const char bar : has_bar)
     row_top.push_back(row_top.back() + height + (captions ? caption_height : 0) + (bar ? bar_height : 0) +
                       gap);
-  Canvas canvas(columns * width + (columns + 1) * gap, row_top.back());
+  Canvas canvas(columns * width + (columns + 1) * gap, row_top.back(), kind);
   canvas.text(title, {0.5 * canvas.width(), 0.5 * title_height},
               {.size = 18, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
   for (int i = 0; i < n; ++i) {
@@ -66,7 +70,7 @@ Image compose_panels(std::span<const Panel> panels, const std::string& title, in
                 {.size = 15, .anchor_x = 0.5, .anchor_y = 0.5});
     if (p.bar) draw_bar(*p.bar, x, y + height + (captions ? caption_height : 4), width, canvas);
   }
-  return canvas.to_image();
+  return canvas;
 }
 
 }  // namespace shellmatch

@@ -27,4 +27,7 @@ struct Panel {
 /// \pre at least one panel. The panels should have the same size.
 Image compose_panels(std::span<const Panel> panels, const std::string& title = "", int columns = 0);
 
+/// The same as a canvas of that kind, on which text and bars are drawn and the pictures placed.
+Canvas draw_panels(std::span<const Panel> panels, const std::string& title, int columns, CanvasKind kind);
+
 }  // namespace shellmatch

@@ -62,7 +62,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, EveryCommandHelps) {
-  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "self-test", "view", "study", "config"}) {
+  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "self-test", "view", "render", "study", "config"}) {
     SCOPED_TRACE(command);
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -84,7 +84,7 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, study, generate, apply, inspect, curvature, check-gradient, self-test, view, config"});
+  expect_refused({}, {"a command is missing", "match, run, study, generate, apply, inspect, curvature, check-gradient, self-test, view, render, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
   expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});
