@@ -112,7 +112,7 @@ Canvas draw_result(const ResultShapes<Dim>& shapes, const ResultView& view, Canv
   if (is_all || view.show == ShownShapes::result) add({&result}, result.caption);
   if (view.show == ShownShapes::overlay) {
     template_shape.values.clear();
-    add({&result, &template_shape}, result.caption + ", and template (blue)");
+    add({&result, &template_shape}, result.caption + ", template (blue)");
   }
   return draw_panels(panels, "", 0, kind);
 }
