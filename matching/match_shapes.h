@@ -4,8 +4,10 @@
 
 #include "geometry/surface/surface.h"
 #include "matching/experiment/options.h"
+#include "matching/input/shape_pair.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/progress/observer.h"
+#include "matching/result/correspondence.h"
 #include "matching/result/match_result.h"
 
 #include <vector>
@@ -25,5 +27,10 @@ template <int Dim>
 MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
                               const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks = {});
+
+/// The same of a pair that open_shape_pair() has opened. \param truth true positions of vertices, by which the summary states the error
+template <int Dim>
+MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& options, Observer& observer,
+                              const std::vector<Landmark<Dim>>& landmarks, const Correspondence<Dim>& truth = {});
 
 }  // namespace shellmatch

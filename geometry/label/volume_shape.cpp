@@ -108,17 +108,21 @@ std::string result_text(const VoxelChoice& choice, const LabelRegion& region, co
 }  // namespace
 
 Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space space) {
-  LabelRegion region = label_region(canonical(read_volume(name.file)), name.choice, source);
+  return volume_shape(VolumePart{read_volume(name.file), name.choice}, source, space);
+}
+
+Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
+  LabelRegion region = label_region(canonical(std::move(part.volume)), part.choice, source);
   const SmoothedLabel label(region);
   if (!(label.largest_share() > label.level() + 1e-3))
-    throw_input_error("{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source, name.choice.text());
+    throw_input_error("{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source, part.choice.text());
   Surface<3> surface = mesh(LabelFunction(region, label), region, source);
   std::vector<std::string> notes = std::move(region.notes);
   const double voxel = region.grid.voxel_volume();
   if (const std::size_t n = drop_small_parts(surface, 4 * voxel); n > 0)
     notes.push_back(fmt::format("{} of less than 4 voxels, which smoothing left of thin parts, dropped", counted(n, "piece", "pieces")));
-  if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, name.choice.text());
-  notes.insert(notes.begin(), result_text(name.choice, region, surface));
+  if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, part.choice.text());
+  notes.insert(notes.begin(), result_text(part.choice, region, surface));
   OriginalShape<3> original;
   original.vertices = std::move(surface.vertices);
   original.space = or_default(space);

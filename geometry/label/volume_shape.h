@@ -4,6 +4,7 @@
 
 #include "geometry/surface/surface.h"
 #include "geometry/volume/volume_name.h"
+#include "geometry/volume/make_volume.h"
 #include "geometry/volume/volume.h"
 
 #include <string>
@@ -17,5 +18,8 @@ namespace shellmatch {
 /// \param space the frame of the result
 /// \throws InputError as read_volume and label_region, and where the label is too small or too thin for a surface
 Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space space);
+
+/// The same of a volume that has been read. \param source for messages
+Shape<3> volume_shape(VolumePart part, const std::string& source, Space space);
 
 }  // namespace shellmatch

@@ -170,7 +170,10 @@ ExperimentOptions read_experiment(const std::string& path, const std::vector<Ove
 ExperimentOptions make_experiment(const std::vector<Override>& overrides) { return resolve(nullptr, "", overrides); }
 
 void apply_override(ExperimentOptions& options, const std::string& assignment) {
-  const Override change = parse_override(assignment);
+  apply_override(options, parse_override(assignment));
+}
+
+void apply_override(ExperimentOptions& options, const Override& change) {
   if (change.key == "profile")
     throw_input_error("{}: the profile decides on the other defaults; choose it before they are set", change.origin);
   apply(option_tree(options), change);

@@ -37,6 +37,7 @@ ExperimentOptions make_experiment(const std::vector<Override>& overrides);
 /// Sets one option by "key.sub=value". Refuses `profile`, on which all other defaults depend; give that to
 /// read_experiment. Does not check conditions between options. \throws InputError
 void apply_override(ExperimentOptions& options, const std::string& assignment);
+void apply_override(ExperimentOptions& options, const Override& change);
 
 /// Checks the range of every number, and conditions between options, such as max_level >= min_level. \throws InputError
 void check_experiment(const ExperimentOptions& options);

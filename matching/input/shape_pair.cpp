@@ -1,10 +1,6 @@
 #include "matching/input/shape_pair.h"
 
 #include "base/error.h"
-#include "geometry/volume/volume_name.h"
-#include "matching/input/shape_source.h"
-
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -23,14 +19,13 @@ Space space_of_volumes(const InputOptions& input, const std::array<std::optional
 }
 
 // Both shapes; volumes last, as meshes may name the frame.
-std::pair<AnyShape, AnyShape> open_both(const InputOptions& input) {
-  const std::array<const std::string*, 2> sources{&input.reference, &input.template_file};
+std::pair<AnyShape, AnyShape> open_both(std::array<ShapeInput, 2> sources, const InputOptions& input) {
   std::array<std::optional<AnyShape>, 2> shapes;
   for (std::size_t i = 0; i < 2; ++i)
-    if (!parse_volume_name(*sources[i])) shapes[i] = open_shape(*sources[i], input.close);
+    if (!sources[i].is_volume()) shapes[i] = open_shape(std::move(sources[i]), input.close);
   const Space space = space_of_volumes(input, shapes);
   for (std::size_t i = 0; i < 2; ++i)
-    if (!shapes[i]) shapes[i] = open_shape(*sources[i], input.close, space);
+    if (!shapes[i]) shapes[i] = open_shape(std::move(sources[i]), input.close, space);
   return {std::move(*shapes[0]), std::move(*shapes[1])};
 }
 
@@ -70,14 +65,19 @@ void share_space(ShapePair<Dim>& pair, Observer& observer) {
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
-  auto [reference, template_shape] = open_both(input);
+  return open_shape_pair({ShapeInput{input.reference}, ShapeInput{input.template_file}}, input, observer);
+}
+
+AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, Observer& observer) {
+  const std::array<std::string, 2> names{shapes[0].name, shapes[1].name};
+  auto [reference, template_shape] = open_both(std::move(shapes), input);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
       for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));
     }, *shape);
   if (reference.index() != template_shape.index())
     throw_input_error("{} is {}-dimensional and {} is {}-dimensional; both shapes must have the same dimension",
-                      input.reference, reference.index() + 2, input.template_file, template_shape.index() + 2);
+                      names[0], reference.index() + 2, names[1], template_shape.index() + 2);
   if (reference.index() == 0)
     return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
   ShapePair<3> pair{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};

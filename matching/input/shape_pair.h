@@ -5,8 +5,10 @@
 #include "geometry/surface/placement.h"
 #include "geometry/io/read_shape.h"
 #include "matching/experiment/options.h"
+#include "matching/input/shape_source.h"
 #include "matching/progress/observer.h"
 
+#include <array>
 #include <variant>
 
 namespace shellmatch {
@@ -33,5 +35,8 @@ void share_space(ShapePair<Dim>& pair, Observer& observer);
 /// Reads both shapes, brings them into one frame and reports their repairs to the observer. \throws InputError, also for shapes of different
 /// dimensions
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
+
+/// The same of shapes that a program has, reference first; the files that `input` names are not read.
+AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, Observer& observer);
 
 }  // namespace shellmatch

@@ -17,6 +17,17 @@ AnyShape open_shape(const std::string& source, Closing closing, Space space) {
                     generated_original(source));
 }
 
+bool ShapeInput::is_volume() const {
+  return std::holds_alternative<VolumePart>(contents) || (contents.index() == 0 && parse_volume_name(name));
+}
+
+AnyShape open_shape(ShapeInput input, Closing closing, Space space) {
+  if (auto* outline = std::get_if<OriginalShape<2>>(&input.contents)) return make_shape(std::move(*outline), input.name);
+  if (auto* mesh = std::get_if<OriginalShape<3>>(&input.contents)) return make_shape(std::move(*mesh), input.name, {}, closing);
+  if (auto* part = std::get_if<VolumePart>(&input.contents)) return volume_shape(std::move(*part), input.name, space);
+  return open_shape(input.name, closing, space);
+}
+
 std::vector<std::string> files_of_shape(const std::string& source) {
   const std::string file = file_of(source);
   if (!parse_volume_name(source)) return {file};

@@ -2,6 +2,8 @@
 
 #include "grid/fields/interpolation.h"
 
+#include <Eigen/LU>
+
 namespace shellmatch {
 
 template <int Dim>
@@ -10,7 +12,27 @@ Vec<Dim> Deformation<Dim>::apply_in_unit_domain(const Vec<Dim>& x) const {
   return evaluate(grid, phi, inside) + (x - inside);
 }
 
+template <int Dim>
+Mat<Dim> Deformation<Dim>::jacobian_in_unit_domain(const Vec<Dim>& x) const {
+  Mat<Dim> jacobian = evaluate_gradient<Dim>(grid, phi, locate_local(grid, x));
+  for (int k = 0; k < Dim; ++k)
+    if (x[k] < 0 || x[k] > 1) jacobian.col(k) = Vec<Dim>::Unit(k);
+  return jacobian;
+}
+
+template <int Dim>
+std::optional<Mat<Dim>> PointMap<Dim>::jacobian(const Vec<Dim>& x) const {
+  if (!inverse_) return map_->jacobian(x);
+  const std::optional<Vec<Dim>> preimage = (*inverse_)(x);
+  if (!preimage) return std::nullopt;
+  const Mat<Dim> forward = map_->jacobian(*preimage);
+  if (forward.determinant() == 0) return std::nullopt;
+  return Mat<Dim>(forward.inverse());
+}
+
 template struct Deformation<2>;
 template struct Deformation<3>;
+template class PointMap<2>;
+template class PointMap<3>;
 
 }  // namespace shellmatch

@@ -42,6 +42,14 @@ struct Deformation : MapFrame<Dim> {
   /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
   /// the domain.
   Vec<Dim> apply_in_unit_domain(const Vec<Dim>& x) const;
+
+  /// The derivative of apply_in_unit_domain(): Dphi, on a face between cells its limit from inside one of them.
+  Mat<Dim> jacobian_in_unit_domain(const Vec<Dim>& x) const;
+
+  /// The derivative of apply() at x. A similarity scales in all directions alike, so that of the placement cancels.
+  Mat<Dim> jacobian(const Vec<Dim>& x) const {
+    return jacobian_in_unit_domain(this->to_unit_domain(x)) * this->pose.rotation * this->pose.scale;
+  }
 };
 
 /// The inverse of Deformation::apply().
@@ -77,6 +85,9 @@ class PointMap {
 
   /// Both in the user's coordinates. None where the inverse of phi is asked for and has no value.
   std::optional<Vec<Dim>> operator()(const Vec<Dim>& x) const { return inverse_ ? (*inverse_)(x) : map_->apply(x); }
+
+  /// The derivative there; none where there is no value or, for an inverse, where phi is singular.
+  std::optional<Mat<Dim>> jacobian(const Vec<Dim>& x) const;
 
  private:
   const Deformation<Dim>* map_;

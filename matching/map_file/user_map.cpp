@@ -1,7 +1,5 @@
 #include "matching/map_file/user_map.h"
 
-#include "grid/fields/interpolation.h"
-
 #include <Eigen/LU>
 
 #include <cmath>
@@ -44,22 +42,13 @@ std::optional<Vec<Dim>> UserMap<Dim>::within_domain(const Vec<Dim>& x) const {
 }
 
 template <int Dim>
-double UserMap<Dim>::determinant_of_phi(const Vec<Dim>& x) const {
-  const Vec<Dim> inside = x.cwiseMax(0.0).cwiseMin(1.0);
-  Mat<Dim> jacobian = evaluate_gradient<Dim>(map_->grid, map_->phi, locate_local(map_->grid, inside));
-  for (int k = 0; k < Dim; ++k)
-    if (x[k] < 0 || x[k] > 1) jacobian.col(k) = Vec<Dim>::Unit(k);
-  return jacobian.determinant();
-}
-
-template <int Dim>
 std::optional<double> UserMap<Dim>::determinant(const Vec<Dim>& x) const {
   const Vec<Dim> p = entering(x);
   const auto y = points_(p);
   if (!y) return std::nullopt;
   // The placement cancels, and a pose that mirrors is no fold.
   double scale = std::pow(map_->pose.scale, Dim);
-  const double of_phi = determinant_of_phi(map_->to_unit_domain(points_.is_inverse() ? *y : p)) * scale;
+  const double of_phi = map_->jacobian_in_unit_domain(map_->to_unit_domain(points_.is_inverse() ? *y : p)).determinant() * scale;
   const double determinant = points_.is_inverse() ? 1 / of_phi : of_phi;
   if (!keep_pose_) return determinant;
   // The pose is that of the template where the map was solved backward.

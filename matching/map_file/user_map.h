@@ -30,8 +30,6 @@ class UserMap {
  private:
   Vec<Dim> entering(const Vec<Dim>& x) const { return keep_pose_ && toward_ == Toward::reference ? map_->from_reference_pose(x) : x; }
   Vec<Dim> leaving(const Vec<Dim>& y) const { return keep_pose_ && toward_ == Toward::template_shape ? map_->to_reference_pose(y) : y; }
-  /// Of phi alone, at a point of the unit domain or beyond.
-  double determinant_of_phi(const Vec<Dim>& x) const;
 
   const Deformation<Dim>* map_;
   Toward toward_;

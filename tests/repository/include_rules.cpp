@@ -28,6 +28,7 @@ const std::vector<Adapter>& adapter_table() {
       {"Boost", {"boost/"}, {"grid/inverse/boost_*.cpp"}},
       {"VTK", {"vtk"}, {"*/*/vtk_*.cpp"}},
       {"ITK", {"itk"}, {}},
+      {"pybind11", {"pybind11/"}, {"python/bindings/*"}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
       {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp"}},

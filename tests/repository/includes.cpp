@@ -54,6 +54,7 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"matching", {"matching", "base", "geometry", "alignment", "grid", "energies", "solvers", "render"}},
       {"studies", {"studies", "base", "solvers", "render", "matching"}},
       {"apps", {"apps", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies"}},
+      {"python", {"python", "base", "geometry", "alignment", "grid", "energies", "solvers", "matching"}},
       {"bench", {"bench", "tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
       {"examples", {"examples", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
       {"tests", {"tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "apps",

@@ -54,7 +54,7 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
 bool looks_like_file(std::string_view text) {
   static const std::set<std::string_view> folders = {"base",    "geometry", "alignment", "grid",  "energies", "solvers",
                                                      "render",  "matching", "apps",  "docs",     "cmake",
-                                                     "configs", "scripts",  "tests", "bench"};
+                                                     "configs", "python",  "scripts",  "tests", "bench"};
   const std::size_t dot = text.rfind('.');
   return folders.contains(top_folder(text)) && dot != std::string_view::npos && dot > text.rfind('/') &&
          text.find(' ') == std::string_view::npos;
@@ -160,8 +160,8 @@ std::vector<Finding> check_links(const SourceTree& tree) {
 
 std::vector<Finding> check_dependencies(const SourceTree& tree) {
   const std::string built = "cmake/Dependencies.cmake", installed = "cmake/ShellmatchConfig.cmake.in";
-  // These serve the program, the tests and the benchmarks, which nobody links to.
-  static const std::set<std::string> not_linked = {"CLI11", "GTest", "ITK", "benchmark"};
+  // These serve the program, the tests, the benchmarks and the Python module, which nobody links to.
+  static const std::set<std::string> not_linked = {"CLI11", "GTest", "ITK", "Python", "benchmark", "pybind11"};
   const auto lines = tree.files.find(built), config = tree.files.find(installed);
   if (lines == tree.files.end()) return {{built, 0, "does not exist"}};
   if (config == tree.files.end()) return {{installed, 0, "does not exist"}};

@@ -1,0 +1,107 @@
+#include "matching/pair_level.h"
+
+#include "base/error.h"
+#include "grid/fields/mass.h"
+#include "grid/octree/constraints.h"
+#include "matching/alignment/known_pairs.h"
+#include "matching/cascade/cascade.h"
+#include "matching/cascade/size_estimate.h"
+#include "matching/level/level_metric.h"
+#include "matching/pairs/coverage.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+/// Ends a cascade before its last level.
+struct LevelReached {};
+
+template <int Dim>
+bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
+  return std::abs(a.scale - b.scale) <= 1e-9 * b.scale && (a.offset - b.offset).norm() <= 1e-9 * (1 + b.offset.norm());
+}
+
+}  // namespace
+
+template <int Dim>
+PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer)
+    : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(options.cascade.min_level) {
+  prepared_ = prepare_pair(shapes_, landmarks_, options_, observer);
+  if (prepared_.is_backward()) {  // the energy is that of the map from template to reference
+    std::swap(shapes_.reference, shapes_.template_shape);
+    landmarks_ = exchanged(std::move(landmarks_));
+  }
+  check_size<Dim>(refined_measures(shapes_.reference.surface, shapes_.template_shape.surface, options_), options_.cascade.min_level, number_, "");
+  observer.stage("coefficients");
+  d1_.emplace(shapes_.reference.surface);
+  d2_.emplace(shapes_.template_shape.surface);
+  fields_.emplace(*d1_, *d2_, options_);
+  fields_->compute_distances(grid_);
+  for (int l = options_.cascade.min_level;; ++l) {
+    sizes_.push_back({l, grid_.n_nodes(), static_cast<Index>(grid_.free_nodes().size()), static_cast<Index>(grid_.leaves().size())});
+    if (l == number_) break;
+    observer.stage(fmt::format("level {}", l + 1));
+    fields_->refine(grid_);
+    fields_->compute_distances(grid_);
+  }
+  pairs_ = known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_);
+  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_);
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
+  if (number_ == options_.cascade.min_level) return identity();
+  std::optional<Deformation<Dim>> coarser;
+  const auto finished = [&](const LevelResult& result, const LevelState<Dim>& state) {
+    if (result.start.level != number_ - 1) return;
+    coarser = Deformation<Dim>{prepared_.frame(), state.grid, state.phi};
+    throw LevelReached();
+  };
+  observer.stage("matching");
+  PhaseSeconds seconds;
+  try {
+    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_);
+  } catch (const LevelReached&) {
+  }
+  SHELLMATCH_CHECK(coarser.has_value(), "a cascade reports the end of each of its levels");
+  return sampled(*coarser);
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const {
+  std::vector<Vec<Dim>> phi = identity();
+  for (Vec<Dim>& x : phi) x = map.apply_in_unit_domain(x);
+  distribute(grid_, phi);
+  return phi;
+}
+
+template <int Dim>
+bool PairLevel<Dim>::has_frame(const MapFrame<Dim>& frame) const {
+  const MapFrame<Dim> own = prepared_.frame();
+  return frame.is_backward == own.is_backward && same_place(frame.placement, own.placement) && same_place(frame.pose, own.pose);
+}
+
+template <int Dim>
+void PairLevel<Dim>::set_coverage(const std::vector<Vec<Dim>>& phi) {
+  if (!level_->coverage || !level_->covers(options_)) return;
+  const Coverage<Dim> coverage(shapes_.reference.surface, shapes_.template_shape.surface, options_.coverage);
+  level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage.pairs(grid_, phi)));
+}
+
+template <int Dim>
+LevelProblem<Dim> PairLevel<Dim>::problem(const SolverOptions& solver, const std::vector<Vec<Dim>>& phi) {
+  const std::vector<double> all = lumped_mass(grid_);
+  std::vector<double> mass;
+  for (const Index node : level_->unknowns.nodes()) mass.push_back(all[grid_.free_index(node)]);
+  return LevelProblem<Dim>(level_->unknowns, level_->energy, level_->hessian, weights(), mass, phi,
+                           [this, solver](Metric metric) { return level_metric(*level_, solver, weights(), metric); });
+}
+
+template class PairLevel<2>;
+template class PairLevel<3>;
+
+}  // namespace shellmatch

@@ -1,0 +1,79 @@
+"""Options as keyword arguments: texts in YAML's notation, which the library checks as those of a file or of --set."""
+
+from __future__ import annotations
+
+import json
+import numbers
+import re
+from typing import Any, Iterator, Mapping
+
+import numpy as np
+
+from .errors import InputError
+
+_plain = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
+
+
+def _text_of(value: Any, key: str, within_list: bool = False) -> str:
+    if isinstance(value, np.ndarray):
+        value = value.tolist()  # of no axis: the number itself
+    elif isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        number = float(value)
+        return ".nan" if number != number else repr(number)
+    if isinstance(value, str):
+        return value if not within_list or _plain.fullmatch(value) else json.dumps(value, ensure_ascii=False)
+    if hasattr(value, "__fspath__"):
+        return str(value.__fspath__())
+    if isinstance(value, (list, tuple)) and not within_list:
+        return "[" + ", ".join(_text_of(item, key, True) for item in value) + "]"
+    raise InputError(f"option {key}: a value of type {type(value).__name__}; expected a number, a text, a truth value or a list of these")
+
+
+def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
+    for name, value in values.items():
+        if not isinstance(name, str) or not name:
+            raise InputError(f"option {path or 'at the top'}: the key {name!r} is no word")
+        key = f"{path}.{name}" if path else name
+        if isinstance(value, Mapping):
+            if not value:
+                raise InputError(f"option {key}: the section is empty")
+            yield from _flat(value, key)
+        else:
+            yield key, value
+
+
+def option_texts(options: Mapping[str, Any]) -> list[tuple[str, str, str]]:
+    """Key, value and beginning of messages of nested dictionaries or dotted names. A section twice is one section."""
+    texts = []
+    for key, value in _flat(options, ""):
+        text = _text_of(value, key)
+        texts.append((key, text, f"option {key}={text}"))
+    return texts
+
+
+def level_texts(levels: Any) -> list[tuple[str, str, str]]:
+    """Of the argument `levels`, (coarsest, finest); None leaves them to the other options."""
+    if levels is None:
+        return []
+    try:
+        coarsest, finest = levels
+    except (TypeError, ValueError):
+        raise InputError(f"levels={levels!r}: expected the coarsest and the finest level, as (3, 7)") from None
+    origin = f"levels=({coarsest}, {finest})"
+    return [("cascade.min_level", _text_of(coarsest, "levels"), origin), ("cascade.max_level", _text_of(finest, "levels"), origin)]
+
+
+def argument_texts(align: Any, landmarks: Any, levels: Any, options: Mapping[str, Any]) -> list[tuple[str, str, str]]:
+    """Of the arguments that register() and Problem() share. Later ones win: options of their own over `align` and `levels`."""
+    texts = level_texts(levels)
+    if align is not None:
+        texts += option_texts({"align": align if isinstance(align, Mapping) else {"mode": align}})
+    if isinstance(landmarks, Mapping):
+        texts += option_texts({"landmarks": landmarks})
+    return texts + option_texts(options)

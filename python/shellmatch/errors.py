@@ -1,0 +1,25 @@
+"""The exceptions of shellmatch. All derive from Error, and their text is one line that says what to do."""
+
+
+class Error(Exception):
+    """Whatever shellmatch raises on its own account; Ctrl-C stays a KeyboardInterrupt."""
+
+
+class InputError(Error, ValueError):
+    """The input cannot be used: a shape, an array, an option, a file."""
+
+
+class ResourceError(Error):
+    """The machine lacks disk, memory or rights."""
+
+
+class OutOfMemoryError(ResourceError, MemoryError):
+    """There is not enough memory; a lower finest level needs less."""
+
+
+class InternalError(Error, RuntimeError):
+    """A broken invariant: an error of shellmatch's own, worth a report."""
+
+
+class ShellmatchWarning(UserWarning):
+    """Something that a result lacks, or a reason to doubt it."""

@@ -1,0 +1,68 @@
+"""Maps of the plane or of space."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Union
+
+import numpy as np
+
+from . import _core
+from ._arrays import as_points
+
+
+class Map:
+    """A map of the plane or of space, in the coordinates of the shapes. register() makes it, load() reads that of an output folder.
+
+    Points are arrays (N, d), or (d,) for one of them; results have the same number of axes.
+    """
+
+    def __init__(self, core: _core.Map) -> None:
+        self._core = core
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self._core.dimension
+
+    @property
+    def is_backward(self) -> bool:
+        """Whether the template was deformed (align.direction), so that apply() is an inverse."""
+        return self._core.is_backward
+
+    @property
+    def to_unit_domain(self) -> np.ndarray:
+        """4 by 4: pose and placement, from the coordinates of the shape that was deformed to the domain [0, 1]^d of the computation."""
+        return self._core.to_unit_domain
+
+    def apply(self, points: Any) -> np.ndarray:
+        """Where points of the reference go. Beyond the domain they move as its nearest point does.
+
+        NaN only where the matching was solved backward, for points that are the image of none.
+        """
+        rows, single = as_points(points, "points", self.dimension)
+        moved = self._core.apply(rows)
+        return moved[0] if single else moved
+
+    def inverse(self, points: Any) -> np.ndarray:
+        """The points that apply() carries to these, to rounding; NaN where there is none, or where the map is folded."""
+        rows, single = as_points(points, "points", self.dimension)
+        moved = self._core.inverse(rows)
+        return moved[0] if single else moved
+
+    def jacobian(self, points: Any) -> np.ndarray:
+        """Derivatives of apply(): (N, d, d), entry (n, i, j) that of coordinate i in direction j at point n.
+
+        The map is multilinear in each cell: on a face between two cells this is the derivative in one of them. NaN as of apply().
+        """
+        rows, single = as_points(points, "points", self.dimension)
+        derivatives = self._core.jacobian(rows)
+        return derivatives[0] if single else derivatives
+
+    def __repr__(self) -> str:
+        return f"<shellmatch.Map of {'the plane' if self.dimension == 2 else 'space'}>"
+
+
+def load(folder: Union[str, "os.PathLike[str]"]) -> Map:
+    """The map of an output folder, of Result.save() or of the command line; or of its deformation.vtu."""
+    return Map(_core.load_map(os.fspath(folder)))

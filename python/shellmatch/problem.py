@@ -1,0 +1,146 @@
+"""The energy of one level as functions of arrays, for solvers from elsewhere."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._arrays import as_vector
+from ._inputs import landmark_input, shape_input
+from ._options import argument_texts, option_texts
+from .errors import InputError
+from .map import Map
+from .registration import Path, Progress, core_progress
+
+
+@dataclasses.dataclass(frozen=True)
+class Minimum:
+    """What Problem.minimize() has found: where, how low, by which method, why it stopped, and what it cost."""
+
+    x: np.ndarray
+    energy: float
+    solver: str
+    reason: str
+    message: str
+    iterations: int
+    value_evaluations: int
+    gradient_evaluations: int
+    seconds: float
+    notes: List[str]
+    history: List[Dict[str, Any]]
+
+
+class Problem:
+    """The energy that a level of the cascade minimises, of the positions x of its unknown nodes.
+
+    reference, template, landmarks, align, levels, config, options: as of register(). The weights are those of the level's last
+    minimisation, the pairs of coverage, where it acts on the level, those of x0.
+    level: one of `levels`; none: the finest.
+    start: "identity", or "coarser": x0 is the result of the cascade on the level before, as where register() begins with this one.
+
+    The unknowns are in units of the domain's side: component k of unknown node i is x[d i + k]. Where the energy cannot be evaluated
+    (a fold under a term that forbids folds) it is inf, and the gradient is NaN. An object serves one call at a time; others wait.
+    """
+
+    def __init__(
+        self,
+        reference: Any,
+        template: Any,
+        landmarks: Any = None,
+        align: Union[str, Mapping[str, Any], None] = "auto",
+        levels: Optional[Tuple[int, int]] = (3, 7),
+        *,
+        level: Optional[int] = None,
+        start: str = "identity",
+        progress: Optional[Progress] = None,
+        config: Optional[Path] = None,
+        **options: Any,
+    ) -> None:
+        if start not in ("identity", "coarser"):
+            raise InputError(f"start={start!r}: expected 'identity' or 'coarser'")
+        if level is not None and (isinstance(level, bool) or not isinstance(level, (int, np.integer)) or not 0 < level < 100):
+            raise InputError(f"level={level!r}: expected the number of a level")
+        texts, points = landmark_input(landmarks)
+        self._core = _core.Problem(
+            shape_input(reference, "reference"),
+            shape_input(template, "template"),
+            None if level is None else int(level),
+            start == "coarser",
+            argument_texts(align, landmarks, levels, options) + texts,
+            "" if config is None else os.fspath(config),
+            points,
+            core_progress(progress),
+        )
+
+    @property
+    def x0(self) -> np.ndarray:
+        """Where the minimisation begins; read only."""
+        return self._core.x0
+
+    @property
+    def size(self) -> int:
+        """The number of unknowns."""
+        return len(self._core.x0)
+
+    @property
+    def level(self) -> int:
+        """The number of the level."""
+        return self._core.level
+
+    @property
+    def sizes(self) -> Dict[int, Dict[str, int]]:
+        """Numbers of nodes, free_nodes (those that do not hang) and cells of this level and those before it."""
+        return self._core.sizes
+
+    @property
+    def mass(self) -> np.ndarray:
+        """The lumped mass of each unknown: in y = sqrt(mass) x the Euclidean metric is that of L2 (docs/solvers.md). Read only."""
+        return self._core.mass
+
+    @property
+    def notes(self) -> List[str]:
+        """What was said while the level was made."""
+        return self._core.notes
+
+    def energy(self, x: Any) -> float:
+        """The energy at x; inf where it cannot be evaluated."""
+        return self._core.energy(as_vector(x, "x"))
+
+    def gradient(self, x: Any) -> np.ndarray:
+        """Its Euclidean gradient; NaN where it cannot be evaluated."""
+        return self._core.energy_and_gradient(as_vector(x, "x"))[1]
+
+    def energy_and_gradient(self, x: Any) -> Tuple[float, np.ndarray]:
+        """Both at once, for the cost of the gradient: what scipy.optimize.minimize takes with jac=True."""
+        return self._core.energy_and_gradient(as_vector(x, "x"))
+
+    def terms(self, x: Any) -> Dict[str, float]:
+        """The weighted terms whose sum is the energy; NaN where it cannot be evaluated."""
+        return self._core.terms(as_vector(x, "x"))
+
+    def hessp(self, x: Any, v: Any) -> np.ndarray:
+        """H(x) v, where H is Newton's model of the second derivative: symmetric, positive semidefinite, not the derivative itself.
+
+        The matrix is kept until another x comes. As scipy's hessp, for its methods Newton-CG and trust-*.
+        """
+        return self._core.model_times(as_vector(x, "x"), as_vector(v, "v"))
+
+    def map(self, x: Any) -> Map:
+        """The map with these unknowns, in the coordinates of the shapes."""
+        return Map(self._core.map(as_vector(x, "x")))
+
+    def minimize(self, x0: Any = None, *, progress: Optional[Progress] = None, **solver: Any) -> Minimum:
+        """Minimises by a method of shellmatch's own (docs/solvers.md).
+
+        solver: options of that section, as name="lbfgs", metric="l2", stop={"max_iterations": 50}; the rest as the Problem was made.
+        """
+        start = self.x0 if x0 is None else as_vector(x0, "x0")
+        texts = [(f"solver.{key}", value, f"option solver.{key}={value}") for key, value, _ in option_texts(solver)]
+        return Minimum(**self._core.minimize(start, texts, core_progress(progress)))
+
+    def __repr__(self) -> str:
+        return f"<shellmatch.Problem: level {self.level}, {self.size} unknowns>"
