@@ -29,13 +29,14 @@ bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
 
 template <int Dim>
 PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer)
-    : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(options.cascade.min_level) {
+    : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(1) {
   prepared_ = prepare_pair(shapes_, landmarks_, options_, observer);
   if (prepared_.is_backward()) {  // the energy is that of the map from template to reference
     std::swap(shapes_.reference, shapes_.template_shape);
     landmarks_ = exchanged(std::move(landmarks_));
   }
   check_size<Dim>(refined_measures(shapes_.reference.surface, shapes_.template_shape.surface, options_), options_.cascade.min_level, number_, "");
+  grid_ = Octree<Dim>(options_.cascade.min_level);  // not before its size is known to fit
   observer.stage("coefficients");
   d1_.emplace(shapes_.reference.surface);
   d2_.emplace(shapes_.template_shape.surface);

@@ -48,12 +48,18 @@ def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
             yield key, value
 
 
+def _printable(text: str) -> str:
+    """For messages, which are one line."""
+    text = text if text.isprintable() else repr(text)
+    return text if len(text) <= 100 else text[:100] + "..."
+
+
 def option_texts(options: Mapping[str, Any]) -> list[tuple[str, str, str]]:
     """Key, value and beginning of messages of nested dictionaries or dotted names. A section twice is one section."""
     texts = []
     for key, value in _flat(options, ""):
         text = _text_of(value, key)
-        texts.append((key, text, f"option {key}={text}"))
+        texts.append((key, text, f"option {key}={_printable(text)}"))
     return texts
 
 
@@ -62,7 +68,7 @@ def level_texts(levels: Any) -> list[tuple[str, str, str]]:
     if levels is None:
         return []
     try:
-        coarsest, finest = levels
+        coarsest, finest = None if isinstance(levels, (str, bytes)) else levels
     except (TypeError, ValueError):
         raise InputError(f"levels={levels!r}: expected the coarsest and the finest level, as (3, 7)") from None
     origin = f"levels=({coarsest}, {finest})"

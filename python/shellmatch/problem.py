@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -43,7 +43,8 @@ class Problem:
     start: "identity", or "coarser": x0 is the result of the cascade on the level before, as where register() begins with this one.
 
     The unknowns are in units of the domain's side: component k of unknown node i is x[d i + k]. Where the energy cannot be evaluated
-    (a fold under a term that forbids folds) it is inf, and the gradient is NaN. An object serves one call at a time; others wait.
+    (a fold under a term that forbids folds) it is inf, and the gradient is NaN; objective() is for methods that cannot take that. An
+    object serves one call at a time; others wait.
     """
 
     def __init__(
@@ -51,8 +52,8 @@ class Problem:
         reference: Any,
         template: Any,
         landmarks: Any = None,
-        align: Union[str, Mapping[str, Any], None] = "auto",
-        levels: Optional[Tuple[int, int]] = (3, 7),
+        align: Union[str, Mapping[str, Any], None] = None,
+        levels: Optional[Tuple[int, int]] = None,
         *,
         level: Optional[int] = None,
         start: str = "identity",
@@ -117,6 +118,21 @@ class Problem:
     def energy_and_gradient(self, x: Any) -> Tuple[float, np.ndarray]:
         """Both at once, for the cost of the gradient: what scipy.optimize.minimize takes with jac=True."""
         return self._core.energy_and_gradient(as_vector(x, "x"))
+
+    def objective(self, wall: float = 10.0) -> Callable[[Any], Tuple[float, np.ndarray]]:
+        """energy_and_gradient() for methods that do not know inf: beyond the wall the value is wall times the energy at x0, the gradient 0.
+
+        scipy's L-BFGS-B takes inf within a line search for convergence, and ends where it has hardly begun.
+        """
+        height = float(wall) * abs(self.energy(self.x0))
+        if not 0 < height < float("inf"):
+            raise InputError(f"wall={wall!r}: expected a number > 0, and an energy at x0 that is one")
+
+        def value(x: Any) -> Tuple[float, np.ndarray]:
+            energy, gradient = self.energy_and_gradient(x)
+            return (energy, gradient) if energy < float("inf") else (height, np.zeros_like(gradient))
+
+        return value
 
     def terms(self, x: Any) -> Dict[str, float]:
         """The weighted terms whose sum is the energy; NaN where it cannot be evaluated."""

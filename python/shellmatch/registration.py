@@ -192,8 +192,8 @@ def register(
     reference: Any,
     template: Any,
     landmarks: Any = None,
-    align: Union[str, Mapping[str, Any], None] = "auto",
-    levels: Optional[Tuple[int, int]] = (3, 7),
+    align: Union[str, Mapping[str, Any], None] = None,
+    levels: Optional[Tuple[int, int]] = None,
     *,
     progress: Optional[Progress] = None,
     config: Optional[Path] = None,
@@ -209,9 +209,10 @@ def register(
     landmarks: (points of the reference, points of the template[, weights]), points as rows of coordinates or as numbers of
         vertices; or one or two files (docs/landmarks.md); or a dictionary of options of that section.
     align: "auto", "none", "rigid", "similarity" or "landmarks", or a dictionary of options of that section (docs/alignment.md).
-    levels: the coarsest and the finest level. None: as `config` or the options say.
+        None: as the profile or `config` has it, "auto" by default.
+    levels: the coarsest and the finest level. None: as the profile or `config` has them, (3, 7) by default.
     progress: called with an Event; the run ends with what it has where that returns False after a step.
-    config: a YAML file of options, as for `shellmatch run`; its shapes are not used. align=None and levels=None leave its own.
+    config: a YAML file of options, as for `shellmatch run`; its shapes are not used.
     options: every option of docs/options.md, as energy={"delta": 0.5} or **{"energy.delta": 0.5}; threads=1.
 
     The result is that of the command line to the bit, for the same options and vertices. The run holds no lock of the interpreter's;
