@@ -5,11 +5,15 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .errors import InputError
 
+Array = NDArray[Any]
+Floats = NDArray[np.float64]
 
-def as_array(value: Any, name: str) -> np.ndarray:
+
+def as_array(value: Any, name: str) -> Array:
     """A numeric array of any shape, without a copy where it is one already."""
     try:
         array = np.asarray(value)
@@ -20,7 +24,7 @@ def as_array(value: Any, name: str) -> np.ndarray:
     return array
 
 
-def as_rows(value: Any, name: str, columns: Sequence[int]) -> np.ndarray:
+def as_rows(value: Any, name: str, columns: Sequence[int]) -> Floats:
     """Doubles in rows, C-contiguous; no copy where the array is so already. Rows may be absent, columns may not."""
     array = as_array(value, name)
     if array.ndim != 2 or array.shape[1] not in columns:
@@ -29,14 +33,14 @@ def as_rows(value: Any, name: str, columns: Sequence[int]) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def as_points(value: Any, name: str, dimension: int) -> tuple[np.ndarray, bool]:
+def as_points(value: Any, name: str, dimension: int) -> tuple[Floats, bool]:
     """Rows of points, and whether the value was one point alone, of shape (dimension,)."""
     array = as_array(value, name)
     single = array.ndim == 1 and array.shape[0] == dimension
     return as_rows(array[None, :] if single else array, name, (dimension,)), single
 
 
-def as_vector(value: Any, name: str) -> np.ndarray:
+def as_vector(value: Any, name: str) -> Floats:
     """Doubles, C-contiguous, of one axis."""
     array = as_array(value, name)
     if array.ndim != 1:
@@ -44,7 +48,7 @@ def as_vector(value: Any, name: str) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def as_indices(value: Any, name: str) -> np.ndarray:
+def as_indices(value: Any, name: str) -> Array:
     """Whole numbers of 64 bits, C-contiguous. Numbers with a fraction are refused rather than cut off."""
     array = as_array(value, name)
     if array.dtype.kind == "f" and array.size > 0:

@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._arrays import as_array, as_indices, as_rows
+from ._arrays import Array, as_array, as_indices, as_rows
 from .errors import InputError
 
 
@@ -63,6 +63,7 @@ def _mesh(vertices: Any, faces: Any, name: str) -> _core.ShapeInput:
     points = as_rows(vertices, f"{name} vertices", (2, 3))
     if points.shape[1] == 2:
         return _core.ShapeInput.rings(name, _rings_of_segments(points, as_indices(faces, f"{name} segments"), name))
+    blocks: list[Any]
     if isinstance(faces, np.ndarray) and faces.dtype != object:
         blocks = [faces]
     else:  # lists may have polygons of several sizes; those of one size in a row are one block
@@ -70,7 +71,7 @@ def _mesh(vertices: Any, faces: Any, name: str) -> _core.ShapeInput:
     return _core.ShapeInput.mesh(name, points, [_polygons(block, name) for block in blocks])
 
 
-def _polygons(block: Any, name: str) -> np.ndarray:
+def _polygons(block: Any, name: str) -> Array:
     indices = as_indices(block, f"{name} faces")
     if indices.ndim != 2 or indices.shape[1] < 3:
         raise InputError(f"{name} faces: an array of shape {indices.shape}; expected (F, 3), or (F, 4) for quads")
@@ -90,7 +91,7 @@ def _blocks(faces: Any, name: str) -> list[list[Any]]:
     return blocks
 
 
-def _rings_of_segments(points: np.ndarray, segments: np.ndarray, name: str) -> list[np.ndarray]:
+def _rings_of_segments(points: Array, segments: Array, name: str) -> list[Array]:
     """Closed rings, each in the order of its segments, from where the first segment begins."""
     if segments.ndim != 2 or segments.shape[1] != 2:
         raise InputError(f"{name} segments: an array of shape {segments.shape}; expected (S, 2)")
@@ -135,7 +136,7 @@ def _of_meshio(mesh: Any, name: str) -> _core.ShapeInput:
 def _of_pyvista(mesh: Any, name: str) -> _core.ShapeInput:
     """A PolyData, whose faces are [n, v1, ..., vn, n, ...]."""
     flat = as_indices(mesh.faces, f"{name} faces").ravel()
-    blocks: list[list[np.ndarray]] = []
+    blocks: list[list[Array]] = []
     at = 0
     while at < len(flat):
         n = int(flat[at])
@@ -198,7 +199,7 @@ def landmark_input(landmarks: Any) -> tuple[list[tuple[str, str, str]], Optional
     return [], (sides[0], sides[1], weights)
 
 
-def _landmark_points(points: Any, name: str) -> np.ndarray:
+def _landmark_points(points: Any, name: str) -> Array:
     array = as_array(points, name)
     if array.ndim == 1:  # numbers of vertices
         return as_indices(array, name)

@@ -68,7 +68,9 @@ def level_texts(levels: Any) -> list[tuple[str, str, str]]:
     if levels is None:
         return []
     try:
-        coarsest, finest = None if isinstance(levels, (str, bytes)) else levels
+        if isinstance(levels, (str, bytes)):
+            raise TypeError
+        coarsest, finest = levels
     except (TypeError, ValueError):
         raise InputError(f"levels={levels!r}: expected the coarsest and the finest level, as (3, 7)") from None
     origin = f"levels=({coarsest}, {finest})"

@@ -5,10 +5,13 @@ from __future__ import annotations
 import os
 from typing import Any, Union
 
-import numpy as np
-
 from . import _core
-from ._arrays import as_points
+from ._arrays import Floats, as_points
+
+
+def _without_axis(rows: Floats, single: bool) -> Floats:
+    """The row itself where there is one point alone."""
+    return rows.reshape(rows.shape[1:]) if single else rows
 
 
 class Map:
@@ -31,33 +34,30 @@ class Map:
         return self._core.is_backward
 
     @property
-    def to_unit_domain(self) -> np.ndarray:
+    def to_unit_domain(self) -> Floats:
         """4 by 4: pose and placement, from the coordinates of the shape that was deformed to the domain [0, 1]^d of the computation."""
         return self._core.to_unit_domain
 
-    def apply(self, points: Any) -> np.ndarray:
+    def apply(self, points: Any) -> Floats:
         """Where points of the reference go. Beyond the domain they move as its nearest point does.
 
         NaN only where the matching was solved backward, for points that are the image of none.
         """
         rows, single = as_points(points, "points", self.dimension)
-        moved = self._core.apply(rows)
-        return moved[0] if single else moved
+        return _without_axis(self._core.apply(rows), single)
 
-    def inverse(self, points: Any) -> np.ndarray:
+    def inverse(self, points: Any) -> Floats:
         """The points that apply() carries to these, to rounding; NaN where there is none, or where the map is folded."""
         rows, single = as_points(points, "points", self.dimension)
-        moved = self._core.inverse(rows)
-        return moved[0] if single else moved
+        return _without_axis(self._core.inverse(rows), single)
 
-    def jacobian(self, points: Any) -> np.ndarray:
+    def jacobian(self, points: Any) -> Floats:
         """Derivatives of apply(): (N, d, d), entry (n, i, j) that of coordinate i in direction j at point n.
 
         The map is multilinear in each cell: on a face between two cells this is the derivative in one of them. NaN as of apply().
         """
         rows, single = as_points(points, "points", self.dimension)
-        derivatives = self._core.jacobian(rows)
-        return derivatives[0] if single else derivatives
+        return _without_axis(self._core.jacobian(rows), single)
 
     def __repr__(self) -> str:
         return f"<shellmatch.Map of {'the plane' if self.dimension == 2 else 'space'}>"

@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._arrays import as_vector
+from ._arrays import Floats, as_vector
 from ._inputs import landmark_input, shape_input
 from ._options import argument_texts, option_texts
 from .errors import InputError
@@ -21,7 +21,7 @@ from .registration import Path, Progress, core_progress
 class Minimum:
     """What Problem.minimize() has found: where, how low, by which method, why it stopped, and what it cost."""
 
-    x: np.ndarray
+    x: Floats
     energy: float
     solver: str
     reason: str
@@ -78,7 +78,7 @@ class Problem:
         )
 
     @property
-    def x0(self) -> np.ndarray:
+    def x0(self) -> Floats:
         """Where the minimisation begins; read only."""
         return self._core.x0
 
@@ -98,7 +98,7 @@ class Problem:
         return self._core.sizes
 
     @property
-    def mass(self) -> np.ndarray:
+    def mass(self) -> Floats:
         """The lumped mass of each unknown: in y = sqrt(mass) x the Euclidean metric is that of L2 (docs/solvers.md). Read only."""
         return self._core.mass
 
@@ -111,15 +111,15 @@ class Problem:
         """The energy at x; inf where it cannot be evaluated."""
         return self._core.energy(as_vector(x, "x"))
 
-    def gradient(self, x: Any) -> np.ndarray:
+    def gradient(self, x: Any) -> Floats:
         """Its Euclidean gradient; NaN where it cannot be evaluated."""
         return self._core.energy_and_gradient(as_vector(x, "x"))[1]
 
-    def energy_and_gradient(self, x: Any) -> Tuple[float, np.ndarray]:
+    def energy_and_gradient(self, x: Any) -> Tuple[float, Floats]:
         """Both at once, for the cost of the gradient: what scipy.optimize.minimize takes with jac=True."""
         return self._core.energy_and_gradient(as_vector(x, "x"))
 
-    def objective(self, wall: float = 10.0) -> Callable[[Any], Tuple[float, np.ndarray]]:
+    def objective(self, wall: float = 10.0) -> Callable[[Any], Tuple[float, Floats]]:
         """energy_and_gradient() for methods that do not know inf: beyond the wall the value is wall times the energy at x0, the gradient 0.
 
         scipy's L-BFGS-B takes inf within a line search for convergence, and ends where it has hardly begun.
@@ -128,7 +128,7 @@ class Problem:
         if not 0 < height < float("inf"):
             raise InputError(f"wall={wall!r}: expected a number > 0, and an energy at x0 that is one")
 
-        def value(x: Any) -> Tuple[float, np.ndarray]:
+        def value(x: Any) -> Tuple[float, Floats]:
             energy, gradient = self.energy_and_gradient(x)
             return (energy, gradient) if energy < float("inf") else (height, np.zeros_like(gradient))
 
@@ -138,7 +138,7 @@ class Problem:
         """The weighted terms whose sum is the energy; NaN where it cannot be evaluated."""
         return self._core.terms(as_vector(x, "x"))
 
-    def hessp(self, x: Any, v: Any) -> np.ndarray:
+    def hessp(self, x: Any, v: Any) -> Floats:
         """H(x) v, where H is Newton's model of the second derivative: symmetric, positive semidefinite, not the derivative itself.
 
         The matrix is kept until another x comes. As scipy's hessp, for its methods Newton-CG and trust-*.

@@ -8,9 +8,8 @@ import os
 import warnings
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
-import numpy as np
-
 from . import _core
+from ._arrays import Floats
 from ._inputs import landmark_input, shape_input
 from ._options import argument_texts
 from .errors import ShellmatchWarning
@@ -69,8 +68,8 @@ class Distances:
     mean, p95, max, and with template_ before: of the surfaces. uncovered: share of the template farther than 0.01.
     """
 
-    deformed_to_template: np.ndarray
-    template_to_deformed: np.ndarray
+    deformed_to_template: Floats
+    template_to_deformed: Floats
     mean: float
     p95: float
     max: float
@@ -89,7 +88,7 @@ class Result:
         self._map = Map(core.map)
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Floats:
         """The vertices of the reference in their order, moved; (V, d), read only, no copy."""
         return self._core.vertices
 
@@ -98,20 +97,20 @@ class Result:
         """The map of the whole domain."""
         return self._map
 
-    def apply(self, points: Any) -> np.ndarray:
+    def apply(self, points: Any) -> Floats:
         """Map.apply() of the map."""
         return self._map.apply(points)
 
-    def inverse(self, points: Any) -> np.ndarray:
+    def inverse(self, points: Any) -> Floats:
         """Map.inverse() of the map."""
         return self._map.inverse(points)
 
-    def jacobian(self, points: Any) -> np.ndarray:
+    def jacobian(self, points: Any) -> Floats:
         """Map.jacobian() of the map."""
         return self._map.jacobian(points)
 
     @property
-    def attributes(self) -> Dict[str, np.ndarray]:
+    def attributes(self) -> Dict[str, Floats]:
         """Values at the vertices: distance_to_template, area_ratio (length_ratio), the nearest point of the template (docs/output.md)."""
         return self._core.attributes
 
