@@ -1,4 +1,6 @@
-"""Makes a wheel of the Python package by CMake: the build backend of pyproject.toml (PEP 517, PEP 660), of the standard library alone.
+"""Makes a wheel of the Python package by CMake: the build backend of pyproject.toml (PEP 517, PEP 660).
+
+It needs the standard library alone.
 
 The module is built in build/python, which a second call finds again. Settings of pip's:
     --config-settings=preset=release       another preset of CMakePresets.json: what scripts/build has built is not built again
@@ -52,7 +54,9 @@ def _build(settings):
             raise SystemExit(f"shellmatch: the setting {key!r} is unknown; there are preset and cmake")
     for tool in ("cmake", "ninja"):
         if shutil.which(tool) is None:
-            raise SystemExit(f"shellmatch: {tool} is missing; scripts/install-dependencies --python installs what the build needs")
+            raise SystemExit(
+                f"shellmatch: {tool} is missing; scripts/install-dependencies --python installs what the build needs"
+            )
     preset = settings.get("preset", "python")
     arguments = ["-DSHELLMATCH_PYTHON=ON"]
     if preset == "python":  # other presets keep their interpreter, which tests may use
@@ -70,7 +74,12 @@ def _build(settings):
 
 
 def _metadata(project):
-    lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {project['version']}", f"Summary: {project['description']}"]
+    lines = [
+        "Metadata-Version: 2.1",
+        f"Name: {project['name']}",
+        f"Version: {project['version']}",
+        f"Summary: {project['description']}",
+    ]
     lines += [f"Requires-Python: {project['requires-python']}"]
     lines += [f"Requires-Dist: {name}" for name in project["dependencies"]]
     return "\n".join(lines) + "\n"
@@ -120,7 +129,11 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = _build(config_settings)
     module = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
-    names = sorted(path.name for path in (root / "python" / "shellmatch").iterdir() if path.suffix in (".py", ".pyi") or path.name == "py.typed")
+    names = sorted(
+        path.name
+        for path in (root / "python" / "shellmatch").iterdir()
+        if path.suffix in (".py", ".pyi") or path.name == "py.typed"
+    )
     return _wheel(wheel_directory, [(f"shellmatch/{name}", (package / name).read_bytes()) for name in names + [module]])
 
 

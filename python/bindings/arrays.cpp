@@ -6,12 +6,14 @@ namespace shellmatch::python {
 
 template <int Dim>
 std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name) {
-  if (rows.ndim() != 2 || rows.shape(1) != Dim) throw_input_error("{}: expected an array with {} columns", name, Dim);
+  if (rows.ndim() != 2 || rows.shape(1) != Dim)
+    throw_input_error("{}: expected an array with {} columns", name, Dim);
   const auto values = rows.unchecked<2>();
   std::vector<Vec<Dim>> points(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     for (int k = 0; k < Dim; ++k) points[static_cast<std::size_t>(i)][k] = values(i, k);
-    if (!points[static_cast<std::size_t>(i)].allFinite()) throw_input_error("{}: row {} (counted from 0) is not finite", name, i);
+    if (!points[static_cast<std::size_t>(i)].allFinite())
+      throw_input_error("{}: row {} (counted from 0) is not finite", name, i);
   }
   return points;
 }
@@ -19,7 +21,8 @@ std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name) {
 template std::vector<Vec<2>> points_of<2>(const Doubles&, const std::string&);
 template std::vector<Vec<3>> points_of<3>(const Doubles&, const std::string&);
 
-std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices, const std::string& name) {
+std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices,
+                                            const std::string& name) {
   if (rows.ndim() != 2) throw_input_error("{}: expected an array of two axes", name);
   const auto values = rows.unchecked<2>();
   std::vector<std::vector<Index>> polygons(static_cast<std::size_t>(rows.shape(0)));
@@ -27,7 +30,8 @@ std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_
     for (py::ssize_t k = 0; k < rows.shape(1); ++k) {
       const std::int64_t v = values(i, k);
       if (v < 0 || v >= static_cast<std::int64_t>(n_vertices))
-        throw_input_error("{}: row {} names vertex {}; there are vertices 0 to {}", name, i, v, static_cast<std::int64_t>(n_vertices) - 1);
+        throw_input_error("{}: row {} names vertex {}; there are vertices 0 to {}", name, i, v,
+                          static_cast<std::int64_t>(n_vertices) - 1);
       polygons[static_cast<std::size_t>(i)].push_back(static_cast<Index>(v));
     }
   return polygons;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Between numpy's arrays and the library's vectors. Shapes and types of arrays are checked in Python (shellmatch/_arrays.py); what
-/// would be read beyond an end is checked here, too.
+/// Between numpy's arrays and the library's vectors. Shapes and types of arrays are checked in Python
+/// (shellmatch/_arrays.py); what would be read beyond an end is checked here, too.
 
 #include "base/types.h"
 
@@ -19,14 +19,17 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// Points from rows of an array. \throws InputError where it has not Dim columns, or where a coordinate is not finite: `name`, row
+/// Points from rows of an array. \throws InputError where it has not Dim columns, or where a coordinate is
+/// not finite: `name`, row
 template <int Dim>
 std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name);
 
 /// Polygons from rows of indices. \throws InputError for indices below 0 or from n_vertices on
-std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices, const std::string& name);
+std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices,
+                                            const std::string& name);
 
-/// An array of the same memory that cannot be written to, and that keeps `owner` alive. \param shape of the array
+/// An array of the same memory that cannot be written to, and that keeps `owner` alive. \param shape of the
+/// array
 py::array_t<double> view_of(const double* data, std::vector<py::ssize_t> shape, py::handle owner);
 
 /// An array that owns the values. \param shape their number in all, by axes

@@ -15,9 +15,10 @@ namespace {
 namespace py = pybind11;
 using Clock = std::chrono::steady_clock;
 
-// A thread that waits for the turn holds no lock of the interpreter's, so that who has the turn can always call Python.
+// A thread that waits for the turn holds no lock of the interpreter's, so that who has the turn can always
+// call Python.
 std::recursive_mutex turn;
-int depth = 0;                          // of nested computations; belongs to whoever has the turn
+int depth = 0;  // of nested computations; belongs to whoever has the turn
 thread_local bool has_turn = false;
 std::atomic<bool> stop_wanted = false;  // read by all threads of the loops
 Clock::time_point last_check;
@@ -26,7 +27,8 @@ struct KeptError {
 };
 thread_local KeptError kept;  // of stop_with_python_error()
 
-// Asked before each chunk of each loop, by all its threads. Signals are Python's business, so the thread that was called asks it.
+// Asked before each chunk of each loop, by all its threads. Signals are Python's business, so the thread that
+// was called asks it.
 StopCause question() {
   constexpr auto interval = std::chrono::milliseconds(50);
   if (stop_wanted.load(std::memory_order_relaxed)) return StopCause::request;

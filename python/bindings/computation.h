@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Calls that compute: without the interpreter's lock, one at a time in the process, and stopped by Python's signals.
+/// Calls that compute: without the interpreter's lock, one at a time in the process, and stopped by Python's
+/// signals.
 
 #include "base/stop.h"
 
@@ -8,10 +9,10 @@
 
 namespace shellmatch::python {
 
-/// While it lives, the interpreter's lock is released, and this thread has the turn: other threads that want to compute wait. The stop
-/// question of the parallel loops (base/stop.h) asks Python for signals, at most every twentieth of a second. May be nested, in a
-/// callback of Python's.
-/// \pre the interpreter's lock is held where it begins and ends
+/// While it lives, the interpreter's lock is released, and this thread has the turn: other threads that want
+/// to compute wait. The stop question of the parallel loops (base/stop.h) asks Python for signals, at most
+/// every twentieth of a second. May be nested, in a callback of Python's. \pre the interpreter's lock is held
+/// where it begins and ends
 class Computation {
  public:
   Computation();
@@ -26,10 +27,12 @@ class Computation {
 /// Keeps the Python error that is set, and makes the loops stop. \pre the interpreter's lock is held
 void stop_with_python_error();
 
-/// Throws the Python error that stop_with_python_error() has kept, if there is one. \pre the interpreter's lock is held
+/// Throws the Python error that stop_with_python_error() has kept, if there is one. \pre the interpreter's
+/// lock is held
 void throw_kept_error();
 
-/// body() within a Computation. Where Python code that it called has raised, that error goes on from here, whatever became of body().
+/// body() within a Computation. Where Python code that it called has raised, that error goes on from here,
+/// whatever became of body().
 template <class Body>
 auto compute(Body&& body) {
   try {

@@ -24,16 +24,19 @@ void bind_shape_input(pybind11::module_& module);
 /// Options as full key, value in YAML's notation, and the beginning of messages.
 using OptionTexts = std::vector<std::tuple<std::string, std::string, std::string>>;
 
-/// The options of a YAML file, where `config` names one, changed by these. `input` names the shapes that are files, and no others.
-/// \throws InputError
-ExperimentOptions options_of(const std::string& config, const OptionTexts& texts, const std::array<ShapeInput, 2>& shapes);
+/// The options of a YAML file, where `config` names one, changed by these. `input` names the shapes that are
+/// files, and no others. \throws InputError
+ExperimentOptions options_of(const std::string& config, const OptionTexts& texts,
+                             const std::array<ShapeInput, 2>& shapes);
 
 /// Points of one shape: positions, or numbers of its vertices.
 struct GivenPoints {
   std::vector<double> positions;       ///< row by row
   std::vector<std::int64_t> vertices;  ///< where there are no positions
   int n_columns = 0;                   ///< of the positions; 0 for vertices
-  std::size_t size() const { return n_columns > 0 ? positions.size() / static_cast<std::size_t>(n_columns) : vertices.size(); }
+  std::size_t size() const {
+    return n_columns > 0 ? positions.size() / static_cast<std::size_t>(n_columns) : vertices.size();
+  }
 };
 
 struct GivenLandmarks {
@@ -46,7 +49,7 @@ GivenLandmarks landmarks_from(const pybind11::object& given);
 
 /// The landmarks of the files that the options name, or those given. \throws InputError
 template <int Dim>
-std::vector<Landmark<Dim>> landmarks_of(const GivenLandmarks& given, const ExperimentOptions& options, const ShapePair<Dim>& shapes,
-                                        Observer& observer);
+std::vector<Landmark<Dim>> landmarks_of(const GivenLandmarks& given, const ExperimentOptions& options,
+                                        const ShapePair<Dim>& shapes, Observer& observer);
 
 }  // namespace shellmatch::python

@@ -11,8 +11,9 @@
 
 namespace shellmatch::python {
 
-/// Keeps what the run says, and calls `callback` (kind, text, level, substep, n_substeps, iteration, energy, gradient_norm), where it is
-/// not None. An exception of Python's ends the run (computation.h); False after a step asks the run to end with what it has.
+/// Keeps what the run says, and calls `callback` (kind, text, level, substep, n_substeps, iteration, energy,
+/// gradient_norm), where it is not None. An exception of Python's ends the run (computation.h); False after a
+/// step asks the run to end with what it has.
 class PythonObserver final : public Observer {
  public:
   explicit PythonObserver(pybind11::object callback) : callback_(std::move(callback)) {}
@@ -31,7 +32,8 @@ class PythonObserver final : public Observer {
   std::vector<std::string> notes, warnings;
 
  private:
-  bool call(const char* kind, const std::string& text, const LevelStart& start = {}, int iteration = 0, double energy = 0, double gradient_norm = 0);
+  bool call(const char* kind, const std::string& text, const LevelStart& start = {}, int iteration = 0,
+            double energy = 0, double gradient_norm = 0);
 
   pybind11::object callback_;
 };

@@ -3,16 +3,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade/size_estimate.h"
-#include "matching/experiment/level_solver.h"
-#include "matching/experiment/yaml_options.h"
-#include "matching/pair_level.h"
+#include "python/bindings/any_level.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/computation.h"
-#include "python/bindings/inputs.h"
-#include "python/bindings/map.h"
-#include "python/bindings/observer.h"
-#include "solvers/methods/fallback.h"
 
 #include <pybind11/stl.h>
 
@@ -25,96 +19,12 @@ namespace shellmatch::python {
 
 namespace {
 
-/// What minimise() returns.
-struct Minimum {
-  std::vector<double> x;
-  MinimizerSummary summary;
-  std::vector<IterationRecord> records;
-  std::vector<std::string> term_names, notes;
-};
-
-/// A level of either dimension. \pre of all but the sizes: within compute()
-class AnyLevel {
- public:
-  virtual ~AnyLevel() = default;
-  virtual std::vector<double> start() = 0;
-  virtual std::vector<double> mass() = 0;
-  virtual bool evaluate(const std::vector<double>& x, double& value, std::span<double> gradient) = 0;
-  virtual std::vector<std::string> term_names() = 0;
-  virtual std::vector<double> term_values() = 0;
-  virtual std::vector<double> model_times(const std::vector<double>& x, const std::vector<double>& v) = 0;
-  virtual Map map(const std::vector<double>& x) = 0;
-  virtual Minimum minimise(std::vector<double> x, const OptionTexts& texts, PythonObserver& observer) = 0;
-  virtual const std::vector<LevelSize>& sizes() const = 0;
-  virtual int number() const = 0;
-};
-
-template <int Dim>
-class LevelOf final : public AnyLevel {
- public:
-  LevelOf(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, bool from_coarser, Observer& observer)
-      : level_(std::move(shapes), std::move(landmarks), options, level, observer),
-        phi_(from_coarser ? level_.coarser_result(observer) : level_.identity()),
-        problem_(level_.problem(solver_at_level(options.solver, level), phi_)) {
-    level_.set_coverage(phi_);
-  }
-
-  std::vector<double> start() override { return problem_.unknowns_of(phi_); }
-  std::vector<double> mass() override { return {problem_.lumped_mass().begin(), problem_.lumped_mass().end()}; }
-  bool evaluate(const std::vector<double>& x, double& value, std::span<double> gradient) override { return problem_.evaluate(x, value, gradient); }
-  std::vector<std::string> term_names() override { return problem_.term_names(); }
-  std::vector<double> term_values() override { return problem_.term_values(); }
-
-  std::vector<double> model_times(const std::vector<double>& x, const std::vector<double>& v) override {
-    if (x != model_at_) {
-      double value = 0;
-      model_at_.clear();
-      if (!problem_.evaluate(x, value, {})) throw_input_error("the energy cannot be evaluated at x: {}", problem_.what_is_not_finite(x));
-      problem_.prepare_second_derivative(x, {});
-      model_at_ = x;
-    }
-    std::vector<double> product(v.size());
-    problem_.apply_second_derivative(v, product);
-    return product;
-  }
-
-  Map map(const std::vector<double>& x) override { return Map(std::make_shared<const Deformation<Dim>>(level_.map(problem_.positions(x)))); }
-
-  Minimum minimise(std::vector<double> x, const OptionTexts& texts, PythonObserver& observer) override {
-    ExperimentOptions options = level_.options();
-    for (const auto& [key, value, origin] : texts) apply_override(options, Override{key, value, origin});
-    check_experiment(options);
-    const SolverOptions solver = solver_at_level(options.solver, level_.number());
-    LevelProblem<Dim> problem = level_.problem(solver, problem_.positions(x));
-    model_at_.clear();  // Newton's method uses the same matrix
-    Minimum minimum;
-    minimum.summary = minimize_with_fallback(solver, problem, x, solver.stop,
-                                             [&](const IterationRecord& record) {
-                                               minimum.records.push_back(record);
-                                               return observer.iterated(record);
-                                             },
-                                             [&](const std::string& change) { observer.note(change); });
-    if (minimum.summary.reason == StopReason::cannot_evaluate_start) throw_input_error("the energy cannot be evaluated at x0: {}", minimum.summary.message);
-    minimum.x = std::move(x);
-    minimum.term_names = problem.term_names();
-    return minimum;
-  }
-
-  const std::vector<LevelSize>& sizes() const override { return level_.sizes(); }
-  int number() const override { return level_.number(); }
-
- private:
-  PairLevel<Dim> level_;
-  std::vector<Vec<Dim>> phi_;
-  LevelProblem<Dim> problem_;
-  std::vector<double> model_at_;  ///< where the second derivative has been prepared
-};
-
 /// Evaluations change the level's state: only one at a time, also where one calls back.
 class Problem {
  public:
-  Problem(const ShapeInput& reference, const ShapeInput& template_shape, std::optional<int> number, bool from_coarser, const OptionTexts& texts,
-          const std::string& config, const py::object& landmarks, const py::object& progress) {
+  Problem(const ShapeInput& reference, const ShapeInput& template_shape, std::optional<int> number,
+          bool from_coarser, const OptionTexts& texts, const std::string& config, const py::object& landmarks,
+          const py::object& progress) {
     if (is_called_back()) throw_input_error("a Problem cannot be made within a progress function");
     const GivenLandmarks given = landmarks_from(landmarks);
     PythonObserver observer(progress);
@@ -123,13 +33,17 @@ class Problem {
       const ExperimentOptions options = options_of(config, texts, shapes);
       const int level = number.value_or(options.cascade.max_level);
       if (level < options.cascade.min_level || level > options.cascade.max_level)
-        throw_input_error("level {}: the cascade has the levels {} to {} (levels)", level, options.cascade.min_level, options.cascade.max_level);
+        throw_input_error("level {}: the cascade has the levels {} to {} (levels)", level,
+                          options.cascade.min_level, options.cascade.max_level);
       set_n_threads(options.threads);
       AnyShapePair any = open_shape_pair(std::move(shapes), options.input, observer);
-      return std::visit([&]<int Dim>(ShapePair<Dim>& pair) -> std::unique_ptr<AnyLevel> {
-        std::vector<Landmark<Dim>> points = landmarks_of(given, options, pair, observer);
-        return std::make_unique<LevelOf<Dim>>(std::move(pair), std::move(points), options, level, from_coarser, observer);
-      }, any);
+      return std::visit(
+          [&]<int Dim>(ShapePair<Dim>& pair) -> std::unique_ptr<AnyLevel> {
+            std::vector<Landmark<Dim>> points = landmarks_of(given, options, pair, observer);
+            return make_level<Dim>(std::move(pair), std::move(points), options, level, from_coarser,
+                                   observer);
+          },
+          any);
     });
     notes = std::move(observer.notes);
     x0 = compute([&] { return level_->start(); });
@@ -140,7 +54,9 @@ class Problem {
   template <class Body>
   auto use(Body&& body) {
     return compute([&] {
-      if (is_used_) throw_input_error("this Problem is being minimised; its functions cannot be called from that progress function");
+      if (is_used_)
+        throw_input_error(
+            "this Problem is being minimised; its functions cannot be called from that progress function");
       is_used_ = true;
       struct Release {
         bool& flag;
@@ -213,10 +129,12 @@ py::array_t<double> model_times(Problem& problem, const Doubles& at, const Doubl
   return array_of(std::move(product), {n});
 }
 
-py::dict minimise(Problem& problem, const Doubles& start, const OptionTexts& texts, const py::object& progress) {
+py::dict minimise(Problem& problem, const Doubles& start, const OptionTexts& texts,
+                  const py::object& progress) {
   std::vector<double> x = problem.unknowns(start, "x0");
   PythonObserver observer(progress);
-  Minimum minimum = problem.use([&](AnyLevel& level) { return level.minimise(std::move(x), texts, observer); });
+  Minimum minimum =
+      problem.use([&](AnyLevel& level) { return level.minimise(std::move(x), texts, observer); });
   const MinimizerSummary& s = minimum.summary;
   py::list history;
   for (const IterationRecord& r : minimum.records) {
@@ -269,9 +187,10 @@ py::array_t<double> view(const py::object& self) {
 
 void bind_problem(py::module_& module) {
   py::class_<Problem>(module, "Problem", "One level of the cascade of a pair; shellmatch.Problem shows it.")
-      .def(py::init<const ShapeInput&, const ShapeInput&, std::optional<int>, bool, const OptionTexts&, const std::string&, const py::object&, const py::object&>(),
-           py::arg("reference"), py::arg("template_shape"), py::arg("level"), py::arg("from_coarser"), py::arg("options"), py::arg("config"),
-           py::arg("landmarks"), py::arg("progress"))
+      .def(py::init<const ShapeInput&, const ShapeInput&, std::optional<int>, bool, const OptionTexts&,
+                    const std::string&, const py::object&, const py::object&>(),
+           py::arg("reference"), py::arg("template_shape"), py::arg("level"), py::arg("from_coarser"),
+           py::arg("options"), py::arg("config"), py::arg("landmarks"), py::arg("progress"))
       .def_property_readonly("level", [](const Problem& p) { return p.level().number(); })
       .def_property_readonly("sizes", sizes)
       .def_readonly("notes", &Problem::notes)
@@ -281,10 +200,13 @@ void bind_problem(py::module_& module) {
       .def("energy_and_gradient", energy_and_gradient, py::arg("x"))
       .def("terms", terms, py::arg("x"))
       .def("model_times", model_times, py::arg("x"), py::arg("v"))
-      .def("map", [](Problem& p, const Doubles& given) {
-        const std::vector<double> x = p.unknowns(given, "x");
-        return p.use([&](AnyLevel& level) { return level.map(x); });
-      }, py::arg("x"))
+      .def(
+          "map",
+          [](Problem& p, const Doubles& given) {
+            const std::vector<double> x = p.unknowns(given, "x");
+            return p.use([&](AnyLevel& level) { return level.map(x); });
+          },
+          py::arg("x"))
       .def("minimize", minimise, py::arg("x0"), py::arg("options"), py::arg("progress"));
 }
 

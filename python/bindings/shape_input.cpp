@@ -24,7 +24,8 @@ ShapeInput mesh(const std::string& name, const Doubles& vertices, const std::vec
   OriginalShape<3> shape;
   shape.vertices = points_of<3>(vertices, name + " vertices");
   for (const Integers& block : polygons)
-    for (std::vector<Index>& polygon : polygons_of(block, shape.vertices.size(), name + " faces")) shape.polygons.push_back(std::move(polygon));
+    for (std::vector<Index>& polygon : polygons_of(block, shape.vertices.size(), name + " faces"))
+      shape.polygons.push_back(std::move(polygon));
   if (shape.polygons.empty()) throw_input_error("{}: no faces", name);
   return {name, std::move(shape)};
 }
@@ -34,7 +35,8 @@ ShapeInput rings(const std::string& name, const std::vector<Doubles>& given) {
   for (const Doubles& ring : given) {
     std::vector<Vec<2>> points = points_of<2>(ring, name);
     if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-    if (points.size() < 3) throw_input_error("{}: a ring of {} different points; expected 3 or more", name, points.size());
+    if (points.size() < 3)
+      throw_input_error("{}: a ring of {} different points; expected 3 or more", name, points.size());
     std::vector<Index>& polygon = shape.polygons.emplace_back();
     for (const Vec<2>& x : points) {
       polygon.push_back(static_cast<Index>(shape.vertices.size()));
@@ -45,16 +47,21 @@ ShapeInput rings(const std::string& name, const std::vector<Doubles>& given) {
   return {name, std::move(shape)};
 }
 
-ShapeInput volume(const std::string& name, const py::array_t<float, py::array::f_style | py::array::forcecast>& values, const Doubles& affine,
-                  bool is_integer, const std::vector<double>& labels, double above, bool is_lps) {
+ShapeInput volume(const std::string& name,
+                  const py::array_t<float, py::array::f_style | py::array::forcecast>& values,
+                  const Doubles& affine, bool is_integer, const std::vector<double>& labels, double above,
+                  bool is_lps) {
   if (values.ndim() != 3) throw_input_error("{}: expected an array of three axes", name);
-  if (affine.ndim() != 2 || affine.shape(0) != 4 || affine.shape(1) != 4) throw_input_error("{}: expected an affine matrix of 4 by 4", name);
+  if (affine.ndim() != 2 || affine.shape(0) != 4 || affine.shape(1) != 4)
+    throw_input_error("{}: expected an affine matrix of 4 by 4", name);
   Mat<4> to_space;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) to_space(i, j) = affine.at(i, j);
   VolumePart part;
-  part.volume = make_volume(name, {values.shape(0), values.shape(1), values.shape(2)}, to_space, is_lps ? Space::lps : Space::ras,
-                            is_integer ? VoxelType::int32 : VoxelType::float32, std::vector<float>(values.data(), values.data() + values.size()));
+  part.volume =
+      make_volume(name, {values.shape(0), values.shape(1), values.shape(2)}, to_space,
+                  is_lps ? Space::lps : Space::ras, is_integer ? VoxelType::int32 : VoxelType::float32,
+                  std::vector<float>(values.data(), values.data() + values.size()));
   part.choice = {labels, above};
   return {name, std::move(part)};
 }
@@ -62,12 +69,14 @@ ShapeInput volume(const std::string& name, const py::array_t<float, py::array::f
 }  // namespace
 
 void bind_shape_input(py::module_& module) {
-  py::class_<ShapeInput>(module, "ShapeInput", "A shape as a name, as arrays or as voxels; shellmatch makes it of whatever register() is given.")
+  py::class_<ShapeInput>(
+      module, "ShapeInput",
+      "A shape as a name, as arrays or as voxels; shellmatch makes it of whatever register() is given.")
       .def_static("file", file, py::arg("name"))
       .def_static("mesh", mesh, py::arg("name"), py::arg("vertices"), py::arg("polygons"))
       .def_static("rings", rings, py::arg("name"), py::arg("rings"))
-      .def_static("volume", volume, py::arg("name"), py::arg("values"), py::arg("affine"), py::arg("is_integer"), py::arg("labels"), py::arg("above"),
-                  py::arg("is_lps"))
+      .def_static("volume", volume, py::arg("name"), py::arg("values"), py::arg("affine"),
+                  py::arg("is_integer"), py::arg("labels"), py::arg("above"), py::arg("is_lps"))
       .def_property_readonly("name", [](const ShapeInput& input) { return input.name; });
 }
 

@@ -5,8 +5,8 @@
     result.vertices          # the reference, moved
     result.apply(points)     # anything else in space
 
-register() finds the map, Problem has the energies for solvers from elsewhere, load() reads the map of an output folder. Documentation:
-docs/python.md.
+register() finds the map, Problem has the energies for solvers from elsewhere, load() reads the map of an output folder.
+Documentation: docs/python.md.
 """
 
 from ._core import version as __version__

@@ -174,7 +174,9 @@ def shape_input(shape: Any, name: str) -> _core.ShapeInput:
         raise InputError(f"{name}: a {type(shape).__name__} is no surface; give its extract_surface()")
     if hasattr(shape, "vertices") and hasattr(shape, "faces"):  # trimesh and many others
         return _mesh(np.asarray(shape.vertices), np.asarray(shape.faces), name)
-    raise InputError(f"{name}: a {type(shape).__name__}; expected (vertices, faces), rings of points, a Volume, a mesh object or the name of a file")
+    raise InputError(
+        f"{name}: a {type(shape).__name__}; expected (vertices, faces), rings of points, a Volume, a mesh object or the name of a file"
+    )
 
 
 def landmark_input(landmarks: Any) -> tuple[list[tuple[str, str, str]], Optional[tuple[Any, Any, Any]]]:

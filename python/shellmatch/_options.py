@@ -32,7 +32,9 @@ def _text_of(value: Any, key: str, within_list: bool = False) -> str:
         return str(value.__fspath__())
     if isinstance(value, (list, tuple)) and not within_list:
         return "[" + ", ".join(_text_of(item, key, True) for item in value) + "]"
-    raise InputError(f"option {key}: a value of type {type(value).__name__}; expected a number, a text, a truth value or a list of these")
+    raise InputError(
+        f"option {key}: a value of type {type(value).__name__}; expected a number, a text, a truth value or a list of these"
+    )
 
 
 def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
@@ -74,7 +76,10 @@ def level_texts(levels: Any) -> list[tuple[str, str, str]]:
     except (TypeError, ValueError):
         raise InputError(f"levels={levels!r}: expected the coarsest and the finest level, as (3, 7)") from None
     origin = f"levels=({coarsest}, {finest})"
-    return [("cascade.min_level", _text_of(coarsest, "levels"), origin), ("cascade.max_level", _text_of(finest, "levels"), origin)]
+    return [
+        ("cascade.min_level", _text_of(coarsest, "levels"), origin),
+        ("cascade.max_level", _text_of(finest, "levels"), origin),
+    ]
 
 
 def argument_texts(align: Any, landmarks: Any, levels: Any, options: Mapping[str, Any]) -> list[tuple[str, str, str]]:

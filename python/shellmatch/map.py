@@ -35,7 +35,7 @@ class Map:
 
     @property
     def to_unit_domain(self) -> Floats:
-        """4 by 4: pose and placement, from the coordinates of the shape that was deformed to the domain [0, 1]^d of the computation."""
+        """4 by 4: pose and placement, from the coordinates of the shape that was deformed to the domain [0, 1]^d."""
         return self._core.to_unit_domain
 
     def apply(self, points: Any) -> Floats:

@@ -120,7 +120,7 @@ class Problem:
         return self._core.energy_and_gradient(as_vector(x, "x"))
 
     def objective(self, wall: float = 10.0) -> Callable[[Any], Tuple[float, Floats]]:
-        """energy_and_gradient() for methods that do not know inf: beyond the wall the value is wall times the energy at x0, the gradient 0.
+        """energy_and_gradient() for methods that do not know inf: a value of wall times the energy at x0, with the gradient 0.
 
         scipy's L-BFGS-B takes inf within a line search for convergence, and ends where it has hardly begun.
         """

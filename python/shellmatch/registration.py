@@ -111,7 +111,7 @@ class Result:
 
     @property
     def attributes(self) -> Dict[str, Floats]:
-        """Values at the vertices: distance_to_template, area_ratio (length_ratio), the nearest point of the template (docs/output.md)."""
+        """Values at the vertices: distance_to_template, area_ratio, the nearest point of the template (docs/output.md)."""
         return self._core.attributes
 
     @property
@@ -122,17 +122,22 @@ class Result:
         return Distances(
             self._core.attributes["distance_to_template"],
             self._core.template_attributes["distance_to_deformed"],
-            there["mean"], there["p95"], there["max"],
-            back["mean"], back["p95"], back["max"],
+            there["mean"],
+            there["p95"],
+            there["max"],
+            back["mean"],
+            back["p95"],
+            back["max"],
             figures.get("uncovered"),
-        )  # fmt: skip
+        )
 
     @property
     def verdict(self) -> Verdict:
         """Whether the shapes match, and why not."""
         verdict = self._summary["verdict"]
         reasons = [
-            Reason(reason["what"], reason["advice"], reason.get("shape", ""), tuple(reason.get("place", ()))) for reason in verdict.get("reasons", [])
+            Reason(reason["what"], reason["advice"], reason.get("shape", ""), tuple(reason.get("place", ())))
+            for reason in verdict.get("reasons", [])
         ]
         return Verdict(verdict["outcome"], tuple(reasons))
 
@@ -174,7 +179,9 @@ class Result:
         self._core.save(os.fspath(folder), bool(force))
 
     def __repr__(self) -> str:
-        return f"<shellmatch.Result: {len(self.vertices)} vertices, {self.verdict.outcome}, mean distance {self.distances.mean:.2g}>"
+        return (
+            f"<shellmatch.Result: {len(self.vertices)} vertices, {self.verdict.outcome}, mean distance {self.distances.mean:.2g}>"
+        )
 
 
 def core_progress(progress: Optional[Progress]) -> Optional[Callable[..., Optional[bool]]]:

@@ -36,7 +36,13 @@ class Inputs(unittest.TestCase):
         wide[:, ::2] = self.vertices
         for vertices in (self.vertices.tolist(), np.asfortranarray(self.vertices), wide[:, ::2], self.vertices.astype(">f8")):
             self.same((vertices, self.faces))
-        for faces in (self.faces.tolist(), self.faces.astype(np.int32), self.faces.astype(np.uint64), np.asfortranarray(self.faces), self.faces.astype(">i4")):
+        for faces in (
+            self.faces.tolist(),
+            self.faces.astype(np.int32),
+            self.faces.astype(np.uint64),
+            np.asfortranarray(self.faces),
+            self.faces.astype(">i4"),
+        ):
             self.same((self.vertices, faces))
         single = shellmatch.register((self.vertices.astype(np.float32), self.faces), self.template, **options)
         self.assertLess(np.abs(single.vertices - self.expected).max(), 1e-4)
@@ -60,7 +66,9 @@ class Inputs(unittest.TestCase):
         block = types.SimpleNamespace(type="triangle", data=self.faces)
         corner = types.SimpleNamespace(type="vertex", data=np.array([[0]]))
         self.same(types.SimpleNamespace(points=self.vertices, cells=[corner, block]))
-        self.same(types.SimpleNamespace(points=self.vertices, cells=[("triangle", self.faces[:100]), ("triangle", self.faces[100:])]))
+        self.same(
+            types.SimpleNamespace(points=self.vertices, cells=[("triangle", self.faces[:100]), ("triangle", self.faces[100:])])
+        )
 
     @unittest.skipIf(meshio is None, "meshio is not installed")
     def test_meshio(self):

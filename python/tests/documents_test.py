@@ -37,7 +37,10 @@ class Documents(unittest.TestCase):
 
     @unittest.skipIf(scipy is None, "scipy is not installed")
     def test_the_solver_study(self):
-        result = run([shapes.source_folder / "python/examples/solver_study.py", "generate:circle", "generate:ellipse/long", "4"], self.folder)
+        result = run(
+            [shapes.source_folder / "python/examples/solver_study.py", "generate:circle", "generate:ellipse/long", "4"],
+            self.folder,
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = {line[:24].strip(): line[24:].split() for line in result.stdout.splitlines()[2:]}
         self.assertEqual(len(rows), 6)

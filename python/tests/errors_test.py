@@ -43,14 +43,49 @@ class Refused(unittest.TestCase):
             shellmatch.register("generate:circle", "generate:circle", **options).save(file.name)
 
     def test_things_that_are_no_shapes(self):
-        for shape in (None, 3, 2.5, b"a.ply", object(), {}, {"vertices": 1}, np.float64(3), (), (1,), (1, 2, 3), set(), "", "not-there.ply", "noending",
-                      types.SimpleNamespace(vertices=1, faces=2), types.SimpleNamespace(points=1, faces=2), types.SimpleNamespace(points=1, cells=[])):  # fmt: skip
+        for shape in (
+            None,
+            3,
+            2.5,
+            b"a.ply",
+            object(),
+            {},
+            {"vertices": 1},
+            np.float64(3),
+            (),
+            (1,),
+            (1, 2, 3),
+            set(),
+            "",
+            "not-there.ply",
+            "noending",
+            types.SimpleNamespace(vertices=1, faces=2),
+            types.SimpleNamespace(points=1, faces=2),
+            types.SimpleNamespace(points=1, cells=[]),
+        ):
             self.shape_refused(shape)
 
     def test_vertices(self):
         vertices, faces = self.ball
-        for wrong in (vertices[:, :1], vertices.ravel(), vertices[None], np.empty((0, 3)), np.empty((0, 0)), np.array(1.0), np.array([]), [], [[]], vertices + 1j,
-                      vertices.astype(str), vertices.astype(object), [[1, 2, 3], [1, 2]], None, "abc", np.c_[vertices, vertices], vertices.astype("M8[s]")):  # fmt: skip
+        for wrong in (
+            vertices[:, :1],
+            vertices.ravel(),
+            vertices[None],
+            np.empty((0, 3)),
+            np.empty((0, 0)),
+            np.array(1.0),
+            np.array([]),
+            [],
+            [[]],
+            vertices + 1j,
+            vertices.astype(str),
+            vertices.astype(object),
+            [[1, 2, 3], [1, 2]],
+            None,
+            "abc",
+            np.c_[vertices, vertices],
+            vertices.astype("M8[s]"),
+        ):
             self.shape_refused((wrong, faces))
         for value in (nan, np.inf, -np.inf, 1e60, 1e308):
             broken = vertices.copy()
@@ -70,8 +105,26 @@ class Refused(unittest.TestCase):
 
     def test_faces(self):
         vertices, faces = self.ball
-        for wrong in (faces[:, :2], faces.ravel(), faces[None], np.empty((0, 3), int), np.array(0), [], [[]], [[0, 1]], [0, 1, 2], faces + 0.5, faces.astype(float),
-                      faces > 3, None, "abc", [[0, 1, "x"]], [[0, 1, 2.5]], [[0, 1, None]], 7):  # fmt: skip
+        for wrong in (
+            faces[:, :2],
+            faces.ravel(),
+            faces[None],
+            np.empty((0, 3), int),
+            np.array(0),
+            [],
+            [[]],
+            [[0, 1]],
+            [0, 1, 2],
+            faces + 0.5,
+            faces.astype(float),
+            faces > 3,
+            None,
+            "abc",
+            [[0, 1, "x"]],
+            [[0, 1, 2.5]],
+            [[0, 1, None]],
+            7,
+        ):
             self.shape_refused((vertices, wrong))
         for value in (-1, -(2**40), len(vertices), 2**31, 2**32, 2**40, 2**62):
             broken = faces.copy()
@@ -83,9 +136,25 @@ class Refused(unittest.TestCase):
 
     def test_outlines(self):
         ring = self.outline
-        for wrong in ([], [[]], [ring, []], ring[:2], ring[:, :1], np.empty((0, 2)), ring * nan, ring * 0, ring[None], [ring, 3], np.array(3.0), [[1, 2], [3, 4]],
-                      (ring, np.array([[0, 1], [1, 2]])), (ring, np.array([[0, 99]])), (ring, np.array([[-1, 0]])), (ring, [[0, 1, 2]]),
-                      (ring, np.empty((0, 2), int))):  # fmt: skip
+        for wrong in (
+            [],
+            [[]],
+            [ring, []],
+            ring[:2],
+            ring[:, :1],
+            np.empty((0, 2)),
+            ring * nan,
+            ring * 0,
+            ring[None],
+            [ring, 3],
+            np.array(3.0),
+            [[1, 2], [3, 4]],
+            (ring, np.array([[0, 1], [1, 2]])),
+            (ring, np.array([[0, 99]])),
+            (ring, np.array([[-1, 0]])),
+            (ring, [[0, 1, 2]]),
+            (ring, np.empty((0, 2), int)),
+        ):
             self.refused(lambda: shellmatch.register(wrong, self.outline, **options))
             self.refused(lambda: shellmatch.register(self.outline, wrong, **options))
 
@@ -97,7 +166,9 @@ class Refused(unittest.TestCase):
         vertices, faces = self.ball
         for wrong in ([3, 0, 1], [2, 0, 1], [-1], [3, 0, 1, 99], [0], [10**12, 1]):
             self.shape_refused(types.SimpleNamespace(points=vertices, faces=np.array(wrong)))
-        self.shape_refused(types.SimpleNamespace(points=vertices, cells=np.array([4, 0, 1, 2, 3]), extract_surface=None), "extract_surface")
+        self.shape_refused(
+            types.SimpleNamespace(points=vertices, cells=np.array([4, 0, 1, 2, 3]), extract_surface=None), "extract_surface"
+        )
 
     def test_meshes_of_meshio(self):
         self.shape_refused(types.SimpleNamespace(points=self.ball[0], cells=[("tetra", np.array([[0, 1, 2, 3]]))]), "tetra")
@@ -112,29 +183,88 @@ class Refused(unittest.TestCase):
         singular, last = affine.copy(), affine.copy()
         singular[:, 0] = singular[:, 1]
         last[3, 0] = 0.5
-        for wrong in (volume(values[0]), volume(values[:1]), volume(values[:0]), volume(None), volume("abc"), volume(values + 1j), volume(broken, affine, label=1),
-                      volume(values, affine[:3]), volume(values, singular), volume(values, last), volume(values, affine * nan), volume(values, np.zeros((4, 4))),
-                      volume(values, affine, label=7), volume(values, affine, label=[]), volume(values, affine, label=nan), volume(values, affine, above=5),
-                      volume(values, affine, above=nan), volume(values, affine, label=1, above=0), volume(values, affine, label="a"),
-                      volume(values, affine, space="rsa"), volume(values * 0), volume(values * 1e300), volume((values * 2**40).astype(np.int64), affine)):  # fmt: skip
+        for wrong in (
+            volume(values[0]),
+            volume(values[:1]),
+            volume(values[:0]),
+            volume(None),
+            volume("abc"),
+            volume(values + 1j),
+            volume(broken, affine, label=1),
+            volume(values, affine[:3]),
+            volume(values, singular),
+            volume(values, last),
+            volume(values, affine * nan),
+            volume(values, np.zeros((4, 4))),
+            volume(values, affine, label=7),
+            volume(values, affine, label=[]),
+            volume(values, affine, label=nan),
+            volume(values, affine, above=5),
+            volume(values, affine, above=nan),
+            volume(values, affine, label=1, above=0),
+            volume(values, affine, label="a"),
+            volume(values, affine, space="rsa"),
+            volume(values * 0),
+            volume(values * 1e300),
+            volume((values * 2**40).astype(np.int64), affine),
+        ):
             self.shape_refused(wrong)
 
     def test_landmarks(self):
         v, n = self.ball[0], np.arange(5)
-        for wrong in (3, (), (n,), (n, v), (n, n[:3]), (v[:5], v[:5, :2]), (v[:5] * nan, v[:5]), (n - 1, n), (n, n + 10**6), (n + 0.5, n), (n, n, n[:2]), (n, n, -n),
-                      (n, n, n * nan), (n, n, 1 + n, 1), "not-there.csv", ("a.csv", n), ("a", "b", "c"), {"fil": 1}, (v[:5] + 50, v[:5]), object(), ([[1, 2], [3]], n)):  # fmt: skip
+        for wrong in (
+            3,
+            (),
+            (n,),
+            (n, v),
+            (n, n[:3]),
+            (v[:5], v[:5, :2]),
+            (v[:5] * nan, v[:5]),
+            (n - 1, n),
+            (n, n + 10**6),
+            (n + 0.5, n),
+            (n, n, n[:2]),
+            (n, n, -n),
+            (n, n, n * nan),
+            (n, n, 1 + n, 1),
+            "not-there.csv",
+            ("a.csv", n),
+            ("a", "b", "c"),
+            {"fil": 1},
+            (v[:5] + 50, v[:5]),
+            object(),
+            ([[1, 2], [3]], n),
+        ):
             self.refused(lambda: shellmatch.register(self.ball, self.ball, wrong, **options))
 
     def test_points(self):
         result = shellmatch.register(self.ball, self.ball, **options)
         for function in (result.apply, result.inverse, result.jacobian):
-            for wrong in (None, 3, "abc", [[1, 2]], [1, 2], [[1, 2, nan]], np.zeros((2, 2, 3)), np.empty((0, 2)), [[1, 2, 3], [1, 2]], [[1j, 0, 0]]):
+            for wrong in (
+                None,
+                3,
+                "abc",
+                [[1, 2]],
+                [1, 2],
+                [[1, 2, nan]],
+                np.zeros((2, 2, 3)),
+                np.empty((0, 2)),
+                [[1, 2, 3], [1, 2]],
+                [[1j, 0, 0]],
+            ):
                 self.refused(lambda: function(wrong))
 
     def test_problems(self):
         problem = shellmatch.Problem(self.outline, self.outline * 1.1, **options)
         x = problem.x0
-        for function in (problem.energy, problem.gradient, problem.energy_and_gradient, problem.terms, problem.map, problem.minimize):
+        for function in (
+            problem.energy,
+            problem.gradient,
+            problem.energy_and_gradient,
+            problem.terms,
+            problem.map,
+            problem.minimize,
+        ):
             for wrong in (3, "abc", x[:-1], np.r_[x, 0], x[:, None], x * nan, x + 1j, np.array(0.0), []):
                 self.refused(lambda: function(wrong))
         self.refused(lambda: problem.hessp(x, x[:3]))

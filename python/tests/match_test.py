@@ -21,7 +21,9 @@ class WithFolder(unittest.TestCase):
 
     def matched(self, reference, template, *arguments):
         """The output folder of the command line."""
-        shapes.run_program("match", reference, template, "-o", self.folder / "out", "--set", "pictures=none", "--force", *arguments)
+        shapes.run_program(
+            "match", reference, template, "-o", self.folder / "out", "--set", "pictures=none", "--force", *arguments
+        )
         return self.folder / "out"
 
     def same_summary(self, result, folder, but=()):
@@ -41,7 +43,16 @@ class CommandLine(WithFolder):
         shapes.write_ply(self.folder / "b.ply", *self.egg)
 
     def test_arrays(self):
-        out = self.matched(self.folder / "a.ply", self.folder / "b.ply", "--levels", "3:4", "--set", "energy.delta=0.5", "--set", "coverage.levels=1")
+        out = self.matched(
+            self.folder / "a.ply",
+            self.folder / "b.ply",
+            "--levels",
+            "3:4",
+            "--set",
+            "energy.delta=0.5",
+            "--set",
+            "coverage.levels=1",
+        )
         result = shellmatch.register(self.ball, self.egg, levels=(3, 4), energy={"delta": 0.5}, coverage={"levels": 1})
         self.assertTrue(np.array_equal(result.vertices, shapes.read_deformed_ply(out / "deformed.ply")))
         self.same_summary(result, out, but=("reference", "template"))
@@ -71,8 +82,20 @@ class CommandLine(WithFolder):
         with open(self.folder / "points.csv", "w") as file:
             file.write("vertex1,x2,y2,z2\n")
             file.writelines(f"{v},{x!r},{y!r},{z!r}\n" for v, (x, y, z) in zip(chosen, on_egg.tolist()))
-        out = self.matched(self.folder / "a.ply", self.folder / "b.ply", "--levels", "3:4", "--align", "none", "--landmarks", self.folder / "points.csv",
-                           "--set", "landmarks.weight=3", "--set", "landmarks.max_distance=0.2")
+        out = self.matched(
+            self.folder / "a.ply",
+            self.folder / "b.ply",
+            "--levels",
+            "3:4",
+            "--align",
+            "none",
+            "--landmarks",
+            self.folder / "points.csv",
+            "--set",
+            "landmarks.weight=3",
+            "--set",
+            "landmarks.max_distance=0.2",
+        )
         expected = shapes.read_deformed_ply(out / "deformed.ply")
         options = {"levels": (3, 4), "align": "none", "landmarks.weight": 3, "landmarks.max_distance": 0.2}
         for given in ((chosen, on_egg), (self.ball[0][chosen], on_egg, np.ones(7)), self.folder / "points.csv"):
@@ -95,9 +118,13 @@ class CommandLine(WithFolder):
         backward, unflipped = affine.copy(), values[::-1]
         backward[:3, 3] = (affine @ [23, 0, 0, 1])[:3]
         backward[:3, 0] *= -1
-        for volume in (shellmatch.Volume(values, affine, label=3), shellmatch.Volume(values.astype(float), affine, label=[3.0]),
-                       shellmatch.Volume(values * (values > 2), affine, above=2.5), shellmatch.Volume(values, flip @ affine, label=3, space="lps"),
-                       shellmatch.Volume(np.ascontiguousarray(unflipped), backward, label=3)):  # fmt: skip
+        for volume in (
+            shellmatch.Volume(values, affine, label=3),
+            shellmatch.Volume(values.astype(float), affine, label=[3.0]),
+            shellmatch.Volume(values * (values > 2), affine, above=2.5),
+            shellmatch.Volume(values, flip @ affine, label=3, space="lps"),
+            shellmatch.Volume(np.ascontiguousarray(unflipped), backward, label=3),
+        ):
             result = shellmatch.register(ball, volume, levels=(3, 4), align="none")
             self.assertTrue(np.array_equal(result.vertices, expected))
 
@@ -114,12 +141,21 @@ class CommandLine(WithFolder):
         with self.assertRaises(shellmatch.InputError):
             result.save(self.folder / "saved")
         result.save(self.folder / "saved", force=True)
-        shapes.run_program("apply", self.folder / "saved", self.folder / "saved" / "deformed.csv", "-o", self.folder / "moved.csv")
+        shapes.run_program(
+            "apply", self.folder / "saved", self.folder / "saved" / "deformed.csv", "-o", self.folder / "moved.csv"
+        )
 
     def test_options_of_a_file(self):
-        (self.folder / "experiment.yaml").write_text("cascade: {min_level: 3, max_level: 4}\nalign: {mode: none}\nenergy: {delta: 0.7}\n")
+        (self.folder / "experiment.yaml").write_text(
+            "cascade: {min_level: 3, max_level: 4}\nalign: {mode: none}\nenergy: {delta: 0.7}\n"
+        )
         same = shellmatch.register(self.ball, self.egg, config=self.folder / "experiment.yaml")
-        self.assertTrue(np.array_equal(same.vertices, shellmatch.register(self.ball, self.egg, align="none", levels=(3, 4), energy={"delta": 0.7}).vertices))
+        self.assertTrue(
+            np.array_equal(
+                same.vertices,
+                shellmatch.register(self.ball, self.egg, align="none", levels=(3, 4), energy={"delta": 0.7}).vertices,
+            )
+        )
         self.assertIn("delta: 0.7", same.options)
 
 
@@ -151,7 +187,9 @@ class Results(unittest.TestCase):
         self.assertGreater(posed.summary["alignment"]["angle"], 80)
         for result in (self.forward, self.backward, posed):
             points, h = np.vstack([self.points(), self.points() * 4]), 1e-6
-            differences = np.stack([(result.apply(points + h * e) - result.apply(points - h * e)) / (2 * h) for e in np.eye(3)], axis=2)
+            differences = np.stack(
+                [(result.apply(points + h * e) - result.apply(points - h * e)) / (2 * h) for e in np.eye(3)], axis=2
+            )
             errors = np.abs(differences - result.jacobian(points)).max(axis=(1, 2))
             self.assertLess(np.nanmedian(errors), 1e-7)
             self.assertLess(np.mean(errors > 1e-6), 0.02)
@@ -168,7 +206,9 @@ class Results(unittest.TestCase):
     def test_no_image(self):
         """A point that nothing is carried to has no preimage."""
         folded = np.full(3, 1e6)
-        self.assertTrue(np.allclose(self.forward.apply(self.forward.inverse(folded)), folded) or np.isnan(self.forward.inverse(folded)).all())
+        self.assertTrue(
+            np.allclose(self.forward.apply(self.forward.inverse(folded)), folded) or np.isnan(self.forward.inverse(folded)).all()
+        )
 
     def test_arrays_share_memory_and_outlive_the_result(self):
         result = shellmatch.register("generate:circle", "generate:ellipse/long", levels=(3, 3))

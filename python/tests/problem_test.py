@@ -16,10 +16,19 @@ except ImportError:
 class Energies(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.flat = shellmatch.Problem(shapes.ellipse(100), shapes.ellipse(100, 1.3, 0.7, 0.3), levels=(3, 5), align="none", start="coarser", coverage={"levels": 1})
+        cls.flat = shellmatch.Problem(
+            shapes.ellipse(100),
+            shapes.ellipse(100, 1.3, 0.7, 0.3),
+            levels=(3, 5),
+            align="none",
+            start="coarser",
+            coverage={"levels": 1},
+        )
         ball, egg = shapes.sphere(12), shapes.sphere(12, (1.0, 0.8, 1.3))
         chosen = np.arange(0, 260, 20)
-        cls.solid = shellmatch.Problem(ball, egg, (chosen, egg[0][chosen]), levels=(3, 4), align="none", start="coarser", **{"landmarks.max_distance": 0.3})
+        cls.solid = shellmatch.Problem(
+            ball, egg, (chosen, egg[0][chosen]), levels=(3, 4), align="none", start="coarser", **{"landmarks.max_distance": 0.3}
+        )
 
     def test_gradient_is_the_derivative(self):
         """By the order of the remainder: E(x + t d) - E(x) - t g.d falls as t^2."""
@@ -76,18 +85,24 @@ class Energies(unittest.TestCase):
         self.assertAlmostEqual(problem.energy(problem.x0), first["energy"], delta=1e-9 * first["energy"])
         for level in result.summary["levels"]:
             sizes = problem.sizes[level["level"]]
-            self.assertEqual((sizes["nodes"], sizes["free_nodes"], sizes["cells"]), (level["nodes"], level["free_nodes"], level["cells"]))
+            self.assertEqual(
+                (sizes["nodes"], sizes["free_nodes"], sizes["cells"]), (level["nodes"], level["free_nodes"], level["cells"])
+            )
         minimum = problem.minimize()
         last = result.history[-1]
         self.assertAlmostEqual(minimum.energy, last["energy"], delta=1e-6 * last["energy"])
-        self.assertLess(np.abs(problem.map(minimum.x).apply(result.vertices * 0 + 0.5) - result.apply(result.vertices * 0 + 0.5)).max(), 1e-4)
+        self.assertLess(
+            np.abs(problem.map(minimum.x).apply(result.vertices * 0 + 0.5) - result.apply(result.vertices * 0 + 0.5)).max(), 1e-4
+        )
 
     def test_identity(self):
         problem = shellmatch.Problem("generate:circle", "generate:ellipse/long", levels=(3, 4), align="none")
         points = np.random.default_rng(0).random((20, 2))
         self.assertLess(np.abs(problem.map(problem.x0).apply(points) - points).max(), 1e-14)
         self.assertEqual(problem.level, 4)
-        self.assertEqual(shellmatch.Problem("generate:circle", "generate:ellipse/long", levels=(3, 5), level=3, align="none").sizes.keys(), {3})
+        self.assertEqual(
+            shellmatch.Problem("generate:circle", "generate:ellipse/long", levels=(3, 5), level=3, align="none").sizes.keys(), {3}
+        )
 
     def test_model_of_the_second_derivative(self):
         random = np.random.default_rng(4)

@@ -104,7 +104,9 @@ class Interrupted(unittest.TestCase):
 
     def test_ctrl_c_in_a_minimisation_of_ones_own(self):
         problem = shellmatch.Problem("generate:hand", "generate:hand/bent", levels=(3, 6), align="none")
-        slow = lambda: problem.minimize(name="fletcher_reeves", stop={"relative_decrease": 0, "gradient_norm": 0, "max_iterations": 10**6})  # noqa: E731
+        slow = lambda: problem.minimize(
+            name="fletcher_reeves", stop={"relative_decrease": 0, "gradient_norm": 0, "max_iterations": 10**6}
+        )  # noqa: E731
         self.assertLess(self.interrupted(slow, 0.5), 3)
         self.assertTrue(np.isfinite(problem.energy(problem.x0)))
 

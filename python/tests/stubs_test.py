@@ -20,7 +20,11 @@ def parameters_of_module(function):
     """From the first line that pybind11 gives it: name(self: T, x: U) -> V."""
     line = function.__doc__.splitlines()[0]
     inside = line[line.index("(") + 1 : line.rindex(") ->")]
-    return [name for name in re.findall(r"(?:^|, )(\w+)(?=:)", re.sub(r"[\[(][^\[\]()]*[\])]", "", re.sub(r"\[[^\[\]]*\]", "", inside))) if name != "self"]
+    return [
+        name
+        for name in re.findall(r"(?:^|, )(\w+)(?=:)", re.sub(r"[\[(][^\[\]()]*[\])]", "", re.sub(r"\[[^\[\]]*\]", "", inside)))
+        if name != "self"
+    ]
 
 
 def public(names):
