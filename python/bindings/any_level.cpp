@@ -68,7 +68,6 @@ class LevelOf final : public AnyLevel {
     if (minimum.summary.reason == StopReason::cannot_evaluate_start)
       throw_input_error("the energy cannot be evaluated at x0: {}", minimum.summary.message);
     minimum.x = std::move(x);
-    minimum.term_names = problem.term_names();
     return minimum;
   }
 

@@ -19,10 +19,9 @@ struct Minimum {
   std::vector<double> x;
   MinimizerSummary summary;
   std::vector<IterationRecord> records;
-  std::vector<std::string> term_names, notes;
 };
 
-/// \pre of all but the sizes: within compute() (computation.h). \throws InputError where the energy cannot be
+/// \pre of all but sizes() and number(): within compute() (computation.h). \throws InputError where the energy cannot be
 /// evaluated
 class AnyLevel {
  public:
