@@ -48,7 +48,7 @@ class Matching {
   MatchResult<Dim> go() {
     summary_.reference = shape_summary(reference_);
     summary_.template_shape = shape_summary(template_);
-    summary_.unit = options_.input.unit;
+    summary_.unit = unit();
     summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
                                  (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     summary_.distance_before = two_sided_distance(reference_.surface, template_distance_, parts_).figures;
@@ -122,12 +122,24 @@ class Matching {
     return distance.figures;
   }
 
+  // The user's word, or that of the files.
+  std::string unit() const {
+    if (!options_.input.unit.empty()) return options_.input.unit;
+    const std::string &a = reference_.unit, &b = template_.unit;
+    if (!a.empty() && !b.empty() && a != b)
+      recorder_.warn(fmt::format("{} is in {}, {} in {}: they are matched as if the units were the same", reference_.source, a, template_.source, b));
+    return b.empty() ? a : b;
+  }
+
+  static void leave_out(std::vector<double>& distances, const std::vector<char>& measured) {
+    for (std::size_t v = 0; v < measured.size(); ++v)
+      if (!measured[v]) distances[v] = std::numeric_limits<double>::quiet_NaN();
+  }
+
   // Of the deformed vertices; NaN where a shape has no data.
   std::vector<double> vertex_distances(const Surface<Dim>& deformed) const {
     std::vector<double> distances = distances_to(deformed.vertices, template_distance_);
-    const std::vector<char> measured = parts_.of_deformed(deformed);
-    for (std::size_t v = 0; v < measured.size(); ++v)
-      if (!measured[v]) distances[v] = std::numeric_limits<double>::quiet_NaN();
+    leave_out(distances, parts_.of_deformed(deformed));
     return distances;
   }
 
@@ -177,12 +189,14 @@ class Matching {
     }
     add_observed(moved, covered, map, deformed);
     std::vector<double> distance = vertex_distances(deformed);
+    std::vector<double> template_distance = distances_to(template_.surface.vertices, SignedDistance<Dim>(deformed));
+    leave_out(template_distance, parts_.of_template(template_.surface.vertices, deformed));
     return {std::move(map),
             std::move(moved),
             std::move(covered),
             {},
             {},
-            {reference_.surface, template_.surface, std::move(deformed), std::move(distance)},
+            {reference_.surface, template_.surface, std::move(deformed), std::move(distance), std::move(template_distance)},
             std::move(levels_),
             std::move(result.reference),
             std::move(result.target)};

@@ -65,7 +65,7 @@ std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
   observer.stage("matching");
   PhaseSeconds seconds;
   try {
-    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_);
+    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_, observed_pair(shapes_.reference, shapes_.template_shape));
   } catch (const LevelReached&) {
   }
   SHELLMATCH_CHECK(coarser.has_value(), "a cascade reports the end of each of its levels");
@@ -87,9 +87,11 @@ bool PairLevel<Dim>::has_frame(const MapFrame<Dim>& frame) const {
 }
 
 template <int Dim>
-void PairLevel<Dim>::set_coverage(const std::vector<Vec<Dim>>& phi) {
+void PairLevel<Dim>::follow(const std::vector<Vec<Dim>>& phi) {
+  const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
+  if (!observed.is_all()) level_->energy.set_mask(phi, PairMask<Dim>(observed, level_->sigma));
   if (!level_->coverage || !level_->covers(options_)) return;
-  const Coverage<Dim> coverage(shapes_.reference.surface, shapes_.template_shape.surface, options_.coverage);
+  const Coverage<Dim> coverage(shapes_.reference.surface, shapes_.template_shape.surface, options_.coverage, observed);
   level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage.pairs(grid_, phi)));
 }
 

@@ -46,8 +46,9 @@ class PairLevel {
   std::vector<Vec<Dim>> sampled(const Deformation<Dim>& map) const;
   bool has_frame(const MapFrame<Dim>& frame) const;
 
-  /// Where coverage acts on this level, its pairs for this phi become part of the energy; the cascade makes them anew as phi moves.
-  void set_coverage(const std::vector<Vec<Dim>>& phi);
+  /// What the cascade makes anew as phi moves becomes that for this phi: the pairs of coverage, where it acts on this level, and the mask of
+  /// shapes with gaps (docs/closing.md).
+  void follow(const std::vector<Vec<Dim>>& phi);
 
   LevelEnergy<Dim>& energy() { return *level_; }
   const LevelEnergy<Dim>& energy() const { return *level_; }

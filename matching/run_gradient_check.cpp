@@ -41,7 +41,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
     throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment, or in the other "
                       "direction (align.direction)", request.state.folder);
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level.energy(), options.energy, found);
-  level.set_coverage(phi);
+  level.follow(phi);
   const ScheduleStep step = level.step();
   GradientReport report = check_gradient<Dim>(level.energy(), CheckedEnergy<Dim>(level.energy()), phi, level.weights(), request.settings,
                                               [&](const std::string& term) { observer.stage(fmt::format("checking {}", term)); });

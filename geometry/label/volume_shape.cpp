@@ -112,6 +112,7 @@ Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space s
 }
 
 Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
+  const std::string unit = part.volume.unit;
   LabelRegion region = label_region(canonical(std::move(part.volume)), part.choice, source);
   const SmoothedLabel label(region);
   if (!(label.largest_share() > label.level() + 1e-3))
@@ -128,7 +129,9 @@ Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
   original.space = or_default(space);
   change_space(original.vertices, Space::ras, original.space);
   for (const auto& [a, b, c] : surface.facets) original.polygons.push_back({a, b, c});
-  return make_shape(std::move(original), source, std::move(notes));
+  Shape<3> shape = make_shape(std::move(original), source, std::move(notes));
+  shape.unit = unit;
+  return shape;
 }
 
 }  // namespace shellmatch

@@ -60,6 +60,7 @@ struct Shape {
   std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
   Evidence<Dim> evidence = {};     ///< for `surface`, in its coordinates
   double invented_share = 0;       ///< of the surface's area: what was made up to close it, in [0, 1]
+  std::string unit = {};           ///< of the coordinates, where the file names it: "mm"
 };
 
 /// An axis-parallel box.

@@ -125,6 +125,7 @@ VolumeHeader read_nifti_header(const std::string& path) {
   set_frame(path, fields, header.grid);
   const double slope = fields.real(112, 176, 0), intercept = fields.real(116, 184, 0);
   if (slope != 0 && std::isfinite(slope) && std::isfinite(intercept)) header.slope = slope, header.intercept = intercept;
+  if (const int unit = fields.units() & 7; unit >= 1 && unit <= 3) header.unit = "mm";  // set_frame() has made it so
   header.file = path;
   header.offset = fields.offset();
   header.is_big_endian = fields.is_big_endian();

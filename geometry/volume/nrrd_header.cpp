@@ -15,7 +15,7 @@ namespace {
 struct NrrdFields {
   std::vector<std::int64_t> size;
   std::vector<double> spacings, minima;
-  std::string type, encoding, space, directions, origin, data_file;
+  std::string type, encoding, space, directions, origin, units, data_file;
   std::int64_t n_dimensions = 0;
   bool is_big_endian = false;
 };
@@ -65,6 +65,7 @@ NrrdFields fields_of(LineReader& lines) {
     else if (field == "axis mins" || field == "axismins") f.minima = numbers_of(lines, "axis mins", value, f.size.size());
     else if (field == "space directions") f.directions = value;
     else if (field == "space origin") f.origin = value;
+    else if (field == "space units") f.units = value;
     else if (field == "data file" || field == "datafile") f.data_file = value;
     else if (field == "byte skip" || field == "byteskip" || field == "line skip" || field == "lineskip") {
       std::string_view rest = value;
@@ -106,6 +107,20 @@ void set_frame(const LineReader& lines, const NrrdFields& f, VoxelGrid& grid) {
   }
 }
 
+// A quoted name for each axis; one for all, or none.
+std::string unit_of(const std::string& units) {
+  std::string unit;
+  for (std::size_t begin = units.find('"'); begin != units.npos;) {
+    const std::size_t end = units.find('"', begin + 1);
+    if (end == units.npos) return "";
+    const std::string one = printable(units.substr(begin + 1, end - begin - 1), 20);
+    if (!unit.empty() && one != unit) return "";
+    unit = one;
+    begin = units.find('"', end + 1);
+  }
+  return unit;
+}
+
 }  // namespace
 
 VolumeHeader read_nrrd_header(const std::string& path) {
@@ -122,6 +137,7 @@ VolumeHeader read_nrrd_header(const std::string& path) {
   set_size(path, f.size, header.grid);
   header.type = type_of(lines, f.type);
   set_frame(lines, f, header.grid);
+  header.unit = unit_of(f.units);
   header.is_big_endian = f.is_big_endian;
   header.file = f.data_file.empty() ? path : file_of_values(path, f.data_file);
   header.offset = f.data_file.empty() ? text.size() - lines.n_left() : 0;

@@ -38,7 +38,7 @@ Volume canonical(Volume volume) {
     axis_along[best_row] = best_column;
     is_taken[best_column] = true;
   }
-  Volume result{{}, volume.type, {}};
+  Volume result{{}, volume.type, {}, volume.unit};
   VoxelGrid& to = result.grid;
   std::array<std::ptrdiff_t, 3> step{};
   std::ptrdiff_t first = 0;

@@ -50,6 +50,7 @@ struct Volume {
   VoxelGrid grid;
   VoxelType type = VoxelType::uint8;
   std::vector<float> values;
+  std::string unit = {};  ///< of its coordinates, where the file names it
 };
 
 /// The same volume with its axes in another order, and turned, so that each points along the coordinate axis that is closest to

@@ -19,9 +19,6 @@ namespace shellmatch {
 
 namespace {
 
-// Over how much of the band's half width a mask rises from 0 to 1: coefficients there are fitted to data and gap alike. Half of it and
-// twice as much made errors larger on five pairs of which a third had been cut away.
-constexpr double mask_width = 1;
 // Minimisations of a level between which its mask follows phi.
 constexpr int mask_rounds = 2;
 
@@ -35,7 +32,7 @@ LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<
       grid_(grid),
       level_(grid, std::move(geometry), options, pairs),
       coverage_(level_.covers(options) ? coverage : nullptr) {
-  if (!observed.is_all()) mask_.emplace(observed, mask_width * level_.sigma);
+  if (!observed.is_all()) mask_.emplace(observed, level_.sigma);
 }
 
 template <int Dim>

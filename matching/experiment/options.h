@@ -68,7 +68,7 @@ struct InputOptions {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
     visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
-    visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: coordinates are said to be in units of the file"});
+    visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: that of a volume whose file names it, otherwise coordinates are said to be in units of the file"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); never refuses them, as --strict does"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -36,6 +37,12 @@ std::vector<double> values_of(const OriginalShape<Dim>& shape, const std::string
   return found == shape.attributes.end() ? std::vector<double>() : found->values;
 }
 
+// Where a shape has no data there is no distance.
+void leave_out(std::vector<double>& distances, const std::vector<double>& is_observed) {
+  for (std::size_t v = 0; v < std::min(distances.size(), is_observed.size()); ++v)
+    if (is_observed[v] == 0) distances[v] = std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 template <int Dim>
@@ -52,6 +59,8 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
                            .distance_to_template = values_of(deformed, "distance_to_template"),
                            .measure_ratio = values_of(deformed, Dim == 3 ? "area_ratio" : "length_ratio"),
                            .distance_to_deformed = values_of(template_shape, "distance_to_deformed"), .unit = options.input.unit};
+  leave_out(shapes.distance_to_template, values_of(deformed, "template_observed"));
+  leave_out(shapes.distance_to_deformed, values_of(template_shape, "deformed_observed"));
   for (std::size_t v = 0; v < deformed.vertices.size(); ++v)
     shapes.reference.vertices[v] = map.from_reference_pose(reference->original.vertices[v]);
   return shapes;

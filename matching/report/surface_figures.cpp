@@ -49,11 +49,11 @@ std::vector<double> at_vertices(const Surface<Dim>& surface, const std::vector<d
 
 template <int Dim>
 SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
-  const auto& [reference, template_shape, deformed, distance] = result.surfaces;
+  const auto& [reference, template_shape, deformed, distance, template_deviation] = result.surfaces;
   const double unit = unit_of_template<Dim>(result.map);
   SurfaceFigures figures;
   figures.distance_to_template = distance;
-  figures.distance_to_deformed = distances_to(template_shape.vertices, SignedDistance<Dim>(deformed));
+  figures.distance_to_deformed = template_deviation;
   for (std::vector<double>* lengths : {&figures.distance_to_template, &figures.distance_to_deformed})
     for (double& d : *lengths) d *= unit;
   figures.measure_ratio = vertex_measure_ratios(reference, deformed);
@@ -69,7 +69,7 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
   figures.curvature_change.resize(deformed.vertices.size());
   parallel_for(deformed.vertices.size(), [&](std::size_t v) {
     const Index there = nearest_corner(template_shape, template_distance.closest(deformed.vertices[v]));
-    figures.curvature_change[v] = (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
+    figures.curvature_change[v] = std::isnan(distance[v]) ? distance[v] : (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
   });
   return figures;
 }

@@ -19,6 +19,7 @@ struct MatchedSurfaces {
   Surface<Dim> reference, template_shape;
   Surface<Dim> deformed;         ///< vertex by vertex the image of `reference`
   std::vector<double> distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0; NaN where a shape has no data
+  std::vector<double> template_distance;  ///< the same of each vertex of `template_shape` to `deformed`
 };
 
 /// The deformed reference at the end of a level but the last.

@@ -73,6 +73,26 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
   EXPECT_TRUE(contains(input_error_of([&] { check_volume_output("a.mhd"); }), "volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti"));
 }
 
+TEST(VolumeFile, NamesItsUnit) {
+  const TempFolder folder;
+  const Volume volume = volume_of(straight, number_of_place);
+  std::string bytes = nifti(volume);
+  const auto unit_of_nifti = [&](char code) {
+    bytes[123] = code;
+    return canonical(read_volume(folder.write("a.nii", bytes))).unit;
+  };
+  EXPECT_EQ(unit_of_nifti(0), "");
+  for (const char code : {1, 2, 3, 10}) EXPECT_EQ(unit_of_nifti(code), "mm") << "metres and micrometres become millimetres, whatever the unit of time";
+  const auto unit_of_nrrd = [&](const std::string& line) {
+    std::string text = nrrd(volume, true);
+    text.insert(text.find("encoding"), line);
+    return read_volume(folder.write("a.nrrd", text)).unit;
+  };
+  EXPECT_EQ(unit_of_nrrd(""), "");
+  EXPECT_EQ(unit_of_nrrd("space units: \"um\" \"um\" \"um\"\n"), "um");
+  EXPECT_EQ(unit_of_nrrd("space units: \"mm\" \"mm\" \"cm\"\n"), "");
+}
+
 class RefusedVolume : public ::testing::Test {
  protected:
   std::string refusal(const std::string& name, const std::string& bytes) {
