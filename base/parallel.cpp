@@ -8,8 +8,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 
 namespace shellmatch {
 
@@ -21,6 +25,37 @@ int threads = 0;
 
 // TBB tells that the system refuses a thread by a std::runtime_error of this text alone.
 bool says_no_thread(const std::runtime_error& error) { return std::string_view(error.what()).find("pthread_create") != std::string_view::npos; }
+
+#if defined(__SANITIZE_THREAD__)
+// The thread sanitizer does not see how TBB, whose libraries are not compiled with it, hands calls to threads and waits for them: it would
+// report every loop. These threads it sees begin and end, and nothing else orders the calls of different threads.
+template <class Call>
+void run_on_threads(std::size_t count, const Call& call) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr first;
+  const auto work = [&] {
+    try {
+      for (std::size_t k = next.fetch_add(1, std::memory_order_relaxed); k < count; k = next.fetch_add(1, std::memory_order_relaxed)) call(k);
+    } catch (...) {
+      next.store(count, std::memory_order_relaxed);
+      const std::lock_guard lock(mutex);
+      if (!first) first = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    while (others.size() + 1 < std::min(count, static_cast<std::size_t>(n_threads()))) others.emplace_back(work);
+    work();
+  }
+  if (first) std::rethrow_exception(first);
+}
+#else
+template <class Call>
+void run_on_threads(std::size_t count, const Call& call) {
+  tbb::parallel_for(std::size_t{0}, count, call);
+}
+#endif
 }  // namespace
 
 void set_n_threads(int n) {
@@ -44,7 +79,7 @@ void parallel_chunks(std::size_t n, std::size_t chunk_size, const std::function<
     return;
   }
   try {
-    tbb::parallel_for(std::size_t{0}, count, run);
+    run_on_threads(count, run);
   } catch (const std::runtime_error& error) {
     if (says_no_thread(error)) throw_environment_error("the system starts no further thread ({}); --threads 1 needs none", error.what());
     throw;
