@@ -2,6 +2,8 @@
 /// \file
 /// Runs the real program as a user would.
 
+#include "tests/support/slowdown.h"
+
 #include <chrono>
 #include <functional>
 #include <string>
@@ -29,11 +31,11 @@ class Program {
 
   void send_signal(int signal) const;
   /// Waits until the program has a handler for the signal; false if the time is over before.
-  bool wait_for_handler(int signal, std::chrono::milliseconds limit = std::chrono::seconds(60)) const;
+  bool wait_for_handler(int signal, std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown)) const;
   /// Collects its output until it ends or the time is over.
-  ProgramResult wait(std::chrono::milliseconds limit = std::chrono::seconds(60));
+  ProgramResult wait(std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
   /// Collects until `text` has appeared on stderr; false if the program ended or the time was over before.
-  bool wait_for_stderr(const std::string& text, std::chrono::milliseconds limit = std::chrono::seconds(60));
+  bool wait_for_stderr(const std::string& text, std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
 
  private:
   bool collect(std::chrono::steady_clock::time_point deadline);
@@ -49,7 +51,7 @@ std::string last_line(const std::string& text);
 
 /// Starts the program and waits for its end.
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
-                          std::chrono::milliseconds limit = std::chrono::seconds(60));
+                          std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
 
 /// Starts the program in a process that `prepare` has changed: limits and rights cannot be taken back. Its exit code (128 + signal) and stderr.
 ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare);

@@ -1,6 +1,5 @@
-// --max-seconds and --max-memory, kept by the program; what a second signal does.
+// --max-seconds and --max-memory, kept by the program.
 
-#include "apps/process/interrupt.h"
 #include "apps/process/limits.h"
 #include "matching/output/summary.h"
 #include "tests/apps/cli_harness.h"
@@ -9,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <filesystem>
 
 namespace shellmatch {
@@ -110,52 +108,6 @@ TEST(Limits, TextsThatAreNoneAreRefused) {
     EXPECT_TRUE(has(result.err, words[0] + " " + words[1] + ": expected a number")) << result.err;
   }
   EXPECT_EQ(run_program({"config", "--max-memory", "1GB", "--max-seconds", "600"}).exit_code, 0);
-}
-
-// In a process of its own.
-TEST(Signals, ASecondOneOfAnyKindEndsTheProgram) {
-  const auto after = [](int first, int second) {
-    catch_interrupts();
-    raise(first);
-    if (!interrupt_requested()) _exit(1);
-    raise(second);
-    _exit(0);
-  };
-  EXPECT_EXIT(after(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
-  EXPECT_EXIT(after(SIGTERM, SIGINT), ::testing::KilledBySignal(SIGINT), "");
-  EXPECT_EXIT(after(SIGHUP, SIGHUP), ::testing::KilledBySignal(SIGHUP), "");
-}
-
-TEST(Signals, OneThatIsIgnoredStaysIgnored) {
-  const auto ignored = [](int signal) {
-    std::signal(signal, SIG_IGN);
-    catch_interrupts();
-    raise(signal);
-    _exit(interrupt_requested() ? 1 : 0);
-  };
-  EXPECT_EXIT(ignored(SIGHUP), ::testing::ExitedWithCode(0), "");
-  EXPECT_EXIT(ignored(SIGINT), ::testing::ExitedWithCode(0), "");
-}
-
-TEST(Signals, TheEndOfTheTerminalStopsARunInOrder) {
-  const TemporaryFolder tmp;
-  Program program(match(tmp / "o", "3:7"));
-  ASSERT_TRUE(program.wait_for_stderr("level 4/7"));
-  program.send_signal(SIGHUP);
-  const ProgramResult stopped = program.wait();
-  EXPECT_EQ(stopped.exit_code, 129) << stopped.err;
-  EXPECT_TRUE(has(stopped.err, "goes on from there")) << stopped.err;
-}
-
-TEST(Signals, AShapeThatIsBeingMadeIsGivenUpInOrder) {
-  const TemporaryFolder tmp;
-  Program program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003"});
-  ASSERT_TRUE(program.wait_for_handler(SIGTERM));
-  program.send_signal(SIGTERM);
-  const ProgramResult stopped = program.wait();
-  EXPECT_EQ(stopped.exit_code, 143);
-  EXPECT_TRUE(has(stopped.err, "stopped; nothing was written")) << stopped.err;
-  EXPECT_EQ(tmp.entries(), Words{});
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -138,7 +139,11 @@ TEST(MatchShapes, TheVerdictSaysWhereTheTemplateIsNotReached) {
     for (const VerdictReason& reason : v.reasons)
       if (reason.shape == "template") {
         found = true;
-        EXPECT_NEAR((Vec<2>(reason.place.at(0), reason.place.at(1)) - there).norm(), 20, 2) << enum_name(direction);
+        const Vec<2> place(reason.place.at(0), reason.place.at(1));
+        double off = std::abs((place - there).norm() - 20);
+        // Backward one circle is drawn over both, and which of them it covers worse hangs on the last digits.
+        if (direction == MatchDirection::backward) off = std::min(off, std::abs((place - here).norm() - 20));
+        EXPECT_LT(off, 2) << enum_name(direction);
       }
     EXPECT_TRUE(found);
     EXPECT_EQ(r.summary.template_shape.n_components, 2u);
