@@ -77,6 +77,9 @@ void render(const RenderCommand& command, ResultView view, const Frames& frames)
     check_report_file(command.output, command.force);
     return write_report_file(command.output, draw_result(read_result_shapes<Dim>(command.folder), view, kind).bytes(), command.force);
   }
+  std::error_code ignored;
+  if (std::filesystem::exists(std::filesystem::path(command.output) / "deformation.vtu", ignored))
+    throw_input_error("{}: holds the result of a run, which an animation would replace; choose another folder with -o", command.output);
   OutputFolder folder(command.output, command.force);
   const ResultShapes<Dim> shapes = read_result_shapes<Dim>(command.folder);
   view.turns = frames.motion == Motion::turntable;

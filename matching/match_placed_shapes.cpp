@@ -145,6 +145,9 @@ class Matching {
 
   // Tells the vertices of both results at which the other shape has data from those at which it was made up.
   void add_observed(OriginalShape<Dim>& moved, OriginalShape<Dim>& covered, const Deformation<Dim>& map, const Surface<Dim>& deformed) const {
+    // A result that is used as a reference has those of its own matching.
+    std::erase_if(moved.attributes, [](const VertexAttribute& a) { return a.name == "template_observed"; });
+    std::erase_if(covered.attributes, [](const VertexAttribute& a) { return a.name == "deformed_observed"; });
     if (parts_.is_all()) return;
     const auto add = [&](OriginalShape<Dim>& shape, const std::string& name, const auto& is_observed) {
       VertexAttribute attribute{name, "uchar", std::vector<double>(shape.vertices.size())};
@@ -156,8 +159,8 @@ class Matching {
     add(moved, "template_observed", [&](std::size_t v) { return of_template.contains(unit(moved.vertices[v])); });
     std::vector<Vec<Dim>> points;
     for (const Vec<Dim>& y : covered.vertices) points.push_back(unit(y));
-    const std::vector<char> reached = parts_.of_template(points, deformed);
-    add(covered, "deformed_observed", [&](std::size_t v) { return reached[v] != 0; });
+    const std::vector<char> observed = parts_.near_observed(points, deformed);
+    add(covered, "deformed_observed", [&](std::size_t v) { return observed[v] != 0; });
   }
 
   std::vector<double> coordinates_of_template(const Vec<Dim>& in_unit_domain) const {

@@ -1,6 +1,7 @@
 #include "matching/pair_level.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "grid/fields/mass.h"
 #include "grid/octree/constraints.h"
 #include "matching/alignment/known_pairs.h"
@@ -28,9 +29,11 @@ bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
 }  // namespace
 
 template <int Dim>
-PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer)
+PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer,
+                          const std::function<void(const MapFrame<Dim>&)>& prepared)
     : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(1) {
   prepared_ = prepare_pair(shapes_, landmarks_, options_, observer);
+  if (prepared) prepared(prepared_.frame());
   if (prepared_.is_backward()) {  // the energy is that of the map from template to reference
     std::swap(shapes_.reference, shapes_.template_shape);
     landmarks_ = exchanged(std::move(landmarks_));
@@ -68,7 +71,7 @@ std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
     run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_, observed_pair(shapes_.reference, shapes_.template_shape));
   } catch (const LevelReached&) {
   }
-  SHELLMATCH_CHECK(coarser.has_value(), "a cascade reports the end of each of its levels");
+  if (!coarser) throw Stopped("stopped before the level below was done; it is the start that was asked for");
   return sampled(*coarser);
 }
 
@@ -81,9 +84,8 @@ std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const
 }
 
 template <int Dim>
-bool PairLevel<Dim>::has_frame(const MapFrame<Dim>& frame) const {
-  const MapFrame<Dim> own = prepared_.frame();
-  return frame.is_backward == own.is_backward && same_place(frame.placement, own.placement) && same_place(frame.pose, own.pose);
+bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
+  return a.is_backward == b.is_backward && same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
 }
 
 template <int Dim>
@@ -104,6 +106,8 @@ LevelProblem<Dim> PairLevel<Dim>::problem(const SolverOptions& solver, const std
                            [this, solver](Metric metric) { return level_metric(*level_, solver, weights(), metric); });
 }
 
+template bool same_frame<2>(const MapFrame<2>&, const MapFrame<2>&);
+template bool same_frame<3>(const MapFrame<3>&, const MapFrame<3>&);
 template class PairLevel<2>;
 template class PairLevel<3>;
 

@@ -13,6 +13,7 @@
 #include "matching/pairs/landmarks.h"
 #include "matching/progress/observer.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct LevelSize {
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0;
 };
 
+/// Do two maps belong to shapes in the same place, direction and pose?
+template <int Dim>
+bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b);
+
 /// The grid, the coefficients and the energy that the cascade has on a level. Its members refer to each other.
 template <int Dim>
 class PairLevel {
@@ -31,8 +36,10 @@ class PairLevel {
   /// Aligns and places the shapes, refines from cascade.min_level up to `level`, and makes the energy there.
   /// \param shapes in the user's coordinates \param options kept \param level between cascade.min_level and cascade.max_level
   /// \param observer is told the stages
+  /// \param prepared told where the pair lies, before anything that takes long; what it throws is passed on
   /// \throws InputError as match_shapes; EnvironmentError
-  PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer);
+  PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer,
+            const std::function<void(const MapFrame<Dim>&)>& prepared = {});
   PairLevel(const PairLevel&) = delete;
   PairLevel& operator=(const PairLevel&) = delete;
 
@@ -40,11 +47,12 @@ class PairLevel {
   std::vector<Vec<Dim>> identity() const { return identity_map(grid_); }
 
   /// The result of the cascade on the level before, at the nodes of this one: where the cascade begins here. The identity on the coarsest.
+  /// \throws Stopped where the observer ends it before
   std::vector<Vec<Dim>> coarser_result(Observer& observer) const;
 
   /// A map of the same shapes, at the nodes of this grid. \pre it lies where this pair does (has_frame)
   std::vector<Vec<Dim>> sampled(const Deformation<Dim>& map) const;
-  bool has_frame(const MapFrame<Dim>& frame) const;
+  bool has_frame(const MapFrame<Dim>& frame) const { return same_frame(frame, prepared_.frame()); }
 
   /// What the cascade makes anew as phi moves becomes that for this phi: the pairs of coverage, where it acts on this level, and the mask of
   /// shapes with gaps (docs/closing.md).

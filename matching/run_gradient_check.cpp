@@ -36,10 +36,11 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
                                        shapes.template_shape.original.vertices, landmark_spaces(shapes));
   std::optional<Deformation<Dim>> found;
   if (request.state.kind == CheckState::Kind::folder) found = read_deformation<Dim>(request.state.folder);
-  PairLevel<Dim> level(std::move(shapes), std::move(landmarks), options, level_of(options, request, found), observer);
-  if (found && !level.has_frame(*found))
-    throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment, or in the other "
-                      "direction (align.direction)", request.state.folder);
+  PairLevel<Dim> level(std::move(shapes), std::move(landmarks), options, level_of(options, request, found), observer, [&](const MapFrame<Dim>& frame) {
+    if (found && !same_frame<Dim>(*found, frame))
+      throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment, or in the other "
+                        "direction (align.direction)", request.state.folder);
+  });
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level.energy(), options.energy, found);
   level.follow(phi);
   const ScheduleStep step = level.step();

@@ -46,22 +46,31 @@ std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) 
 }
 
 template <int Dim>
+std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const {
+  std::vector<char> observed(points.size(), 1);
+  if (margins_.empty()) return observed;
+  const FacetTree<Dim> tree(deformed);
+  parallel_for(
+      points.size(),
+      [&](std::size_t i) {
+        const Index f = tree.nearest(points[i]);
+        double margin = 0;  // interpolated, as it is 0 along the edge of a gap
+        if (f != no_index) {
+          const auto weights = barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, points[i]));
+          const auto& facet = deformed.facets[static_cast<std::size_t>(f)];
+          for (std::size_t k = 0; k < Dim; ++k) margin += weights[k] * margins_[static_cast<std::size_t>(facet[k])];
+        }
+        observed[i] = margin > reference_part_.least_margin();
+      },
+      256);
+  return observed;
+}
+
+template <int Dim>
 std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const {
   if (is_all()) return {};
-  const FacetTree<Dim> tree(deformed);
-  // Margins are interpolated, as they are 0 along the edge of a gap.
-  const auto is_observed = [&](const Vec<Dim>& x) {
-    if (margins_.empty()) return true;
-    const Index f = tree.nearest(x);
-    if (f == no_index) return false;
-    const auto& facet = deformed.facets[static_cast<std::size_t>(f)];
-    const auto weights = barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, x));
-    double margin = 0;
-    for (int k = 0; k < Dim; ++k) margin += weights[static_cast<std::size_t>(k)] * margins_[static_cast<std::size_t>(facet[k])];
-    return margin > reference_part_.least_margin();
-  };
-  std::vector<char> measured(points.size());
-  parallel_for(points.size(), [&](std::size_t i) { measured[i] = template_part_.contains(points[i]) && is_observed(points[i]); }, 256);
+  std::vector<char> measured = near_observed(points, deformed);
+  parallel_for(points.size(), [&](std::size_t i) { measured[i] = measured[i] && template_part_.contains(points[i]); }, 256);
   return measured;
 }
 

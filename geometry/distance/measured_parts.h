@@ -23,6 +23,8 @@ class MeasuredParts {
   std::vector<char> of_deformed(const Surface<Dim>& deformed) const;
   /// For each facet of the reference: is its centre observed, and has the template data next to it after it was deformed? Empty for all.
   std::vector<char> of_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) const;
+  /// For each point: has the reference data at the nearest point of its deformed surface?
+  std::vector<char> near_observed(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const;
   /// For each point of the template: is it observed, and has the reference data at the nearest point of its deformed surface? Empty for
   /// all.
   std::vector<char> of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const;

@@ -15,7 +15,7 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp";
-constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd";
+constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
 constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm";
 
 [[noreturn]] void unsupported(const InputFile& file) {

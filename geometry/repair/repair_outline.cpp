@@ -4,6 +4,7 @@
 #include "geometry/repair/repair_crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -187,11 +188,23 @@ int nesting_depth(std::size_t number, const std::vector<Ring>& rings, const std:
   return depth;
 }
 
+// Products of smaller numbers vanish, and with them the sides of points. Shapes are at least 1e-50 large (make_shape.cpp).
+constexpr double vanishing = 1e-100;
+
+bool is_vanishing(double x) { return x != 0 && std::abs(x) < vanishing; }
+
 }  // namespace
 
 Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source,
                         std::vector<std::string>& notes) {
   if (original.polygons.empty()) throw_input_error("{}: no outline in it", source);
+  if (std::ranges::any_of(original.vertices, [](const Vec<2>& x) { return is_vanishing(x.x()) || is_vanishing(x.y()); })) {
+    OriginalShape<2> rounded{original.vertices, original.polygons, {}};
+    for (Vec<2>& x : rounded.vertices)
+      for (double& coordinate : x)
+        if (is_vanishing(coordinate)) coordinate = 0;
+    return mend_outline(rounded, source, notes);
+  }
   Repairs repairs;
   std::vector<std::vector<Index>> polygons;
   for (std::size_t number = 0; number < original.polygons.size(); ++number)

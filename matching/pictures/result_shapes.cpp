@@ -6,6 +6,7 @@
 #include "matching/experiment/yaml_options.h"
 #include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
+#include "matching/output/summary.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -37,7 +38,7 @@ std::vector<double> values_of(const OriginalShape<Dim>& shape, const std::string
   return found == shape.attributes.end() ? std::vector<double>() : found->values;
 }
 
-// Where a shape has no data there is no distance.
+// Where the other shape has no data nothing is measured.
 void leave_out(std::vector<double>& distances, const std::vector<double>& is_observed) {
   for (std::size_t v = 0; v < std::min(distances.size(), is_observed.size()); ++v)
     if (is_observed[v] == 0) distances[v] = std::numeric_limits<double>::quiet_NaN();
@@ -51,15 +52,19 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
   const ExperimentOptions options = read_experiment((place / "config.yaml").string());
   const OriginalShape<Dim> deformed = read_written<Dim>(place, "deformed"), template_shape = read_written<Dim>(place, "template");
   const Deformation<Dim> map = read_deformation<Dim>(folder);
+  if (options.input.reference.empty())
+    throw_input_error("{}: its config.yaml names no reference, as it was an array in Python; report.html shows the result", folder);
   AnyShape read = open_shape(options.input.reference, options.input.close, map.space == Space::unsaid ? default_space : map.space);
-  const auto* reference = std::get_if<Shape<Dim>>(&read);
+  auto* reference = std::get_if<Shape<Dim>>(&read);
   if (reference == nullptr || reference->original.vertices.size() != deformed.vertices.size())
     throw_input_error("{}: is no longer the reference of {}, which has {} vertices", options.input.reference, folder, deformed.vertices.size());
   ResultShapes<Dim> shapes{.reference = surface_of(deformed), .deformed = surface_of(deformed), .template_shape = surface_of(template_shape),
                            .distance_to_template = values_of(deformed, "distance_to_template"),
                            .measure_ratio = values_of(deformed, Dim == 3 ? "area_ratio" : "length_ratio"),
-                           .distance_to_deformed = values_of(template_shape, "distance_to_deformed"), .unit = options.input.unit};
-  leave_out(shapes.distance_to_template, values_of(deformed, "template_observed"));
+                           .distance_to_deformed = values_of(template_shape, "distance_to_deformed"), .unit = read_summary((place / "summary.json").string()).unit.value_or("")};
+  // The run has brought it into the frame of the template.
+  if constexpr (Dim == 3) change_space(reference->original.vertices, reference->original.space, map.space);
+  for (std::vector<double>* values : {&shapes.distance_to_template, &shapes.measure_ratio}) leave_out(*values, values_of(deformed, "template_observed"));
   leave_out(shapes.distance_to_deformed, values_of(template_shape, "deformed_observed"));
   for (std::size_t v = 0; v < deformed.vertices.size(); ++v)
     shapes.reference.vertices[v] = map.from_reference_pose(reference->original.vertices[v]);

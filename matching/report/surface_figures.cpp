@@ -63,6 +63,10 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
     for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
     figures.angle_change = at_vertices(reference, degrees);
   }
+  // Nothing holds the map where a shape has no data.
+  for (std::vector<double>* values : {&figures.measure_ratio, &figures.angle_change})
+    for (std::size_t v = 0; v < values->size(); ++v)
+      if (std::isnan(distance[v])) (*values)[v] = distance[v];
   std::array<std::vector<double>, 2> curvatures;
   for_both([&](int i) { curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape); });
   const SignedDistance<Dim> template_distance(template_shape);

@@ -153,6 +153,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
   if (summary.distance) {
     const auto& [there, back, uncovered] = *summary.distance;
     const auto text = [&](const OneSidedDistance& d) {
+      if (std::isnan(d.mean)) return std::string("not measured, as there is nothing");
       return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary), length_text(d.max, summary));
     };
     const char* where = summary.reference.invented || summary.template_shape.invented ? " where both have data" : "";
@@ -175,6 +176,9 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
 std::optional<std::string> far_apart_warning(const MatchSummary& summary) {
   if (!summary.distance_before) return std::nullopt;
   const double back = summary.distance_before->template_to_deformed.mean, there = summary.distance_before->deformed_to_template.mean;
+  // Nothing is measured then, but phi may still bring them together.
+  if (std::isnan(there) || std::isnan(back))
+    return "nothing that both shapes have lies side by side: where the one is, the other has gaps; do they lie in one place (shellmatch inspect)?";
   if (std::max(there, back) <= apart) return std::nullopt;
   return fmt::format("the shapes begin far apart: the reference lies {} from the template on average, the template {} from the reference; are units "
                      "and places the same (shellmatch inspect)? Otherwise {}",

@@ -50,7 +50,7 @@ auto compute(Body&& body) {
       throw_kept_error();
       return result;
     }
-  } catch (const Stopped&) {
+  } catch (...) {  // of a worker, beside what ended the others
     throw_kept_error();
     throw;
   }

@@ -70,12 +70,17 @@ Match match(const ShapeInput& reference, const ShapeInput& template_shape, const
   return made;
 }
 
+// Files name columns in any encoding.
+py::str text_of(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "backslashreplace"));
+}
+
 template <int Dim>
 py::dict attributes_of(const OriginalShape<Dim>& shape) {
   py::dict attributes;
   for (const VertexAttribute& a : shape.attributes)
     if (a.type != "text")
-      attributes[py::str(a.name)] =
+      attributes[text_of(a.name)] =
           array_of(std::vector<double>(a.values), {static_cast<py::ssize_t>(a.values.size())});
   return attributes;
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 import os
 import warnings
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
@@ -118,7 +119,11 @@ class Result:
     def distances(self) -> Distances:
         """Distances from the deformed reference to the template and back."""
         figures = self._summary["distance"]
-        there, back = figures["deformed_to_template"], figures["template_to_deformed"]
+        # JSON has null for what was not measured: shapes with gaps may have nothing in common.
+        there, back = (
+            {key: math.nan if value is None else value for key, value in figures[way].items()}
+            for way in ("deformed_to_template", "template_to_deformed")
+        )
         return Distances(
             self._core.attributes["distance_to_template"],
             self._core.template_attributes["distance_to_deformed"],

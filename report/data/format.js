@@ -24,7 +24,7 @@ export function bytes(n) {
 }
 
 export function percent(share) {
-  return `${figure(100 * share)} %`;
+  return Number.isNaN(share) ? "not known" : `${figure(100 * share)} %`;
 }
 
 /** The last part of a path. */

@@ -28,11 +28,19 @@ function inUnitDomain(positions, [origin, ...ends]) {
   return result;
 }
 
+// What was not measured is null in JSON, which would count as 0.
+function withoutNull(distance) {
+  for (const way of [distance?.deformed_to_template, distance?.template_to_deformed].filter(Boolean))
+    for (const key of Object.keys(way)) way[key] ??= NaN;
+  if (distance?.uncovered === null) distance.uncovered = NaN;
+}
+
 /** Reads the two elements of the page. */
 export async function readModel(document) {
   const data = JSON.parse(document.getElementById("data").textContent);
   const arrays = await unpack(data.arrays, document.getElementById("arrays").textContent);
   const { summary } = data, last = summary.levels[summary.levels.length - 1].level;
+  [summary.distance, summary.distance_before, ...summary.levels.map((level) => level.distance)].forEach(withoutNull);
   const unit = summary.unit || "";
   const model = {
     data,

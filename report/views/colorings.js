@@ -70,7 +70,7 @@ export function colorings(model) {
     },
     plain: { name: "Plain", note: "Each shape in its own colour.", reference: () => plain(n, plainColors.reference), template: plainTemplate },
     distance: {
-      name: "Distance, both ways", note: "Of the result to the template; on the template, of the template to the result.",
+      name: "Distance, both ways", note: "Of the result to the template; on the template, of the template to the result. Grey: no data.",
       ...scaled(fromZero([a.distance_to_template, a.distance_to_deformed], `distance (${model.length})`), a.distance_to_template, a.distance_to_deformed),
     },
     measure: {

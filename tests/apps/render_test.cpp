@@ -103,6 +103,13 @@ TEST_F(Render, RefusesWhatCannotBeDrawn) {
   }
 }
 
+TEST_F(Render, AnAnimationReplacesNoResult) {
+  const ProgramResult result = render("space", "plane", {"--motion", "morph", "--frames", "2"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "holds the result of a run")) << result.err;
+  EXPECT_TRUE(fs::exists(*tmp / "plane/deformation.vtu"));
+}
+
 TEST_F(Render, RefusesAnotherReference) {
   const TemporaryFolder other;
   run_program({"generate", "circle", "-o", other / "a.csv"});

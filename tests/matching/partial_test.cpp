@@ -149,6 +149,19 @@ TEST_F(Partial, APartOfAHeadFitsAWholeOne) {
   }
 }
 
+// A result that is used as a reference has the columns of its own matching only.
+TEST_F(Partial, ColumnsOfAnEarlierMatchingGo) {
+  Shape<3> used = *reference, seen = *other;
+  const auto zeros = [](const Shape<3>& s, const char* name) { return VertexAttribute{name, "uchar", std::vector<double>(s.original.vertices.size(), 0)}; };
+  used.original.attributes.push_back(zeros(used, "template_observed"));
+  seen.original.attributes.push_back(zeros(seen, "deformed_observed"));
+  ExperimentOptions o = options();
+  o.cascade.max_level = 3;
+  const MatchResult<3> r = match_shapes(used, seen, o, quiet);
+  EXPECT_EQ(column(r.deformed, "template_observed"), nullptr);
+  EXPECT_EQ(column(r.template_shape, "deformed_observed"), nullptr);
+}
+
 TEST_F(Partial, PosesAreNotSearchedWithLargeGaps) {
   struct Notes final : Observer {
     void note(const std::string& text) override { all += text + "\n"; }

@@ -88,6 +88,12 @@ TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
   EXPECT_TRUE(has_note(spike, "without width removed"));
 }
 
+TEST(Outline, NumbersWhoseProductsVanishAreZero) {
+  // A loop of the size of the smallest number beside a triangle, which would lie within it.
+  const Shape<2> shape = outline("0 5e-324\n5e-324 5e-324\n5e-324 1e-323\n0 1e-323\n5e-324 5e-324\n4 4\n-28 2\n4 -30.5\n");
+  EXPECT_DOUBLE_EQ(area(shape.surface), 483);
+}
+
 TEST(Outline, TooSmallWithoutItsSpike) {
   const std::string said = message("0 0\n1e-60 0\n1e-60 1e-60\n0 1e-60\n-30 1e-60\n0 1e-60\n");
   EXPECT_TRUE(contains(said, "the mended shape has a size of 1e-60, and sizes from 1e-50 on can be used")) << said;

@@ -133,6 +133,9 @@ TEST(Verdict, NothingInCommonIsNoMatch) {
   EXPECT_EQ(v.outcome, "not-matched");
   ASSERT_EQ(v.reasons.size(), 1u);
   EXPECT_NE(v.reasons[0].what.find("nothing was measured"), std::string::npos);
+  EXPECT_NE(verdict_lines(s).at(0).find("not measured, as there is nothing"), std::string::npos);
+  s.distance_before = s.distance;
+  EXPECT_NE(far_apart_warning(s).value_or("").find("nothing that both shapes have"), std::string::npos);
 }
 
 TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
