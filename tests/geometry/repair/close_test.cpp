@@ -146,6 +146,15 @@ TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
   EXPECT_TRUE(has_note(notes, "1 loose triangle left out"));
 }
 
+TEST(CloseSurface, FlatTrianglesAloneAreRefused) {
+  Surface<3> flat;
+  flat.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  flat.facets = {{0, 1, 2}, {1, 2, 3}};
+  EXPECT_TRUE(wrapped(flat, 0.1, 0.01).facets.empty());
+  std::vector<std::string> notes;
+  expect_input_error([&] { mended(flat, notes); }, {"thing", "the surface is open"});
+}
+
 TEST(CloseSurface, ASheetEnclosesNothing) {
   Surface<3> sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
