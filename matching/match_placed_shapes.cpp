@@ -184,7 +184,8 @@ class Matching {
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
-    OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed);
+    const SignedDistance<Dim> deformed_distance(deformed);
+    OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed_distance);
     if (!inputs_.truth.empty()) {
       const double diagonal = bounding_box(template_.original.vertices).diagonal();
       summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
@@ -192,7 +193,7 @@ class Matching {
     }
     add_observed(moved, covered, map, deformed);
     std::vector<double> distance = vertex_distances(deformed);
-    std::vector<double> template_distance = distances_to(template_.surface.vertices, SignedDistance<Dim>(deformed));
+    std::vector<double> template_distance = distances_to(template_.surface.vertices, deformed_distance);
     leave_out(template_distance, parts_.of_template(template_.surface.vertices, deformed));
     return {std::move(map),
             std::move(moved),

@@ -77,7 +77,7 @@ Surface<3> bridges(const Surface<3>& wrap, const Surface<3>& triangles, double o
 }
 
 // The patches with which the holes of `observed` were filled.
-Closure closure_by(FilledHoles& filled, Surface<3> observed) {
+Closure closure_by(const FilledHoles& filled, Surface<3> observed) {
   Surface<3> patches{filled.surface.vertices, {filled.surface.facets.end() - static_cast<std::ptrdiff_t>(filled.n_new), filled.surface.facets.end()}};
   remove_unused_vertices(patches);
   return {{std::move(observed), std::move(patches)}, filled.new_share};

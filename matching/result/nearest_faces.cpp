@@ -64,9 +64,9 @@ void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& 
 }
 
 template <int Dim>
-OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_shape, const MapFrame<Dim>& frame, const Surface<Dim>& deformed) {
+OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_shape, const MapFrame<Dim>& frame,
+                                          const SignedDistance<Dim>& distance_to_deformed) {
   OriginalShape<Dim> covered = template_shape;
-  const SignedDistance<Dim> distance_to_deformed(deformed);
   // Backward the template is the shape that the pose has moved.
   const Similarity<Dim> pose = frame.is_backward ? frame.pose : Similarity<Dim>{};
   std::vector<double> distance(covered.vertices.size());
@@ -79,7 +79,7 @@ OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_sha
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template void add_correspondence<Dim>(OriginalShape<Dim>&, const OriginalShape<Dim>&, const Similarity<Dim>&);        \
-  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&, const Surface<Dim>&)
+  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&, const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

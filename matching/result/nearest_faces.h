@@ -18,8 +18,9 @@ template <int Dim>
 void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& template_shape, const Similarity<Dim>& placement);
 
 /// The template as it was read with the additional attribute `distance_to_deformed` (user's unit): where that is large, the deformed
-/// reference does not reach. \param deformed the reference's surface, deformed, in the unit domain
+/// reference does not reach. \param distance_to_deformed the reference's surface, deformed, in the unit domain
 template <int Dim>
-OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_shape, const MapFrame<Dim>& frame, const Surface<Dim>& deformed);
+OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_shape, const MapFrame<Dim>& frame,
+                                          const SignedDistance<Dim>& distance_to_deformed);
 
 }  // namespace shellmatch

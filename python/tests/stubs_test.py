@@ -9,7 +9,7 @@ import unittest
 import shellmatch
 from shellmatch import _core
 
-stub = pathlib.Path(_core.__file__).parent / "_core.pyi"
+interface = pathlib.Path(_core.__file__).parent / "_core.pyi"
 
 
 def parameters_of_stub(function):
@@ -33,7 +33,7 @@ def public(names):
 
 class Stubs(unittest.TestCase):
     def setUp(self):
-        self.tree = ast.parse(stub.read_text())
+        self.tree = ast.parse(interface.read_text())
 
     def test_names_agree(self):
         functions = {n.name for n in self.tree.body if isinstance(n, ast.FunctionDef)}
@@ -65,7 +65,7 @@ class Stubs(unittest.TestCase):
         self.assertGreater(n_compared, 15)
 
     def test_the_package_is_typed(self):
-        self.assertTrue((stub.parent / "py.typed").exists())
+        self.assertTrue((interface.parent / "py.typed").exists())
         for name in shellmatch.__all__:
             thing = getattr(shellmatch, name)
             if inspect.isfunction(thing):

@@ -70,6 +70,8 @@ class Browser:
         """Moves a slider or takes a choice, as a user does."""
         self.run("""const e = document.getElementById(arguments[0]);
                     if (e.type === "checkbox") { if (e.checked !== arguments[1]) e.click(); return; }
+                    const choices = e.tagName === "SELECT" ? [...e.options].map((o) => o.value) : null;
+                    if (choices && !choices.includes(arguments[1])) throw new Error(`${arguments[0]}: ${arguments[1]} is none of ${choices.join(", ")}`);
                     e.value = arguments[1];
                     e.dispatchEvent(new Event(e.tagName === "SELECT" ? "change" : "input", { bubbles: true }));""", name, value)
         self.settle()

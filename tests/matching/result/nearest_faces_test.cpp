@@ -101,7 +101,7 @@ TEST(NearestFaces, TheTemplateKnowsItsDistance) {
     frame.pose.offset = Vec<3>(1, 0, -3);
     Surface<3> deformed = make_shape(sphere(9), "").surface;
     for (Vec<3>& x : deformed.vertices) x = frame.placement(is_backward ? frame.pose(x) : x);
-    const OriginalShape<3> covered = template_with_distance(template_shape, frame, deformed);
+    const OriginalShape<3> covered = template_with_distance(template_shape, frame, SignedDistance<3>(deformed));
     EXPECT_EQ(covered.vertices, template_shape.vertices);
     EXPECT_EQ(covered.polygons, template_shape.polygons);
     const VertexAttribute& distance = column(covered, "distance_to_deformed");
