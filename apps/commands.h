@@ -83,7 +83,7 @@ struct ViewCommand {
 
 struct RenderCommand {
   std::string folder, output;
-  std::string show, colors, azimuth, elevation, time, size, motion, frames;  ///< empty if not given
+  std::string show, colors, azimuth, elevation, time, size, motion, frames, seconds, quality;  ///< empty if not given
   bool force = false;
 };
 

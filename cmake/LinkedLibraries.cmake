@@ -34,6 +34,7 @@ shellmatch_linked_library("libpng" "${PNG_VERSION_STRING}" "libpng" "no")
 shellmatch_linked_library("zlib" "${ZLIB_VERSION_STRING}" "Zlib" "no")
 shellmatch_linked_library("xxHash" "${XXHASH_VERSION}" "BSD-2-Clause" "no")
 shellmatch_linked_library("Cairo" "${CAIRO_VERSION}" "LGPL-2.1 or MPL-1.1" "LGPL or MPL")
+shellmatch_linked_library("libwebp" "${WEBP_libwebp_VERSION}" "BSD-3-Clause" "notice")
 # In the page of a result (report/).
 file(READ ${NODE_MODULES}/three/package.json package)
 string(JSON three_version GET "${package}" version)

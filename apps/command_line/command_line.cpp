@@ -192,15 +192,17 @@ void describe(CLI::App& app, Commands& commands) {
   CLI::App* render = add_command(app, "render", help_text::render, help_text::render_footer);
   RenderCommand& rendered = commands.render;
   render->add_option("DIR", rendered.folder, "output folder of a run")->required()->type_name("");
-  render->add_option("-o,--output", rendered.output, "the picture (.png, .svg, .pdf), or with --motion a folder")->type_name("FILE");
+  render->add_option("-o,--output", rendered.output, "the picture (.png, .svg, .pdf); with --motion an animation (.webp), or a folder of PNGs")->type_name("FILE|DIR");
   render->add_option("--show", rendered.show, "which shapes; all is three panels")->type_name("result|reference|template|overlay|all");
   render->add_option("--color", rendered.colors, "distance and distortion have a scale with its unit")->type_name("checker|distance|distortion|plain");
   render->add_option("--azimuth", rendered.azimuth, "of the view, around the up axis; a good one is chosen if not given")->type_name("DEGREES");
   render->add_option("--elevation", rendered.elevation, "of the view, above the horizon")->type_name("DEGREES");
   render->add_option("--time", rendered.time, "t of phi_t = (1 - t) id + t phi, 0 to 1")->type_name("T");
   render->add_option("--size", rendered.size, "side of a panel (800)")->type_name("PIXELS");
-  render->add_option("--motion", rendered.motion, "the pictures of an animation, numbered, in a folder")->type_name("morph|turntable");
+  render->add_option("--motion", rendered.motion, "an animation: the way from reference to result, or a turn around them")->type_name("morph|turntable");
   render->add_option("--frames", rendered.frames, "how many pictures (60)")->type_name("N");
+  render->add_option("--seconds", rendered.seconds, "how long a .webp moves; 25 pictures a second if not given")->type_name("SECONDS");
+  render->add_option("--quality", rendered.quality, "of a .webp, 1 to 100 (80); 100 keeps every pixel")->type_name("Q");
   render->add_flag("--force", rendered.force, "replace the file, or the folder of an earlier animation");
 
   CLI::App* config = add_command(app, "config", help_text::config, help_text::config_footer);
@@ -244,7 +246,7 @@ Command named_command(const std::string& name, const Commands& commands) {
   if (name == "self-test") return commands.self_test;
   if (name == "view") return commands.view;
   if (name == "render") {
-    require_output(commands.render.output, "FILE");
+    require_output(commands.render.output, commands.render.motion.empty() ? "FILE" : "FILE.webp, or a folder");
     return commands.render;
   }
   return commands.config;

@@ -124,14 +124,15 @@ Examples:
   shellmatch view out/hand
   xdg-open $(shellmatch view out/hand --print))";
 
-inline constexpr const char* render = "Draw a result with a chosen view: one picture, or the pictures of an animation.";
+inline constexpr const char* render = "Draw a result with a chosen view: a picture or an animation.";
 
 inline constexpr const char* render_footer = R"(It reads the output folder, and the reference that its config.yaml names. Pictures of surfaces in SVG and PDF are placed as pixels; text and scales are lines.
 
 Examples:
   shellmatch render out/hand -o hand.png --show all --color distance
   shellmatch render out/hand -o hand.pdf --show overlay --azimuth 30 --elevation 10 --size 1600
-  shellmatch render out/hand -o turn --motion turntable --frames 90        (turn/frame_0000.png, ...)
+  shellmatch render out/hand -o hand.webp --motion morph                   (any browser shows it)
+  shellmatch render out/hand -o turn.webp --motion turntable --frames 90 --seconds 6 --size 400
   shellmatch render out/hand -o morph --motion morph; ffmpeg -i morph/frame_%04d.png -pix_fmt yuv420p morph.mp4)";
 
 inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";

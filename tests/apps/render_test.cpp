@@ -3,6 +3,7 @@
 #include "render/canvas/image.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
+#include "tests/render/decoded_animation.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ struct Render : ::testing::Test {
   void SetUp() override {
     if (tmp != nullptr) return;
     tmp = new TemporaryFolder;  // it is named after a test
-    for (const Words& pair : {Words{"generate:circle", "generate:ellipse/long", "plane"}, Words{"generate:sphere", "generate:ellipsoid", "space"}})
+    for (const Words& pair : {Words{"generate:circle", "generate:ellipse/long", "plane"}, Words{"generate:sphere", "generate:ellipsoid/long", "space"}})
       run_program({"match", pair[0], pair[1], "-o", *tmp / pair[2], "--levels", "2:3", "--align", "none", "--set", "pictures=none", "--set", "report=false",
                    "--set", "input.unit=mm", "-q"});
   }
@@ -86,6 +87,37 @@ TEST_F(Render, AnimationsAreNumberedPictures) {
   EXPECT_NE(contents_of(*tmp / "morph/frame_0000.png"), contents_of(*tmp / "end.png"));
 }
 
+// At full quality the file has the pixels of the folder.
+TEST_F(Render, AnAnimationIsOneFile) {
+  for (const auto& [folder, motion] : {std::pair{"plane", "morph"}, std::pair{"space", "morph"}, std::pair{"space", "turntable"}}) {
+    ASSERT_EQ(render(folder, "a.webp", {"--motion", motion, "--frames", "5", "--quality", "100", "--seconds", "2"}).exit_code, 0);
+    ASSERT_EQ(render(folder, "pictures", {"--motion", motion, "--frames", "5"}).exit_code, 0);
+    const testing::DecodedAnimation decoded = testing::decoded_animation(contents_of(*tmp / "a.webp"));
+    ASSERT_EQ(decoded.pictures.size(), 5u) << folder << " " << motion;
+    for (int i = 0; i < 5; ++i)
+      EXPECT_EQ(decoded.pictures[i], read_png(*tmp / ("pictures/frame_000" + std::to_string(i) + ".png"))) << folder << " " << motion << " " << i;
+    // A morph rests half a second at either end.
+    const bool is_morph = motion == std::string("morph");
+    EXPECT_EQ(decoded.ends, (is_morph ? std::vector<int>{900, 1300, 1700, 2100, 3000} : std::vector<int>{400, 800, 1200, 1600, 2000}));
+  }
+  ASSERT_EQ(render("plane", "b.webp", {"--motion", "morph", "--frames", "10"}).exit_code, 0);
+  EXPECT_EQ(testing::decoded_animation(contents_of(*tmp / "b.webp")).ends.back(), 1400) << "25 a second";
+}
+
+TEST_F(Render, AnAnimationIsReplacedByForceOnly) {
+  const std::string place = *tmp / "kept.webp";
+  put(place, "mine");
+  const Words words{"render", *tmp / "plane", "-o", place, "--size", "60", "--motion", "morph", "--frames", "2"};
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "--force")) << result.err;
+  EXPECT_EQ(contents_of(place), "mine");
+  Words forced = words;
+  forced.push_back("--force");
+  EXPECT_EQ(run_program(forced).exit_code, 0);
+  EXPECT_EQ(testing::decoded_animation(contents_of(place)).pictures.size(), 2u);
+}
+
 TEST_F(Render, RefusesWhatCannotBeDrawn) {
   struct Case {
     std::string folder, output;
@@ -94,13 +126,24 @@ TEST_F(Render, RefusesWhatCannotBeDrawn) {
   };
   for (const Case& c : {Case{"plane", "x.gif", {}, "written as .png, .svg, .pdf"}, Case{"plane", "x.png", {"--show", "both"}, "result, reference, template, overlay, all"},
                         Case{"plane", "x.png", {"--time", "1.5"}, "from 0 to 1"}, Case{"plane", "x", {"--motion", "turntable"}, "in the plane"},
-                        Case{"space", "x.png", {"--frames", "3"}, "--motion"}, Case{"space", "x", {"--motion", "spin"}, "morph or turntable"},
+                        Case{"space", "x.png", {"--frames", "3"}, "--motion"},
+                        Case{"space", "x.webp", {}, "--motion"}, Case{"space", "x.gif", {"--motion", "morph"}, "one file .webp"},
+                        Case{"space", "x", {"--motion", "morph", "--quality", "50"}, ".webp"}, Case{"space", "x.png", {"--seconds", "2"}, "--motion"},
+                        Case{"space", "x.webp", {"--motion", "morph", "--quality", "0"}, "from 1 to 100"},
+                        Case{"space", "x", {"--motion", "spin"}, "morph or turntable"},
                         Case{"space", "x.png", {"--elevation", "nan"}, "from -90 to 90"}, Case{"nothing", "x.png", {}, "nothing"}}) {
     const ProgramResult result = render(c.folder, c.output, c.more);
     EXPECT_EQ(result.exit_code, 2) << c.words;
     EXPECT_TRUE(has(result.err, c.words)) << result.err;
     EXPECT_FALSE(fs::exists(*tmp / c.output));
   }
+}
+
+TEST_F(Render, AnAnimationLargerThanTheFormatIsRefusedBeforeItIsDrawn) {
+  const ProgramResult result = run_program({"render", *tmp / "space", "-o", *tmp / "large.webp", "--motion", "morph", "--size", "6000", "--show", "all"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "--size 6000: pictures of an animation end at 16383")) << result.err;
+  EXPECT_FALSE(fs::exists(*tmp / "large.webp"));
 }
 
 TEST_F(Render, AnAnimationReplacesNoResult) {

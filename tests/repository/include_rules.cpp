@@ -37,6 +37,7 @@ const std::vector<Adapter>& adapter_table() {
       {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
+      {"libwebp", {"webp/"}, {"render/canvas/webp_*.cpp"}},
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},
       {"CLI11", {"CLI/"}, {"apps/command_line/*.cpp"}},
       {"nanoflann", {"nanoflann"}, {"grid/fits/*.cpp"}},
