@@ -101,13 +101,23 @@ struct StudyCommand {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct CohortCommand {
+  std::vector<std::string> shapes;   ///< files and patterns, or the one YAML file of a cohort
+  std::string table, output, atlas, kind, atlas_landmarks, levels;
+  std::vector<std::string> assignments;  ///< values of --set: options of the cohort, or of the experiment
+  std::vector<std::string> only;         ///< ids; empty for all
+  std::string shard, stage, jobs, program;
+  bool list = false, list_stages = false, collect = false, retry = false, options = false;
+  Verbosity verbosity = Verbosity::normal;
+};
+
 /// Prints a text that was requested: help or version.
 struct PrintCommand {
   std::string text;
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, SelfTestCommand, ViewCommand, RenderCommand, ConfigCommand, StudyCommand, PrintCommand>;
+                             CheckGradientCommand, SelfTestCommand, ViewCommand, RenderCommand, ConfigCommand, StudyCommand, CohortCommand, PrintCommand>;
 
 /// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -128,6 +138,7 @@ void execute(const ViewCommand& command);
 void execute(const RenderCommand& command);
 void execute(const ConfigCommand& command);
 void execute(const StudyCommand& command);
+void execute(const CohortCommand& command);
 void execute(const PrintCommand& command);
 
 }  // namespace shellmatch

@@ -74,7 +74,7 @@ function(shellmatch_unity target)
 endfunction()
 
 # Modules that call the others and have no loops of their own that count: what matters is that they compile quickly.
-set(shellmatch_callers render matching studies)
+set(shellmatch_callers render matching studies cohorts)
 
 # shellmatch_module(name SOURCES ... PUBLIC targets... PRIVATE targets...)
 function(shellmatch_module name)

@@ -79,7 +79,7 @@ class Matching {
  private:
   // Restores history, checks, times and levels of an earlier matching, which become part of this one's result.
   std::optional<FinishedLevel<Dim>> resume() {
-    if (!inputs_.before) return std::nullopt;
+    if (!inputs_.before) return std::move(inputs_.start);
     MatchSummary& s = inputs_.before->summary;
     const int level = s.levels.back().level;
     recorder_.history = std::move(inputs_.before->history);

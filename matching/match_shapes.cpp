@@ -1,5 +1,6 @@
 #include "matching/match_shapes.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/experiment/yaml_options.h"
@@ -22,6 +23,7 @@ template <int Dim>
 MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks, const Correspondence<Dim>& truth) {
   check_experiment(options);
+  if (!options.start.map.empty()) throw_input_error("start.map: is for the program's files, and this matching has none; leave it out");
   set_n_threads(options.threads);
   RunClock clock;
   Recorder recorder(observer);

@@ -77,10 +77,7 @@ std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
 
 template <int Dim>
 std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const {
-  std::vector<Vec<Dim>> phi = identity();
-  for (Vec<Dim>& x : phi) x = map.apply_in_unit_domain(x);
-  distribute(grid_, phi);
-  return phi;
+  return sampled_map(map, grid_);
 }
 
 template <int Dim>

@@ -4,11 +4,13 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
+#include "matching/alignment/prepare_as_before.h"
 #include "matching/cascade/level_memory.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/yaml_options.h"
+#include "matching/map_file/deformation_file.h"
 #include "matching/match_placed_shapes.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/pictures/level_picture.h"
@@ -16,6 +18,7 @@
 #include "matching/write_result.h"
 #include "matching/output/summary.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -66,7 +69,8 @@ class Run {
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
-    if (options_.resume.enabled) {
+    // What a start's file held when a checkpoint was written is not kept.
+    if (options_.resume.enabled && options_.start.map.empty()) {
       open_checkpoints(run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
       if (checkpoints_ && !restart) inputs_.before = read_checkpoint();
     }
@@ -81,8 +85,24 @@ class Run {
 
   void prepare() {
     PhaseClock phase(clock_.phases);
+    if (!options_.start.map.empty() && begin_with(read_deformation<Dim>(options_.start.map))) return;
     if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic) phase.start("alignment");
     inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_);
+  }
+
+  // False where the shapes do not lie where those of the earlier map do.
+  bool begin_with(Deformation<Dim> map) {
+    const CascadeOptions& c = options_.cascade;
+    const int level = options_.start.level > 0 ? options_.start.level : std::clamp(map.grid.finest_level() + 1, c.min_level, c.max_level);
+    std::optional<PreparedPair<Dim>> prepared = prepare_as_before<Dim>(inputs_.shapes, map, 1.0 / (1 << c.max_level));
+    if (!prepared) {
+      recorder_.warn(fmt::format("start.map: {}: these shapes do not lie where those of that run do: it is not used", options_.start.map));
+      return false;
+    }
+    inputs_.prepared = std::move(*prepared);
+    recorder_.note(fmt::format("begins at level {} with the map of {}", level, options_.start.map));
+    inputs_.start = FinishedLevel<Dim>{level - 1, std::move(map), false};
+    return true;
   }
 
   void write(MatchResult<Dim>& result) {

@@ -1,4 +1,5 @@
-# Writes the page with its style and its program as a C++ source: cmake -D PAGE= -D PROGRAM= -D STYLE= -D OUTPUT= -P embed.cmake
+# Writes the page with its style and its program as a C++ source, which defines the constant NAME of HEADER:
+# cmake -D PAGE= -D PROGRAM= -D STYLE= -D HEADER= -D NAME= -D OUTPUT= -P embed.cmake
 file(READ ${PAGE} page)
 file(READ ${PROGRAM} program)
 file(READ ${STYLE} style)
@@ -22,7 +23,7 @@ if(NOT inside EQUAL -1)
   message(FATAL_ERROR "the report's page would end its own string")
 endif()
 file(WRITE ${OUTPUT} "// Made from report/ by report/embed.cmake.
-#include \"matching/report/report_page.h\"
+#include \"${HEADER}\"
 
-const std::string_view shellmatch::report_page = R\"__page__(${page})__page__\";
+const std::string_view shellmatch::${NAME} = R\"__page__(${page})__page__\";
 ")

@@ -3,15 +3,15 @@
 import "./style.css";
 import { readModel } from "./data/model.js";
 import { addControls } from "./panels/controls.js";
-import { element } from "./panels/dom.js";
+import { byId, element } from "./panels/dom.js";
 import { figuresPanel, optionsPanel, shapesPanel, timesPanel } from "./panels/figures.js";
+import { begin, followScheme, listenToKeys } from "./panels/page.js";
 import { plotsPanel } from "./panels/plots.js";
 import { outcomeText, verdictPanel } from "./panels/verdict.js";
+import { versionsPanel } from "./panels/versions.js";
 import { colorings } from "./views/colorings.js";
 import { PlanarView } from "./views/planar_view.js";
 import { SpaceView } from "./views/space_view.js";
-
-const byId = (id) => document.getElementById(id);
 
 function addPanes(container, model) {
   const captions = { result: "Result: the reference, moved", reference: `Reference: ${model.names.reference}`, template: `Template: ${model.names.template}` };
@@ -41,42 +41,6 @@ function makeView(stage, panes, model, colors) {
   }
 }
 
-function currentScheme() {
-  const style = getComputedStyle(document.documentElement), color = (name) => style.getPropertyValue(name).trim();
-  const rgb = color("--grid").match(/[\da-f]{2}/gi).map((x) => parseInt(x, 16) / 255);
-  return { text: color("--text"), faint: color("--faint"), line: rgb, lineText: color("--grid") };
-}
-
-// Light or dark: the system's until the button says otherwise.
-function followScheme(button, apply) {
-  const system = matchMedia("(prefers-color-scheme: dark)"), root = document.documentElement;
-  let dark = system.matches;
-  const set = (value) => {
-    dark = value;
-    root.dataset.scheme = dark ? "dark" : "light";
-    button.textContent = dark ? "Light" : "Dark";
-    apply(currentScheme());
-  };
-  system.addEventListener("change", () => set(system.matches));
-  button.addEventListener("click", () => set(!dark));
-  set(dark);
-}
-
-function listenToKeys(stage, view, controls, reset) {
-  const turn = 0.12;
-  const anywhere = { " ": controls.togglePlaying, c: controls.nextColoring, d: () => byId("scheme").click(), 0: reset, Escape: reset };
-  const onStage = { ArrowLeft: () => view.camera.turn(-turn, 0), ArrowRight: () => view.camera.turn(turn, 0), ArrowUp: () => view.camera.turn(0, -turn),
-    ArrowDown: () => view.camera.turn(0, turn), "+": () => view.camera.zoom(0.9), "=": () => view.camera.zoom(0.9), "-": () => view.camera.zoom(1 / 0.9) };
-  document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const inControl = event.target.closest?.("input, select, button, summary");
-    const action = document.activeElement === stage && onStage[event.key] ? onStage[event.key] : inControl ? null : anywhere[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  });
-}
-
 function showHead(model) {
   const { summary, names } = model, outcome = byId("outcome");
   document.title = `${names.reference} → ${names.template} (shellmatch)`;
@@ -103,12 +67,9 @@ async function main() {
     state.level = model.levels.length - 1;
     controls?.show();
     view?.flyTo(place, shape);
-  }), plots.panel, figuresPanel(model), shapesPanel(model), timesPanel(model), ...optionsPanel(model));
+  }), plots.panel, figuresPanel(model), shapesPanel(model), timesPanel(model), optionsPanel(model), versionsPanel(model.data));
   const controls = view && addControls(byId("controls"), model, colors, state, () => { view.show(state); controls.refresh(); }, reset);
   if (view) {
-    stage.tabIndex = 0;
-    stage.setAttribute("aria-label", "Shapes; arrow keys turn, + and - change the size, 0 resets");
-    stage.addEventListener("pointerdown", () => stage.focus({ preventScroll: true }));
     listenToKeys(stage, view, controls, reset);
     view.show(state);
   }
@@ -118,11 +79,6 @@ async function main() {
   });
   // What tests and other programs may ask for.
   window.shellmatchReport = { model, state, view };
-  document.documentElement.dataset.ready = "true";
 }
 
-main().catch((error) => {
-  document.querySelector("main").replaceChildren(element("p", { class: "message" }, `This report cannot be shown: ${error.message}`));
-  document.documentElement.dataset.ready = "failed";
-  throw error;
-});
+begin(main);

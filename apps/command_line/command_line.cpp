@@ -27,6 +27,7 @@ struct Commands {
   RenderCommand render;
   ConfigCommand config;
   StudyCommand study;
+  CohortCommand cohort;
   Limits limits;  ///< of whichever it is
 };
 
@@ -90,7 +91,7 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, cons
 // Every command has these.
 void add_limits(CLI::App& command, Limits& limits) {
   command.add_option("--max-seconds", limits.seconds, "stop in order after this time (exit code 4)")->type_name("SECONDS");
-  command.add_option("--max-memory", limits.memory, "stop in order before more is used (exit code 4); a study's runs together")
+  command.add_option("--max-memory", limits.memory, "stop in order before more is used (exit code 4); runs of a study or cohort together")
       ->type_name("800MB|4GB");
 }
 
@@ -112,6 +113,33 @@ void describe_study(CLI::App& app, StudyCommand& study) {
   add_verbosity(*command, study.verbosity, "more, where there is more");
 }
 
+void describe_cohort(CLI::App& app, CohortCommand& cohort) {
+  CLI::App* command = add_command(app, "cohort", help_text::cohort, help_text::cohort_footer);
+  command->add_option("SHAPES", cohort.shapes, "files of subjects or patterns, or the YAML file of a cohort")->type_name("");
+  command->add_option("-o,--output", cohort.output, "output folder; without it out/NAME for NAME.yaml")->type_name("DIR");
+  command->add_option("--atlas", cohort.atlas, "the shape that is deformed onto all: a file, or the id of a subject")->type_name("SHAPE");
+  command->add_option("--kind", cohort.kind, "what becomes of the atlas; given with --atlas, otherwise mean")->type_name("given|medoid|mean");
+  command->add_option("--atlas-landmarks", cohort.atlas_landmarks, "points of the atlas, which are carried to all subjects")->type_name("FILE");
+  command->add_option("--table", cohort.table, "CSV with the columns file, id, landmarks, group, reflect, instead of SHAPES")->type_name("FILE");
+  command->add_option("--levels", cohort.levels, "coarsest and finest level; cells have side 2^-level")->type_name("MIN:MAX");
+  command->add_option("-j,--jobs", cohort.jobs, "matchings at the same time; without it one for each core")->type_name("N");
+  command->add_option("--set", cohort.assignments, "an option of the cohort, as statistics.modes, or of the matchings; repeatable")
+      ->type_name("KEY.SUB=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--retry", cohort.retry, "match again what has a result but did not finish");
+  command->add_flag("--list", cohort.list, "print the ids of the subjects; with -v also threads, seconds and MB of a matching");
+  command->add_flag("--list-stages", cohort.list_stages, "print the stages: the rounds that the search for the atlas may take, and last");
+  command->add_option("--only", cohort.only, "match this subject alone, in the first stage that is not closed; repeatable")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  command->add_option("--shard", cohort.shard, "match the I-th, (I+N)-th, ... subject alone, likewise")->type_name("I/N");
+  command->add_option("--stage", cohort.stage, "with --only, --shard or --collect: this stage; nothing where the atlas is found before it")->type_name("ROUND|last");
+  command->add_flag("--collect", cohort.collect, "match nothing: close the rounds that are complete, and write tables, model and report");
+  command->add_option("--program", cohort.program, "another build of shellmatch to run")->type_name("FILE");
+  command->add_flag("--options", cohort.options, "print every option of a cohort's file");
+  add_verbosity(*command, cohort.verbosity, "more, where there is more");
+}
+
 void describe(CLI::App& app, Commands& commands) {
   app.footer(help_text::program_footer);
   app.get_formatter()->column_width(34);
@@ -130,6 +158,7 @@ void describe(CLI::App& app, Commands& commands) {
   add_run_settings(*run, commands.run.settings, "output folder; without it out/NAME for NAME.yaml");
 
   describe_study(app, commands.study);
+  describe_cohort(app, commands.cohort);
 
   CLI::App* generate = add_command(app, "generate", help_text::generate, help_text::generate_footer);
   generate->add_option("SHAPE", commands.generate.shape, "name, or name/variant")->type_name("");
@@ -223,6 +252,7 @@ Command named_command(const std::string& name, const Commands& commands) {
   }
   if (name == "run") return commands.run;
   if (name == "study") return commands.study;
+  if (name == "cohort") return commands.cohort;
   if (name == "generate") {
     if (commands.generate.shape.empty() && !commands.generate.list)
       throw_input_error("generate: say which shape; `shellmatch generate --list` lists them");

@@ -142,6 +142,19 @@ inline constexpr const char* config_footer = R"(Examples:
   shellmatch config --profile paper
   shellmatch config --markdown)";
 
+inline constexpr const char* cohort = "Match one shape onto many, and compute their mean, modes of variation and differences of groups.";
+
+inline constexpr const char* cohort_footer = R"(An atlas is deformed onto every subject, so that all have the same points. It is a shape that is given, or the subjects'
+mean: all are matched, the mean becomes the next atlas, until it rests. Each matching is a process of its own: one that fails costs its own row
+only. The same command again goes on where it was stopped, and matches only what is new. docs/cohorts.md describes the file and the output folder.
+
+Examples:
+  shellmatch cohort scans/*.ply -o out/scans                                 (mean shape, modes, report)
+  shellmatch cohort scans/*.ply --atlas atlas.ply -o out/scans --levels 3:6
+  shellmatch cohort --table subjects.csv -o out/scans                        (ids, groups, landmarks)
+  shellmatch cohort cohort.yaml                                              (out/cohort; --options prints what can be in it)
+  shellmatch cohort cohort.yaml --shard 3/16; shellmatch cohort cohort.yaml --collect)";
+
 inline constexpr const char* study = "Run a comparison study that a YAML file describes: problems x solvers x metrics x parameters.";
 
 inline constexpr const char* study_footer = R"(Each run is a process of its own with limits of time and memory: a run that crashes, hangs or takes too much costs

@@ -38,8 +38,8 @@ int fail_at_limit(const KeptLimits& limits, StopCause cause, const std::string& 
 }
 
 int perform(const Invocation& invocation) {
-  const bool is_study = std::holds_alternative<StudyCommand>(invocation.command);
-  const KeptLimits limits(invocation.limits, is_study ? KeptLimits::Memory::of_runs : KeptLimits::Memory::of_process);
+  const bool has_runs = std::holds_alternative<StudyCommand>(invocation.command) || std::holds_alternative<CohortCommand>(invocation.command);
+  const KeptLimits limits(invocation.limits, has_runs ? KeptLimits::Memory::of_runs : KeptLimits::Memory::of_process);
   try {
     std::visit([](const auto& c) { execute(c); }, invocation.command);
     if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");

@@ -1,6 +1,7 @@
 #include "matching/cascade/cascade.h"
 
 #include "base/error.h"
+#include "energies/assembly/folds.h"
 #include "grid/octree/prolongation.h"
 #include "matching/cascade/level_memory.h"
 #include "matching/cascade/level_minimisation.h"
@@ -64,6 +65,14 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 
   for (int level = schedule.min_level;; ++level) {
     const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
+    if (before && !before->is_same_run && level == before->level + 1) {
+      result.phi = sampled_map(before->map, grid);
+      if (find_folds<Dim>(Unknowns<Dim>(grid, options.energy.boundary).elements(), result.phi).n_uncertified_cells > 0) {
+        observer.warn("the earlier map folds between the nodes of this grid: it is not used");
+        return run_cascade(reference, template_shape, options, observer, finished, seconds, {}, pairs, observed);
+      }
+      before.reset();
+    }
     const bool is_finished = before && level <= before->level;
     const double memory_estimate =
         is_finished ? 0 : check_level_memory<Dim>(level, sizes_of(grid, shapes, options.coefficients), solver_at_level(options.solver, level));
@@ -78,7 +87,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
       geometry.emplace(shapes.geometry(grid));
     }
     if (is_finished) {
-      if (level == before->level) {
+      if (before->is_same_run && level == before->level) {
         result.phi = renumbered(before->map, grid);
         before.reset();
       }

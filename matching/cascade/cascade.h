@@ -35,6 +35,9 @@ template <int Dim>
 struct FinishedLevel {
   int level = 0;
   Deformation<Dim> map;
+  /// Of the same shapes and options: the map lies on the grid of its level, and the result is that of an uninterrupted run. Otherwise
+  /// it is of similar shapes in the same places, and is sampled at the nodes of the next level.
+  bool is_same_run = true;
 };
 
 template <int Dim>
@@ -54,7 +57,8 @@ using LevelCallback = std::function<void(const LevelResult&, const LevelState<Di
 /// result is then the same bit for bit. \pre the shapes lie in the unit domain
 /// \param pairs terms of point pairs, besides that of coverage (options.coverage)
 /// \param observed what the shapes have data of; match, membrane, bending and coverage weigh nothing elsewhere
-/// \throws InputError if the map `before` does not lie on the grid that these shapes have at its level
+/// \param before where it is of another run and folds on the grid of these shapes, the observer is warned and the cascade begins anew
+/// \throws InputError if the map `before` is of the same run and does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,

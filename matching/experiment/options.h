@@ -104,6 +104,17 @@ struct CascadeOptions {
   }
 };
 
+/// An earlier result with which a run begins.
+struct StartOptions {
+  std::string map;
+  int level = 0;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("map", self.map, {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not fit the run begins as without, and says so; relative to the YAML file"});
+    visit("level", self.level, {.unit = "level", .min = 0, .max = 15, .meaning = "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
+  }
+};
+
 /// Checkpoints of finished levels, from which a stopped run is resumed.
 struct ResumeOptions {
   bool enabled = true;
@@ -119,6 +130,7 @@ struct ResumeOptions {
 struct ExperimentOptions {
   Profile profile = Profile::standard;
   InputOptions input;
+  StartOptions start;
   CascadeOptions cascade;
   EnergyOptions energy;
   CoefficientOptions coefficients;
@@ -135,6 +147,7 @@ struct ExperimentOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("profile", self.profile, {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
     visit("input", self.input, {.meaning = "the two shapes"});
+    visit("start", self.start, {.meaning = "beginning with an earlier result"});
     visit("cascade", self.cascade, {.meaning = "coarse to fine"});
     visit("energy", self.energy, {.meaning = "weights and material"});
     visit("coefficients", self.coefficients, {.meaning = "normals and curvatures on the grid"});

@@ -9,6 +9,14 @@
 
 namespace shellmatch {
 
+/// Landmarks whose name one of two files lacks.
+enum class UnpairedLandmarks { are_refused, are_left_out };
+template <>
+struct EnumNames<UnpairedLandmarks> {
+  static constexpr std::pair<UnpairedLandmarks, std::string_view> names[] = {{UnpairedLandmarks::are_refused, "refuse"},
+                                                                             {UnpairedLandmarks::are_left_out, "leave-out"}};
+};
+
 /// Points that the user knows to correspond.
 struct LandmarkOptions {
   std::string file, template_file;
@@ -16,6 +24,7 @@ struct LandmarkOptions {
   RobustLoss loss = RobustLoss::cauchy;
   double scale = 0.01;
   double max_distance = 0.05;
+  UnpairedLandmarks unpaired = UnpairedLandmarks::are_refused;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("file", self.file, {.meaning = "CSV file of points of both shapes, or CSV, .fcsv or .mrk.json of those of the reference alone; relative to the YAML file (docs/landmarks.md)"});
@@ -24,6 +33,7 @@ struct LandmarkOptions {
     visit("loss", self.loss, {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so that wrong landmarks do little harm"});
     visit("scale", self.scale, {.unit = "diagonal of the template", .min = 0, .min_excluded = true, .meaning = "distance from which on a landmark counts less, for the losses huber and cauchy"});
     visit("max_distance", self.max_distance, {.unit = "diagonal of the template", .min = 0, .meaning = "a landmark that lies farther from its own shape is refused"});
+    visit("unpaired", self.unpaired, {.meaning = "a name that one of two files lacks: refuse, as it may be misspelt, or leave-out"});
   }
 };
 

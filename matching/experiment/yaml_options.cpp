@@ -55,9 +55,9 @@ void apply(const OptionNode& root, const Override& change) {
 }
 
 // The options that are names of files.
-std::array<std::string*, 5> paths_of(ExperimentOptions& options) {
+std::array<std::string*, 6> paths_of(ExperimentOptions& options) {
   return {&options.input.reference, &options.input.template_file, &options.input.correspondence, &options.landmarks.file,
-          &options.landmarks.template_file};
+          &options.landmarks.template_file, &options.start.map};
 }
 
 std::string beside(const std::string& file, const std::string& shape) {
@@ -89,6 +89,8 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   if (cascade.max_level < cascade.min_level)
     return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
                                                      cascade.max_level, cascade.min_level)};
+  if (const int level = options.start.level; level != 0 && (level < cascade.min_level || level > cascade.max_level))
+    return Conflict{"start.level", fmt::format("{} is not from cascade.min_level = {} to cascade.max_level = {}", level, cascade.min_level, cascade.max_level)};
   if (options.energy.terms.factor("match"_term) == 0)
     return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
   if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
@@ -151,7 +153,7 @@ Override parse_override(const std::string& assignment) {
 
 Override beside_file(Override change, const std::string& file) {
   ExperimentOptions options;
-  const std::array<std::string*, 5> paths = paths_of(options);
+  const std::array<std::string*, 6> paths = paths_of(options);
   const OptionNode root = option_tree(options);
   const OptionNode* option = find_option(root, change.key);
   if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;

@@ -64,11 +64,30 @@ void write_table(std::string& text, const OptionNode& section) {
 
 }  // namespace
 
+std::string yaml_text(const OptionNode& root, bool with_comments) {
+  std::string text;
+  write_section(text, root, 0, with_comments);
+  return text;
+}
+
+std::string changed_yaml_text(const OptionNode& root, const OptionNode& defaults, int depth) {
+  const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+  std::string text;
+  for (std::size_t k = 0; k < root.children.size(); ++k) {
+    const OptionNode &option = root.children[k], &before = defaults.children[k];
+    if (option.kind == OptionKind::section) {
+      if (const std::string inner = changed_yaml_text(option, before, depth + 1); !inner.empty())
+        text += fmt::format("{}{}:\n{}", indent, option.name, inner);
+    } else if (const std::string value = any_value_text(root, option); value != any_value_text(defaults, before)) {
+      text += fmt::format("{}{}: {}\n", indent, option.name, value);
+    }
+  }
+  return text;
+}
+
 std::string to_yaml(const ExperimentOptions& options) {
   ExperimentOptions copy = options;
-  std::string text;
-  write_section(text, option_tree(copy), 0, false);
-  return text;
+  return yaml_text(option_tree(copy), false);
 }
 
 void print_reference(std::ostream& out, Profile profile, ReferenceFormat format) {
@@ -77,7 +96,7 @@ void print_reference(std::ostream& out, Profile profile, ReferenceFormat format)
   std::string text;
   if (format == ReferenceFormat::yaml) {
     text = fmt::format("# Every option of shellmatch with the defaults of the profile '{}'.\n", enum_name(profile));
-    write_section(text, root, 0, true);
+    text += yaml_text(root, true);
   } else {
     text = fmt::format("| Option | Type | Default ({}) | Range | Unit | Meaning |\n|---|---|---|---|---|---|\n",
                        enum_name(profile));

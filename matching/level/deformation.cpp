@@ -1,10 +1,20 @@
 #include "matching/level/deformation.h"
 
+#include "base/parallel.h"
 #include "grid/fields/interpolation.h"
+#include "grid/octree/constraints.h"
 
 #include <Eigen/LU>
 
 namespace shellmatch {
+
+template <int Dim>
+std::vector<Vec<Dim>> sampled_map(const Deformation<Dim>& map, const Octree<Dim>& grid) {
+  std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
+  parallel_for(phi.size(), [&](std::size_t i) { phi[i] = map.apply_in_unit_domain(grid.node_position(static_cast<Index>(i))); });
+  distribute(grid, phi);
+  return phi;
+}
 
 template <int Dim>
 Vec<Dim> Deformation<Dim>::apply_in_unit_domain(const Vec<Dim>& x) const {
@@ -34,5 +44,7 @@ template struct Deformation<2>;
 template struct Deformation<3>;
 template class PointMap<2>;
 template class PointMap<3>;
+template std::vector<Vec<2>> sampled_map<2>(const Deformation<2>&, const Octree<2>&);
+template std::vector<Vec<3>> sampled_map<3>(const Deformation<3>&, const Octree<3>&);
 
 }  // namespace shellmatch

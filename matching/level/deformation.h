@@ -70,6 +70,10 @@ class InverseDeformation {
   InverseMap<Dim> inverse_;
 };
 
+/// A map at the nodes of another grid; hanging nodes are set. \pre both lie in one unit domain
+template <int Dim>
+std::vector<Vec<Dim>> sampled_map(const Deformation<Dim>& map, const Octree<Dim>& grid);
+
 enum class Toward { template_shape, reference };
 
 /// Carries points from one shape to the other, in whichever direction the matching was solved.

@@ -130,15 +130,6 @@ void for_each_row(const std::string& path, const std::vector<std::string>& suffi
   if (line_of.empty()) throw_input_error("{}: holds no landmark besides its head line", path);
 }
 
-/// A point of one shape.
-template <int Dim>
-struct NamedPoint {
-  std::string name;
-  Vec<Dim> point;
-  std::string place;
-  std::optional<double> weight = {}, deviation = {};
-};
-
 std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes) {
   const SlicerPoints file = read_slicer_points(path);
   std::vector<NamedPoint<3>> points;
@@ -157,10 +148,11 @@ std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shape
   return points;
 }
 
-/// The points of a file that holds those of one shape. \param file_space of coordinates whose file names no frame
+}  // namespace
+
 template <int Dim>
-std::vector<NamedPoint<Dim>> named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
-                                          Space shapes, std::vector<std::string>& notes) {
+std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
+                                               Space shapes, std::vector<std::string>& notes) {
   if (is_slicer_file(path)) {
     if constexpr (Dim == 3) return slicer_landmarks(path, shapes, notes);
     else throw_input_error("{}: holds points of space, but the shapes are of the plane; give a CSV file", path);
@@ -174,6 +166,8 @@ std::vector<NamedPoint<Dim>> named_points(const std::string& path, const std::ve
   });
   return points;
 }
+
+namespace {
 
 /// The landmarks of a file that holds the points of both shapes.
 template <int Dim>
@@ -201,7 +195,7 @@ std::vector<Landmark<Dim>> landmarks_of_each(const LandmarkOptions& options, con
                                              const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
                                              bool& has_deviations, std::vector<std::string>& notes) {
   std::map<std::string, Landmark<Dim>*> landmark_of;
-  const std::vector<NamedPoint<Dim>> here = named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes);
+  const std::vector<NamedPoint<Dim>> here = read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes);
   std::vector<Landmark<Dim>> landmarks;
   landmarks.reserve(here.size());  // the map keeps addresses
   for (const NamedPoint<Dim>& point : here) {
@@ -209,16 +203,23 @@ std::vector<Landmark<Dim>> landmarks_of_each(const LandmarkOptions& options, con
     landmarks.push_back({point.name, point.point, {}, point.deviation.value_or(point.weight.value_or(1)), point.place, {}});
     landmark_of[point.name] = &landmarks.back();
   }
-  for (const NamedPoint<Dim>& point : named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes)) {
+  for (const NamedPoint<Dim>& point : read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes)) {
     const auto at = landmark_of.find(point.name);
-    if (at == landmark_of.end()) throw_input_error("{}: the name '{}' is unknown to {}", point.place, point.name, options.file);
+    if (at == landmark_of.end()) {
+      if (options.unpaired == UnpairedLandmarks::are_left_out) continue;
+      throw_input_error("{}: the name '{}' is unknown to {}", point.place, point.name, options.file);
+    }
     if (point.weight || point.deviation) throw_input_error("{}: weights stand in {}", point.place, options.file);
     at->second->on_template = point.point;
     at->second->template_origin = point.place;
   }
+  const auto is_unpaired = [](const Landmark<Dim>& landmark) { return landmark.template_origin.empty(); };
+  if (options.unpaired == UnpairedLandmarks::are_left_out) std::erase_if(landmarks, is_unpaired);
   for (const Landmark<Dim>& landmark : landmarks)
-    if (landmark.template_origin.empty())
+    if (is_unpaired(landmark))
       throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name, options.template_file);
+  if (landmarks.empty())
+    throw_input_error("{}: has no name in common with {}; leave the landmarks out, or name them alike", options.template_file, options.file);
   return landmarks;
 }
 
@@ -253,7 +254,9 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,         \
-                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*)
+                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*); \
+  template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
+                                                               std::vector<std::string>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -5,6 +5,7 @@
 #include "matching/input/shape_pair.h"
 #include "matching/pairs/landmarks.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,21 @@ template <int Dim>
 std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
                                           const std::vector<Vec<Dim>>& template_shape,
                                           const LandmarkSpaces& spaces = {}, std::vector<std::string>* notes = nullptr);
+
+/// A landmark on one shape.
+template <int Dim>
+struct NamedPoint {
+  std::string name;
+  Vec<Dim> point;
+  std::string place;  ///< where it was read, "points.csv, line 3"
+  std::optional<double> weight = {}, deviation = {};
+};
+
+/// Reads a file that holds the points of one shape, as either of two above; names are distinct.
+/// \param vertices to which indices refer \param file_space of coordinates whose file names no frame
+/// \param shapes the frame of the result \throws InputError with file and line
+template <int Dim>
+std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
+                                               Space shapes, std::vector<std::string>& notes);
 
 }  // namespace shellmatch

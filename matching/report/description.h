@@ -4,6 +4,7 @@
 
 #include "matching/experiment/options.h"
 #include "matching/report/packed_arrays.h"
+#include "matching/report/page_view.h"
 #include "matching/result/match_summary.h"
 
 #include <array>
@@ -21,13 +22,7 @@ struct ReportFrame {
   double domain_side = 1;  ///< side of the unit domain in the template's unit
   /// A point of the unit domain in the coordinates of the template: the images of the origin and of the unit vectors.
   std::vector<std::array<double, 3>> domain;
-  /// The first view of shapes in space, in those coordinates: what to look at, where up is and where the eye, and half of the height
-  /// that is seen there (render/surfaces/camera.h).
-  struct View {
-    std::array<double, 3> target, up, backward;
-    double half_height;
-  };
-  std::optional<View> view;
+  std::optional<PageView> view;           ///< of shapes in space, in those coordinates
   std::vector<int> levels;                ///< of which the deformed vertices are there
   std::vector<std::string> term_names;    ///< of the history
   std::string picture;                    ///< base64 of a PNG; may be empty

@@ -4,10 +4,10 @@
 #include "matching/output/write_file.h"
 #include "matching/report/grid_outline.h"
 #include "matching/report/description.h"
+#include "matching/report/filled_page.h"
 #include "matching/report/packed_arrays.h"
 #include "matching/report/report_page.h"
 #include "matching/report/surface_figures.h"
-#include "render/surfaces/camera.h"
 
 #include <utility>
 
@@ -72,29 +72,12 @@ ReportFrame add_grid(PackedArrays& arrays, const Deformation<Dim>& map) {
   return frame;
 }
 
-// A view that shows the template and the result whole, and most of them.
-ReportFrame::View first_view(const MatchedSurfaces<3>& surfaces, const MapFrame<3>& frame) {
+// A view of the template and the result.
+PageView first_view(const MatchedSurfaces<3>& surfaces, const MapFrame<3>& frame) {
   Surface<3> deformed = surfaces.deformed, template_shape = surfaces.template_shape;
   for (Surface<3>* s : {&deformed, &template_shape}) s->vertices = shown(frame, std::move(s->vertices));
   const Surface<3>* both[] = {&deformed, &template_shape};
-  const Camera camera = fit_camera(both, 1);
-  const auto array_of = [](const Vec<3>& x) { return std::array{x[0], x[1], x[2]}; };
-  return {array_of(camera.target), array_of(camera.up), array_of(camera.backward), camera.half_height};
-}
-
-// The page with the texts in the places of its two comments.
-std::string filled_page(std::string_view data, std::string_view arrays) {
-  static constexpr std::string_view data_mark = "<!-- data -->", arrays_mark = "<!-- arrays -->";
-  const std::size_t at_data = report_page.find(data_mark), at_arrays = report_page.find(arrays_mark);
-  SHELLMATCH_CHECK(at_data < at_arrays && at_arrays != std::string_view::npos, "the report's page has places for its data");
-  std::string page;
-  page.reserve(report_page.size() + data.size() + arrays.size());
-  page += report_page.substr(0, at_data);
-  page += data;
-  page += report_page.substr(at_data + data_mark.size(), at_arrays - at_data - data_mark.size());
-  page += arrays;
-  page += report_page.substr(at_arrays + arrays_mark.size());
-  return page;
+  return page_view(both);
 }
 
 }  // namespace
@@ -120,7 +103,7 @@ std::string report_html(const MatchResult<Dim>& result, const ExperimentOptions&
   for (const LevelVertices<Dim>& level : result.levels) frame.levels.push_back(level.level);
   frame.term_names = result.history.term_names;
   frame.picture = base64(picture);
-  return filled_page(report_json(result.summary, options, frame, arrays.arrays()), base64(arrays.compressed()));
+  return filled_page(report_page, report_json(result.summary, options, frame, arrays.arrays()), base64(arrays.compressed()));
 }
 
 template <int Dim>

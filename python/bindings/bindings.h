@@ -12,5 +12,7 @@ namespace py = pybind11;
 void bind_match(py::module_& module);
 /// Class Problem.
 void bind_problem(py::module_& module);
+/// Functions for shapes with corresponding points.
+void bind_statistics(py::module_& module);
 
 }  // namespace shellmatch::python

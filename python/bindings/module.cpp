@@ -16,4 +16,5 @@ PYBIND11_MODULE(_core, module) {
   bind_map(module);
   bind_match(module);
   bind_problem(module);
+  bind_statistics(module);
 }

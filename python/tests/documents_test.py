@@ -35,6 +35,25 @@ class Documents(unittest.TestCase):
         self.assertRegex(result.stdout, "matched|look-here")
         self.assertTrue((pathlib.Path(self.folder) / "hand" / "summary.json").exists())
 
+    def test_the_example_of_statistics(self):
+        text = (shapes.source_folder / "docs/python.md").read_text()
+        block = re.search(r"(?:^(?:    .*)?\n)+", text[text.index("\n    import numpy as np\n") + 1 :], re.MULTILINE)[0]
+        lines = [line[4:] for line in block.splitlines()]
+        self.assertTrue(12 < len(lines) < 25, len(lines))
+        lines.append(
+            "print(share, np.ptp(wide[:, 0]), scores.shape, len(random_shapes), curves.specificity[0], where.all(), result.n_permutations)"
+        )
+        result = run(["-c", "\n".join(lines)], self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        share, width, n, n_modes, n_shapes, specificity, found, n_permutations = (
+            result.stdout.replace("(", "").replace(")", "").replace(",", "").split()
+        )
+        self.assertGreater(float(share), 0.99)
+        self.assertGreater(float(width), 2.3)
+        self.assertEqual((n, n_modes, n_shapes, n_permutations), ("6", "5", "10", "20"))
+        self.assertLess(float(specificity), 0.1)
+        self.assertEqual(found, "False")  # of 20 groupings the least p is 0.1
+
     @unittest.skipIf(scipy is None, "scipy is not installed")
     def test_the_solver_study(self):
         result = run(

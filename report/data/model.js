@@ -1,20 +1,9 @@
 // The result that the page shows: what the arrays and their description say, under the names that the views use.
 
 import { unpack } from "./arrays.js";
+import { boundsOf } from "./bounds.js";
 import { placed, readGrid } from "./octree.js";
 import { baseName } from "./format.js";
-
-function boundsOf(...lists) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const positions of lists)
-    for (let i = 0; i < positions.length; ++i) {
-      const k = i % 3;
-      if (positions[i] < low[k]) low[k] = positions[i];
-      if (positions[i] > high[k]) high[k] = positions[i];
-    }
-  const size = Math.hypot(...high.map((x, k) => x - low[k]));
-  return { low, high, centre: low.map((x, k) => (x + high[k]) / 2), diagonal: size > 0 ? size : 1 };
-}
 
 // The vertices in the unit domain, where the grid is a grid.
 function inUnitDomain(positions, [origin, ...ends]) {

@@ -1,7 +1,8 @@
 // What is set below the views: time, level, colours, overlay, grid.
 
-import { gradient } from "../views/color_maps.js";
 import { element } from "./dom.js";
+import { checkbox, playButton, slider } from "./inputs.js";
+import { fillLegend } from "./legend.js";
 
 /**
  * \param state is changed by the controls, after which `changed` is called
@@ -9,33 +10,15 @@ import { element } from "./dom.js";
  */
 export function addControls(container, model, colorings, state, changed, reset) {
   const time = slider("time", "Time t", 0, 1, 0.01, state.t, (t) => Object.assign(state, { t }), changed, (t) => t.toFixed(2));
-  const play = element("button", { type: "button", id: "play", title: "Play (space)", "aria-label": "Play" }, "▶");
+  let start = 0;
+  const player = playButton({ id: "play", title: "Play (space)" }, () => { start = state.t >= 1 ? 0 : state.t; }, (seconds) => {
+    state.t = Math.min(1, start + seconds / 2.5);
+    time.set(state.t);
+    changed();
+    return state.t < 1;
+  });
   time.box.title = "φ_t = (1 − t) id + t φ";
-  time.box.prepend(play);
-  let playing = 0;
-  const stop = () => {
-    cancelAnimationFrame(playing);
-    playing = 0;
-    play.textContent = "▶";
-    play.setAttribute("aria-label", "Play");
-  };
-  const toggle = () => {
-    if (playing) return stop();
-    play.textContent = "❚❚";
-    play.setAttribute("aria-label", "Pause");
-    let begin = null;
-    const start = state.t >= 1 ? 0 : state.t;
-    const step = (now) => {
-      begin ??= now;
-      state.t = Math.min(1, start + (now - begin) / 2500);
-      time.set(state.t);
-      changed();
-      if (state.t < 1) playing = requestAnimationFrame(step);
-      else stop();
-    };
-    playing = requestAnimationFrame(step);
-  };
-  play.addEventListener("click", toggle);
+  time.box.prepend(player.button);
 
   const names = model.levels.map(({ level }) => String(level));
   const level = slider("level", "Level", 0, names.length - 1, 1, state.level, (value) => Object.assign(state, { level: value }), changed, (i) => names[i]);
@@ -49,9 +32,7 @@ export function addControls(container, model, colorings, state, changed, reset) 
   const showLegend = () => {
     const { scale, note } = colorings[state.coloring];
     const carried = scale && (state.level < names.length - 1 || state.t < 1) ? " Values of the finished result." : "";
-    legend.replaceChildren(...(scale ? [element("div", { class: "bar", style: `background:${gradient(scale.map)}` }),
-      element("div", { class: "ticks" }, ...scale.ticks.map((text) => element("span", {}, text))), element("div", { class: "label" }, scale.label)] : []),
-      element("p", { class: "note" }, note + carried));
+    fillLegend(legend, scale, note + carried);
   };
 
   const overlay = checkbox("overlay", "Template over result", state.overlay, (value) => { state.overlay = value; changed(); });
@@ -73,13 +54,13 @@ export function addControls(container, model, colorings, state, changed, reset) 
   return {
     /** Shows what the state says after others have changed it. */
     show: () => {
-      stop();
+      player.stop();
       time.set(state.t);
       level.set(state.level);
       showLegend();
       changed();
     },
-    togglePlaying: toggle,
+    togglePlaying: player.toggle,
     nextColoring: () => {
       const keys = Object.keys(colorings);
       state.coloring = choice.value = keys[(keys.indexOf(state.coloring) + 1) % keys.length];
@@ -88,22 +69,4 @@ export function addControls(container, model, colorings, state, changed, reset) 
     },
     refresh: showLegend,
   };
-}
-
-function slider(id, label, min, max, step, value, take, changed, text) {
-  const output = element("output", { for: id }, text(value));
-  const input = element("input", { type: "range", id, min, max, step, oninput: () => {
-    output.textContent = text(+input.value);
-    take(+input.value);
-    changed();
-  } });
-  input.value = value;
-  const box = element("div", { class: "slider" }, element("label", { for: id }, label), input, output);
-  return { box, set: (x) => { input.value = x; output.textContent = text(x); } };
-}
-
-function checkbox(id, label, checked, take) {
-  const input = element("input", { type: "checkbox", id, onchange: () => take(input.checked) });
-  input.checked = checked;
-  return element("label", { class: "check" }, input, label);
 }

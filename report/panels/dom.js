@@ -1,5 +1,7 @@
 // Elements of the page.
 
+export const byId = (id) => document.getElementById(id);
+
 /** An element with attributes (on... are listeners) and children, which are elements or texts. */
 export function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);

@@ -47,16 +47,12 @@ export function timesPanel(model) {
 }
 
 export function optionsPanel(model) {
-  const { options, program, libraries } = model.data;
+  const { options } = model.data;
   const row = (o) => element("tr", { title: o.meaning }, element("th", { scope: "row" }, o.name), element("td", {}, o.value), element("td", {}, o.unit));
   const body = element("tbody");
   const show = (all) => body.replaceChildren(...options.filter((o) => all || o.default !== undefined).map(row));
   const all = element("input", { type: "checkbox", onchange: () => show(all.checked) });
   show(false);
-  return [
-    section("Options", false, element("p", {}, `Profile ${model.summary.profile}; those that differ from its defaults. The meaning of an option appears under the pointer.`),
-      element("label", { class: "check" }, all, "show all"), element("table", { class: "options" }, body)),
-    section("Versions", false, element("p", {}, `shellmatch ${program.version}, ${program.compiler}, ${program.vector_code}`),
-      table(null, libraries.map((l) => [l.name, l.version]))),
-  ];
+  return section("Options", false, element("p", {}, `Profile ${model.summary.profile}; those that differ from its defaults. The meaning of an option appears under the pointer.`),
+    element("label", { class: "check" }, all, "show all"), element("table", { class: "options" }, body));
 }

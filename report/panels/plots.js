@@ -1,12 +1,11 @@
 // Energy over the steps, and distances over the levels.
 
-import { CategoryScale, Chart, Legend, LinearScale, LineController, LineElement, LogarithmicScale, PointElement, Tooltip } from "chart.js";
+import { CategoryScale, Chart, LogarithmicScale } from "chart.js";
 import { figure } from "../data/format.js";
-import { element, section } from "./dom.js";
+import { chart, lineColors, plotBoxes } from "./chart.js";
+import { section } from "./dom.js";
 
-Chart.register(CategoryScale, Legend, LinearScale, LineController, LineElement, LogarithmicScale, PointElement, Tooltip);
-
-const lineColors = ["#8a8f98", "#d1642c", "#3b7dd8", "#2f9e6e", "#b04fb3", "#c2a21f", "#5d6ac9"];
+Chart.register(CategoryScale, LogarithmicScale);
 
 // Steps of all minimisations one after another. Another nu changes the energy, so that the lines are interrupted.
 function energySeries(model) {
@@ -50,34 +49,14 @@ function levelLines(starts, ink) {
   };
 }
 
-function chart(canvas, scheme, datasets, xAxis, yTitle, plugins = []) {
-  const text = { color: scheme.text, font: { size: 11, family: "system-ui, sans-serif" } };
-  const title = (words) => ({ display: true, text: words, ...text });
-  const power = (value) => (Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9 ? figure(value, 1) : "");
-  return new Chart(canvas, {
-    type: "line",
-    data: { datasets },
-    plugins,
-    options: {
-      animation: false, responsive: true, maintainAspectRatio: false, normalized: true, spanGaps: false,
-      interaction: { mode: "nearest", axis: "x", intersect: false },
-      scales: {
-        x: { ...xAxis, title: title(xAxis.words), ticks: { ...text, maxRotation: 0 }, grid: { color: scheme.faint, drawBorder: false } },
-        y: { type: "logarithmic", title: title(yTitle), ticks: { ...text, callback: power }, grid: { color: scheme.faint, drawBorder: false } },
-      },
-      plugins: {
-        legend: { position: "bottom", labels: { ...text, boxWidth: 12, boxHeight: 2, padding: 6 } },
-        tooltip: { callbacks: { title: ([item]) => `${xAxis.words.split(" (")[0]} ${item.label}`, label: ({ dataset, parsed }) => `${dataset.label}: ${figure(parsed.y)}` } },
-      },
-    },
-  });
-}
+// An axis in powers of ten.
+const logarithmic = (words) => ({ type: "logarithmic", words, callback: (value) => (Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9 ? figure(value, 1) : "") });
 
 function energyChart(canvas, model, scheme) {
   const { names, series, starts, last } = energySeries(model);
   const datasets = names.map((label, k) => ({ label, data: series[k], borderColor: k === 0 ? scheme.text : lineColors[k % lineColors.length], backgroundColor: "transparent",
     borderWidth: k === 0 ? 2 : 1.3, pointRadius: 0, pointHitRadius: 4 }));
-  return chart(canvas, scheme, datasets, { type: "linear", min: 0, max: last, words: "accepted steps (lines: begin of a level)" }, "energy (unit domain)", [levelLines(starts, scheme.text)]);
+  return chart(canvas, scheme, { type: "linear", min: 0, max: last, words: "accepted steps (lines: begin of a level)" }, logarithmic("energy (unit domain)"), { datasets, plugins: [levelLines(starts, scheme.text)] });
 }
 
 function distanceChart(canvas, model, scheme) {
@@ -86,16 +65,12 @@ function distanceChart(canvas, model, scheme) {
   const datasets = ways.flatMap(([name, key, color]) => [["mean", []], ["max", [4, 3]]].map(([what, dash]) => ({
     label: `${name}, ${what}`, data: measured.map((l) => ({ x: String(l.level), y: l.distance[key][what] * (diagonal ?? 1) })),
     borderColor: color, backgroundColor: color, borderDash: dash, borderWidth: 1.5, pointRadius: 2.5 })));
-  return chart(canvas, scheme, datasets, { type: "category", labels: measured.map((l) => String(l.level)), words: "level" }, `distance (${model.unit || "file units"})`);
+  return chart(canvas, scheme, { type: "category", labels: measured.map((l) => String(l.level)), words: "level" }, logarithmic(`distance (${model.unit || "file units"})`), { datasets });
 }
 
 /** \returns the panel and a function that draws it in a scheme of colours */
 export function plotsPanel(model) {
-  const canvases = [energyChart, distanceChart].map((draw) => [draw, element("canvas", { role: "img", "aria-label": draw === energyChart ? "Energy and its terms over the accepted steps" : "Distances at the end of each level" })]);
-  let charts = [];
-  const show = (scheme) => {
-    charts.forEach((c) => c.destroy());
-    charts = canvases.map(([draw, canvas]) => draw(canvas, model, scheme));
-  };
-  return { panel: section("Course of the run", true, ...canvases.map(([, canvas]) => element("div", { class: "plot" }, canvas))), show };
+  const { boxes, show } = plotBoxes([(canvas, scheme) => energyChart(canvas, model, scheme), "Energy and its terms over the accepted steps"],
+    [(canvas, scheme) => distanceChart(canvas, model, scheme), "Distances at the end of each level"]);
+  return { panel: section("Course of the run", true, ...boxes), show };
 }

@@ -2,6 +2,7 @@
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { TrackballControls } from "trackball-controls";
+import { fly } from "./flight.js";
 
 const fieldOfView = 24;
 
@@ -56,8 +57,7 @@ export class SharedCamera {
   }
 
   stop() {
-    if (this.flight) cancelAnimationFrame(this.flight);
-    this.flight = 0;
+    this.endFlight?.();
   }
 
   /** Goes to where the place is seen from the direction `normal`, a quarter of the shapes filling the view. */
@@ -75,13 +75,6 @@ export class SharedCamera {
       camera.position.copy(controls.target).addScaledVector(turn.normalize(), far * (near / far) ** s);
       this.changed();
     };
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return move(1);
-    const begin = performance.now(), duration = 700;
-    const step = (now) => {
-      const s = Math.min(Math.max((now - begin) / duration, 0), 1);
-      move(s * s * (3 - 2 * s));
-      this.flight = s < 1 ? requestAnimationFrame(step) : 0;
-    };
-    this.flight = requestAnimationFrame(step);
+    this.endFlight = fly(move);
   }
 }

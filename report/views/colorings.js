@@ -1,21 +1,10 @@
 // What the colours of the shapes can mean.
 
 import { figure, quantile } from "../data/format.js";
-import { mapColor } from "./color_maps.js";
+import { diverging } from "./color_maps.js";
+import { around, fromZero, ofValues, plain } from "./scales.js";
 
 const plainColors = { reference: [196, 148, 116], template: [122, 152, 190], result: [196, 148, 116] };
-
-function ofValues(values, scale) {
-  const colors = new Uint8Array(3 * values.length);
-  for (let i = 0; i < values.length; ++i) colors.set(mapColor(scale.map, scale.position(values[i])), 3 * i);
-  return colors;
-}
-
-function plain(n, color) {
-  const colors = new Uint8Array(3 * n);
-  for (let i = 0; i < n; ++i) colors.set(color, 3 * i);
-  return colors;
-}
 
 // Position as red, green and blue, softened.
 function ofPositions(positions, bounds) {
@@ -28,23 +17,11 @@ function ofPositions(positions, bounds) {
   return colors;
 }
 
-// From 0 on, up to what 98 % of the values keep to.
-function fromZero(lists, label) {
-  const end = Math.max(...lists.map((values) => quantile(values, 0.98))) || 1;
-  return { map: "sequential", label, ticks: ["0", figure(end / 2), `≥ ${figure(end)}`], position: (x) => x / end };
-}
-
-// The same on both sides of zero.
-function around(values, label) {
-  const end = quantile(values.map(Math.abs), 0.95) || 1;
-  return { map: "diverging", label, ticks: [`≤ ${figure(-end)}`, "0", `≥ ${figure(end)}`], position: (x) => 0.5 + x / end / 2 };
-}
-
 // Ratios on a logarithmic scale that is the same on both sides of 1.
 function aroundOne(values, label) {
   const factor = Math.max(Math.exp(quantile(values.map((x) => Math.abs(Math.log(x))), 0.95)), 1.05);
   const end = Math.log(factor);
-  return { map: "diverging", label, ticks: [`≤ ${figure(1 / factor)}`, "1", `≥ ${figure(factor)}`], position: (x) => 0.5 + Math.log(x) / end / 2 };
+  return { map: diverging, label, ticks: [`≤ ${figure(1 / factor)}`, "1", `≥ ${figure(factor)}`], position: (x) => 0.5 + Math.log(x) / end / 2 };
 }
 
 /**

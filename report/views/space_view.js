@@ -1,41 +1,17 @@
 // Three views of surfaces with one camera: reference, template and result.
 
-import { BufferAttribute, BufferGeometry, LineSegments, Mesh, Scene, Vector3, WebGLRenderer } from "three";
+import { BufferAttribute, BufferGeometry, LineSegments, Mesh, Scene, Vector3 } from "three";
 import { sliceOfSpace } from "../data/octree.js";
-import { SharedCamera } from "./camera.js";
+import { ghost, normalsOf, SpaceStage, surfaceGeometry } from "./space_stage.js";
 import { lineMaterial, surfaceMaterial } from "./surface_material.js";
 
-function normalsOf(positions, facets) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setIndex(new BufferAttribute(facets, 1));
-  geometry.computeVertexNormals();
-  return geometry.attributes.normal;
-}
-
-function surfaceGeometry(positions, facets, onGrid) {
-  const geometry = new BufferGeometry(), position = new BufferAttribute(positions, 3), normal = normalsOf(positions, facets);
-  const attributes = { position, end: position, normal, normalEnd: normal, onGrid: new BufferAttribute(onGrid ?? positions, 3) };
-  for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
-  geometry.setIndex(new BufferAttribute(facets, 1));
-  return geometry;
-}
-
-export class SpaceView {
-  /** \param panes elements over which the views lie, by name \throws Error without WebGL */
+export class SpaceView extends SpaceStage {
   constructor(stage, panes, model, colorings) {
-    Object.assign(this, { stage, panes, model, colorings, scheme: { line: [0.4, 0.4, 0.4] } });
-    if (!document.createElement("canvas").getContext("webgl")) throw new Error("it is switched off, or there is no driver");
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
-    this.renderer.autoClear = false;
-    this.renderer.domElement.className = "surfaces";
-    stage.prepend(this.renderer.domElement);
-
+    super(stage, panes, model);
+    this.colorings = colorings;
     this.own = surfaceGeometry(model.reference.positions, model.reference.facets, model.onGrid());
     this.other = surfaceGeometry(model.template.positions, model.template.facets);
     this.lines = new BufferGeometry();
-    this.views = {};
     for (const name of ["reference", "template", "result"]) {
       const mesh = new Mesh(name === "template" ? this.other : this.own, surfaceMaterial(model.referenceBounds));
       const grid = new LineSegments(this.lines, lineMaterial());
@@ -45,29 +21,12 @@ export class SpaceView {
       grid.renderOrder = 1;
       this.views[name] = { mesh, grid, scene };
     }
-    this.overlay = new Mesh(this.other, surfaceMaterial(model.referenceBounds));
-    Object.assign(this.overlay.material, { transparent: true, depthWrite: false });
-    this.overlay.material.uniforms.opacity.value = 0.3;
-    this.overlay.frustumCulled = false;
+    this.overlay = ghost(this.other, model.referenceBounds);
     this.views.result.scene.add(this.overlay);
-
-    this.camera = new SharedCamera(stage, model, () => this.invalidate());
-    // The controls take their events further down; what they have understood is asked for before the next frame.
-    for (const event of ["mousemove", "wheel", "touchmove", "mouseup"])
-      window.addEventListener(event, () => this.invalidate(), { capture: true, passive: true });
-    for (const event of ["mousedown", "wheel", "touchstart"])
-      stage.addEventListener(event, () => this.camera.stop(), { capture: true, passive: true });
-    new ResizeObserver(() => this.resize()).observe(stage);
-    this.resize();
-  }
-
-  resize() {
-    this.renderer.setSize(this.stage.clientWidth, this.stage.clientHeight);
-    this.invalidate();
   }
 
   setScheme(scheme) {
-    this.scheme = scheme;
+    for (const { grid } of Object.values(this.views)) grid.material.uniforms.color.value = scheme.line;
     this.invalidate();
   }
 
@@ -130,35 +89,6 @@ export class SpaceView {
   reset() {
     this.mark = null;
     this.camera.reset();
-  }
-
-  invalidate() {
-    this.frame ??= requestAnimationFrame(() => {
-      this.frame = null;
-      this.draw();
-    });
-  }
-
-  draw() {
-    this.camera.follow();
-    const stage = this.stage.getBoundingClientRect(), { camera } = this.camera, { renderer } = this;
-    renderer.setScissorTest(false);
-    renderer.clear();
-    renderer.setScissorTest(true);
-    for (const [name, { scene, grid }] of Object.entries(this.views)) {
-      const pane = this.panes[name].getBoundingClientRect();
-      if (pane.width < 2 || pane.height < 2) continue;
-      const box = [pane.left - stage.left, stage.bottom - pane.bottom, pane.width, pane.height];
-      renderer.setViewport(...box);
-      renderer.setScissor(...box);
-      camera.aspect = pane.width / pane.height;
-      // A narrow view shows as much to the sides as a square one.
-      camera.zoom = Math.min(1, camera.aspect);
-      camera.updateProjectionMatrix();
-      grid.material.uniforms.color.value = this.scheme.line;
-      renderer.render(scene, camera);
-      this.placeMark(this.panes[name], pane, camera, name);
-    }
   }
 
   placeMark(pane, { width, height }, camera, name) {

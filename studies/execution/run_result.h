@@ -19,7 +19,7 @@ struct RunResult {
   RunStatus status = RunStatus::not_run;
   std::string message;  ///< error message, unless it finished
   int exit_code = 0, signal = 0;
-  std::string fingerprint;  ///< StudyRun::fingerprint of the run
+  std::string fingerprint;  ///< RunTask::fingerprint of the run
   double seconds = 0;       ///< wall time of the process
   std::uint64_t peak_memory_bytes = 0;
   double limit_seconds = 0, limit_memory_mb = 0;  ///< limits that were in force; 0 means none

@@ -12,7 +12,7 @@ namespace shellmatch {
 
 namespace fs = std::filesystem;
 
-void collect_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder) {
+void collect_study(const Study& study, const std::vector<StudyRun>& runs, const RunsFolder& folder) {
   const StudyTable table = make_study_table(study, runs, folder);
   replace_file(folder.path() + "/table.csv", study_csv(table));
   replace_file(folder.path() + "/convergence.csv", convergence_csv(table));

@@ -2,7 +2,8 @@
 /// \file
 /// Writes the tables, plots and summary of a study from the available results.
 
-#include "studies/execution/run_study.h"
+#include "studies/execution/run_tasks.h"
+#include "studies/description/study.h"
 
 #include <vector>
 
@@ -10,6 +11,6 @@ namespace shellmatch {
 
 /// Writes table.csv, convergence.csv, plots/ and summary.md to the folder, each file atomically.
 /// \throws EnvironmentError if nothing can be written
-void collect_study(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder);
+void collect_study(const Study& study, const std::vector<StudyRun>& runs, const RunsFolder& folder);
 
 }  // namespace shellmatch

@@ -33,7 +33,7 @@ std::set<std::string> energy_parameters(const std::vector<StudyRun>& runs) {
   return found;
 }
 
-StudyRow read_row(const StudyRun& run, const StudyFolder& folder) {
+StudyRow read_row(const StudyRun& run, const RunsFolder& folder) {
   StudyRow row;
   row.run = run;
   row.result = folder.result_of(run);
@@ -60,7 +60,7 @@ StudyRow read_row(const StudyRun& run, const StudyFolder& folder) {
 }  // namespace
 
 StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs,
-                            const StudyFolder& folder) {
+                            const RunsFolder& folder) {
   StudyTable table;
   for (const StudyParameter& parameter : study.parameters) table.parameters.push_back(parameter.key);
   const std::set<std::string> changing = energy_parameters(runs);

@@ -3,7 +3,8 @@
 /// The results of a study as a table with one row for each run.
 
 #include "studies/report/convergence.h"
-#include "studies/execution/run_study.h"
+#include "studies/execution/run_tasks.h"
+#include "studies/description/study.h"
 
 #include <array>
 #include <optional>
@@ -34,6 +35,6 @@ struct StudyTable {
 
 /// Reads the available results; runs without a result have a row, too. \throws InputError if the output of a finished
 /// run is damaged
-StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs, const StudyFolder& folder);
+StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs, const RunsFolder& folder);
 
 }  // namespace shellmatch

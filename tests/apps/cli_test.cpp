@@ -84,7 +84,7 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, study, generate, apply, inspect, curvature, check-gradient, self-test, view, render, config"});
+  expect_refused({}, {"a command is missing", "match, run, study, cohort, generate, apply, inspect, curvature, check-gradient, self-test, view, render, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
   expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});

@@ -28,7 +28,7 @@ READERS = {
     "repair2": ["geometry/repair/repair_outline.cpp", "geometry/repair/cgal_repair_crossings.cpp"],
     "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/yaml_syntax.cpp", "matching/experiment/option_text.cpp"],
     "experiment": ["matching/experiment/yaml_options.cpp", "matching/experiment/level_overrides.cpp"],
-    "study": ["studies/study_file.cpp"],
+    "study": ["studies/description/study_file.cpp"],
     "map": ["matching/map_file/vtu_file.cpp", "geometry/vtk_xml/xml_head.cpp", "matching/map_file/read_deformation.cpp",
             "matching/output/file_checksum.cpp"],
     "history": ["matching/output/history_file.cpp"], "summary": ["matching/output/json_summary.cpp"],

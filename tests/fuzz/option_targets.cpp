@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "matching/experiment/yaml_document.h"
 #include "matching/experiment/yaml_options.h"
-#include "studies/study.h"
+#include "studies/description/study.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/target.h"
 

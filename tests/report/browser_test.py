@@ -1,17 +1,14 @@
 #!/usr/bin/python3
 """report.html as a browser shows it: no complaint, no network, and what is clicked or moved changes what is seen."""
 
-import argparse
 import json
-import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts/lib"))
-import browser  # noqa: E402
+import page_case
+from page_case import browser
 
 RUNS = {
     "hand": ["match", "generate:hand", "generate:hand/bent", "--levels", "3:4", "--placement", "as-is"],
@@ -39,28 +36,10 @@ def folder(name):
     return pathlib.Path(results.name) / name
 
 
-class ReportTest(unittest.TestCase):
-    """One browser for all pages but those that ask for another one."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = browser.Browser(width=1100, height=700)
-        cls.addClassCleanup(cls.browser.__exit__)
-
+class ReportTest(page_case.PageCase):
     def open(self, name):
-        self.assertEqual(self.browser.open(folder(name) / "report.html")[0], "true")
+        super().open(folder(name) / "report.html")
         self.summary = json.loads((folder(name) / "summary.json").read_text())
-
-    def tearDown(self):
-        self.assertEqual(self.browser.errors(), [])
-
-    def changes(self, action, *, changed, same=()):
-        """These parts of the page look different after the action, and those do not."""
-        before = {name: self.browser.picture(name) for name in (*changed, *same)}
-        action()
-        self.browser.settle()
-        for name, picture in before.items():
-            (self.assertNotEqual if name in changed else self.assertEqual)(self.browser.picture(name), picture, name)
 
     def check_numbers(self, name):
         largest = "return arguments[0].map(n => window.shellmatchReport.model.arrays[n].reduce((m, x) => Math.max(m, x), 0))"
@@ -187,11 +166,5 @@ class WithoutWebGL(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    arguments, rest = parser.parse_known_args()
-    program = arguments.program
-    if lacking := browser.missing():
-        print(f"skipped: not installed: {lacking} (scripts/install-dependencies --browser)")
-        sys.exit(1 if os.environ.get("SHELLMATCH_BROWSER") == "required" else 77)
-    unittest.main(argv=[sys.argv[0], *rest])
+    program, words = page_case.begin(__doc__, "--program")
+    unittest.main(argv=words)

@@ -31,7 +31,7 @@ const std::vector<Adapter>& adapter_table() {
       {"pybind11", {"pybind11/"}, {"python/bindings/*"}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
-      {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp"}},
+      {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp", "cohorts/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
       {"libpng", {"png.h"}, {"geometry/io/*png*.cpp"}},
       {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp"}},
@@ -53,7 +53,7 @@ const std::vector<Adapter>& adapter_table() {
 // Headers that the sources of one adapter share among themselves. They do show the library's types.
 bool is_private_header(std::string_view file) {
   return matches(file, "geometry/*/cgal_*.h") || matches(file, "matching/*/json_*.h") ||
-         matches(file, "studies/*/json_*.h");
+         matches(file, "studies/*/json_*.h") || matches(file, "cohorts/*/json_*.h");
 }
 
 std::string file_as_header(std::string_view file) {

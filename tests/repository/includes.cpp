@@ -45,6 +45,7 @@ std::vector<Include> includes_of(const SourceTree& tree) {
 const std::map<std::string_view, std::vector<std::string_view>>& folder_table() {
   static const std::map<std::string_view, std::vector<std::string_view>> table = {
       {"base", {"base"}},
+      {"statistics", {"statistics", "base"}},
       {"geometry", {"geometry", "base"}},
       {"alignment", {"alignment", "geometry", "base"}},
       {"grid", {"grid", "base"}},
@@ -53,11 +54,12 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"render", {"render", "geometry", "grid", "base"}},
       {"matching", {"matching", "base", "geometry", "alignment", "grid", "energies", "solvers", "render"}},
       {"studies", {"studies", "base", "solvers", "render", "matching"}},
-      {"apps", {"apps", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies"}},
-      {"python", {"python", "base", "geometry", "alignment", "grid", "energies", "solvers", "matching"}},
-      {"bench", {"bench", "tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
-      {"examples", {"examples", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
-      {"tests", {"tests", "base", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "apps",
+      {"cohorts", {"cohorts", "base", "statistics", "geometry", "render", "matching", "studies"}},
+      {"apps", {"apps", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "cohorts"}},
+      {"python", {"python", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "matching"}},
+      {"bench", {"bench", "tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
+      {"examples", {"examples", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
+      {"tests", {"tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "cohorts", "apps",
         "examples"}}};
   return table;
 }

@@ -54,7 +54,7 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
 bool looks_like_file(std::string_view text) {
   static const std::set<std::string_view> folders = {"base",    "geometry", "alignment", "grid",  "energies", "solvers",
                                                      "render",  "matching", "apps",  "docs",     "cmake",
-                                                     "configs", "python",  "scripts",  "tests", "bench"};
+                                                     "configs", "python",  "scripts",  "tests", "bench",    "statistics"};
   const std::size_t dot = text.rfind('.');
   return folders.contains(top_folder(text)) && dot != std::string_view::npos && dot > text.rfind('/') &&
          text.find(' ') == std::string_view::npos;

@@ -79,6 +79,15 @@ TEST_F(LandmarkFile, NoneWithoutAFile) {
   EXPECT_NE(message_of<InputError>([&] { read_landmarks<3>(options, corners, others); }).find("landmarks.file"), std::string::npos);
 }
 
+TEST_F(LandmarkFile, NamesThatOneFileLacksMayBeLeftOut) {
+  options.unpaired = UnpairedLandmarks::are_left_out;
+  const auto marks = read("name,x,y,z\na,1,0,0\nb,2,0,0\n", "name,vertex\nc,1\nb,0\n");
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_EQ(marks[0].name, "b");
+  EXPECT_EQ(marks[0].on_template, others[0]);
+  expect_refused("b.csv", "has no name in common with", "name,x,y,z\na,1,0,0\n", "name,x,y,z\nb,1,0,0\n");
+}
+
 TEST_F(LandmarkFile, SaysWhatIsWrongAndWhere) {
   const std::string head = "name,x1,y1,z1,x2,y2,z2\n";
   expect_refused("a.csv, line 1", "there is no column 'z2'; too few columns", "name,x1,y1,z1,x2,y2\na,1,2,3,4,5\n");

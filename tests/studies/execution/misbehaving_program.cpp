@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -33,6 +34,10 @@ int main(int argc, char** argv) {
     }
   if (solver_is("nlopt_lbfgs")) return 5;
   if (solver_is("nlopt_mma")) return 0;
+  if (solver_is("fletcher_reeves")) {
+    std::fputs("shellmatch: error: out/history.csv: cannot be written (No space left on device); make room\n", stderr);
+    return 3;
+  }
   execv(SHELLMATCH_PROGRAM, argv);
   return 127;
 }

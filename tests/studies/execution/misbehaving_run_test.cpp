@@ -63,5 +63,28 @@ solvers: [lbfgs, ceres_ncg, ceres_lbfgs, nlopt_lbfgs, nlopt_mma, newton]
     EXPECT_EQ(columns.at("status"), "finished") << run;
 }
 
+// A full disk is no result: every further run would end likewise.
+TEST_F(StudyProgram, AFullDiskEndsTheStudyAndIsNoResult) {
+  const std::string study = write("study.yaml", R"(version: 1
+set:
+  threads: 1
+  pictures: none
+  input: {reference: generate:leaf/deep, template: generate:leaf/shallow, placement: as-is}
+  cascade: {min_level: 3, max_level: 3}
+problems: {leaf: {set: {energy: {delta: 1}}}}
+solvers: [newton, fletcher_reeves]
+)");
+  const ProgramResult full = run_program({"study", study, "-o", path("out"), "--program", MISBEHAVING_PROGRAM});
+  EXPECT_EQ(full.exit_code, 3) << full.err;
+  EXPECT_TRUE(has(full.err, "leaf-fletcher_reeves-r1: error: out/history.csv")) << full.err;
+  EXPECT_TRUE(has(full.err, "results so far are kept")) << full.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/runs/leaf-fletcher_reeves-r1"));
+  // With room the same command goes on, without --retry.
+  const ProgramResult again = run_program({"study", study, "-o", path("out")});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_FALSE(has(again.err, "leaf-newton-r1 ...")) << again.err;
+  EXPECT_EQ(read_table(folder_ / "out").at("leaf-fletcher_reeves-r1").at("status"), "finished");
+}
+
 }  // namespace
 }  // namespace shellmatch

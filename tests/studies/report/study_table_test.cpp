@@ -34,7 +34,7 @@ class StudyTableTest : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  void add_result(const StudyFolder& out, const StudyRun& run, double energy) const {
+  void add_result(const RunsFolder& out, const StudyRun& run, double energy) const {
     const fs::path place = out.run_folder(run);
     fs::create_directories(place / "output");
     RunResult result;
@@ -61,7 +61,7 @@ class StudyTableTest : public testing::Test {
 };
 
 TEST_F(StudyTableTest, OnlyEqualFunctionsAreCompared) {
-  const StudyFolder out((folder_ / "out").string(), true);
+  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
   ASSERT_EQ(runs_.size(), 8u);
   double energy = 1;
   for (const StudyRun& run : runs_) add_result(out, run, energy *= 1.05);
@@ -79,7 +79,7 @@ TEST_F(StudyTableTest, OnlyEqualFunctionsAreCompared) {
 }
 
 TEST_F(StudyTableTest, AResultOfAnotherConfigurationIsNone) {
-  const StudyFolder out((folder_ / "out").string(), true);
+  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
   add_result(out, runs_[0], 1);
   EXPECT_EQ(out.result_of(runs_[0]).status, RunStatus::finished);
   StudyRun changed = runs_[0];
@@ -90,7 +90,7 @@ TEST_F(StudyTableTest, AResultOfAnotherConfigurationIsNone) {
 }
 
 TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
-  const StudyFolder out((folder_ / "out").string(), true);
+  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
   add_result(out, runs_[0], 1);
   const std::string csv = study_csv(make_study_table(study_, runs_, out));
   EXPECT_NE(csv.find("\"with, comma and \"\"quotes\"\"\""), std::string::npos) << csv;
@@ -108,15 +108,15 @@ TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
 }
 
 TEST_F(StudyTableTest, OnlyOneWorksOnTheWholeOfAFolder) {
-  const auto one = std::make_unique<StudyFolder>((folder_ / "out").string(), true);
-  EXPECT_THROW(StudyFolder((folder_ / "out").string(), true), std::runtime_error);
-  EXPECT_THROW(StudyFolder((folder_ / "out").string(), false), std::runtime_error);
+  const auto one = std::make_unique<RunsFolder>((folder_ / "out").string(), study_folder_kind, true);
+  EXPECT_THROW(RunsFolder((folder_ / "out").string(), study_folder_kind, true), std::runtime_error);
+  EXPECT_THROW(RunsFolder((folder_ / "out").string(), study_folder_kind, false), std::runtime_error);
 }
 
 TEST_F(StudyTableTest, SeveralWorkOnSingleRuns) {
-  const StudyFolder one((folder_ / "out").string(), false);
-  EXPECT_NO_THROW(StudyFolder((folder_ / "out").string(), false));
-  EXPECT_THROW(StudyFolder((folder_ / "out").string(), true), std::runtime_error);
+  const RunsFolder one((folder_ / "out").string(), study_folder_kind, false);
+  EXPECT_NO_THROW(RunsFolder((folder_ / "out").string(), study_folder_kind, false));
+  EXPECT_THROW(RunsFolder((folder_ / "out").string(), study_folder_kind, true), std::runtime_error);
 }
 
 TEST(Median, OfRepeats) {

@@ -1,0 +1,182 @@
+// `cohort`: one shape matched onto many, and their statistics.
+
+#include "apps/commands.h"
+#include "apps/experiment_overrides.h"
+#include "apps/process/interrupt.h"
+#include "apps/process/limits.h"
+#include "apps/runs/runs.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/replace_file.h"
+#include "base/stop.h"
+#include "cohorts/execution/cohort_cost.h"
+#include "cohorts/execution/run_cohort.h"
+#include "cohorts/output/write_cohort.h"
+#include "geometry/io/read_text.h"
+#include "matching/experiment/option_text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+namespace shellmatch {
+
+namespace {
+
+class CohortProgress final : public RunsProgress, public CohortObserver {
+ public:
+  explicit CohortProgress(bool is_quiet) : RunsProgress(is_quiet) {}
+  void stage_started(const Stage& stage, std::size_t n_subjects) override {
+    say(fmt::format("{}: {} subject{}", stage.name(), n_subjects, n_subjects == 1 ? "" : "s"));
+  }
+  void round_ended(const AtlasRound& round) override {
+    say(fmt::format(
+        "round {}: the mean of {} subjects is {:.2g} diagonals from the atlas (their spread: {:.2g})",
+        round.round, round.n_subjects, round.change, round.spread));
+  }
+  void note(const std::string& text) override { say(text); }
+};
+
+bool is_yaml_file(const std::string& name) { return name.ends_with(".yaml") || name.ends_with(".yml"); }
+
+Cohort cohort_of(const CohortCommand& command) {
+  CohortWords words;
+  words.table = command.table;
+  words.atlas = command.atlas;
+  std::string file;
+  for (const std::string& name : command.shapes) {
+    if (!is_yaml_file(name)) {
+      words.shapes.push_back(name);
+    } else if (command.shapes.size() > 1) {
+      throw_input_error("{}: is the file of a cohort, which names all its shapes; give it alone", name);
+    } else {
+      file = name;
+    }
+  }
+  // An atlas that is named is meant to be it.
+  if (!command.atlas.empty() && command.kind.empty() && file.empty())
+    words.overrides.push_back({"atlas.kind", "given", "--atlas"});
+  if (!command.kind.empty())
+    words.overrides.push_back({"atlas.kind", command.kind, "--kind " + command.kind});
+  if (!command.atlas_landmarks.empty())
+    words.overrides.push_back({"atlas.landmarks", command.atlas_landmarks, "--atlas-landmarks"});
+  RunSettings settings;
+  settings.levels = command.levels;
+  settings.assignments = command.assignments;
+  for (Override& change : overrides_of(settings)) words.overrides.push_back(std::move(change));
+  return read_cohort(file, words);
+}
+
+// The subjects of a shard "I/N": every N-th one, from the I-th on.
+std::vector<std::size_t> shard_of(const std::string& text, std::size_t n_subjects) {
+  const std::size_t slash = text.find('/');
+  const auto first = shellmatch::to_integer(text.substr(0, slash)),
+             n = slash == std::string::npos ? std::nullopt : shellmatch::to_integer(text.substr(slash + 1));
+  if (!first || !n || *n < 1 || *first < 1 || *first > *n)
+    throw_input_error("--shard {}: expected I/N with 1 <= I <= N, as 3/16", text);
+  std::vector<std::size_t> subjects;
+  for (auto k = static_cast<std::size_t>(*first - 1); k < n_subjects; k += static_cast<std::size_t>(*n))
+    subjects.push_back(k);
+  return subjects;
+}
+
+std::vector<std::size_t> only(const Cohort& cohort, const std::vector<std::string>& ids) {
+  std::vector<std::string> known;
+  for (const Subject& subject : cohort.subjects) known.push_back(subject.id);
+  std::vector<std::size_t> subjects;
+  for (const std::string& id : ids) {
+    const auto found = std::ranges::find(known, id);
+    if (found == known.end()) {
+      const std::string near = nearest_word(id, known);
+      throw_input_error("--only {}: the cohort has no such subject; {}--list lists them", id,
+                        near.empty() ? "" : fmt::format("did you mean {}? ", near));
+    }
+    subjects.push_back(static_cast<std::size_t>(found - known.begin()));
+  }
+  return subjects;
+}
+
+// Sets the part; false where a shard is empty, as there are more of them than subjects.
+bool choose_part(const CohortCommand& command, const Cohort& cohort, CohortPart& part) {
+  if (!command.only.empty() && !command.shard.empty())
+    throw_input_error("--only and --shard exclude each other");
+  if (command.collect && (!command.only.empty() || !command.shard.empty()))
+    throw_input_error("--collect is for the whole cohort, not for --only or --shard");
+  part.collect = command.collect;
+  part.subjects = command.only.empty() ? std::vector<std::size_t>{} : only(cohort, command.only);
+  if (!command.shard.empty()) part.subjects = shard_of(command.shard, cohort.subjects.size());
+  if (command.stage.empty()) return command.shard.empty() || !part.subjects.empty();
+  if (part.subjects.empty() && command.shard.empty() && !part.collect)
+    throw_input_error("--stage {}: is for --only, --shard or --collect", command.stage);
+  const auto round = shellmatch::to_integer(command.stage);
+  if (command.stage != "last" && (!round || *round < 1 || *round > 100))
+    throw_input_error("--stage {}: expected the number of a round, or last", command.stage);
+  part.stage = Stage{round ? static_cast<int>(*round) : 0};
+  return part.collect || !part.subjects.empty();
+}
+
+void list(const Cohort& cohort, const CohortCommand& command) {
+  const std::optional<CohortCost> cost =
+      command.verbosity == Verbosity::verbose ? std::optional(estimate_cost(cohort)) : std::nullopt;
+  for (const Subject& subject : cohort.subjects) {
+    std::cout << subject.id;
+    if (cost) std::cout << fmt::format("\t{}\t{:.0f}\t{:.0f}", cost->threads, cost->seconds, cost->memory_mb);
+    std::cout << "\n";
+  }
+}
+
+void list_stages(const Cohort& cohort) {
+  for (int k = 1; k <= n_rounds(cohort); ++k) std::cout << k << "\n";
+  std::cout << "last\n";
+}
+
+// A file of the user's own stays as it is, comments and all.
+void keep_description(const Cohort& cohort, const std::string& folder) {
+  const std::string path = folder + "/cohort.yaml";
+  std::error_code error;
+  if (!std::filesystem::equivalent(cohort.name, path, error)) replace_file(path, to_yaml(cohort));
+}
+
+}  // namespace
+
+void execute(const CohortCommand& command) {
+  if (command.options) {
+    std::cout << cohort_reference();
+    return;
+  }
+  Cohort cohort = cohort_of(command);
+  const int threads = std::max(1, cohort.experiment.threads);
+  const TaskSettings settings{checked_program(command.program),
+                              number_of_jobs(command.jobs, std::max(1, n_threads() / threads)),
+                              command.retry};
+  if (command.list) return list(cohort, command);
+  if (command.list_stages) return list_stages(cohort);
+  if (command.output.empty() && cohort.name == "cohort")
+    throw_input_error("cohort: say where to write: -o DIR (see shellmatch cohort --help)");
+  const std::string output =
+      command.output.empty() ? "out/" + std::filesystem::path(cohort.name).stem().string() : command.output;
+  CohortPart part;
+  if (!choose_part(command, cohort, part)) return;
+  const RunsFolder folder(output, cohort_folder_kind, part.subjects.empty());
+  keep_description(cohort, folder.path());
+  keep_memory_of_runs(cohort.options.limits, settings.jobs);
+  catch_interrupts();
+  CohortProgress progress(command.verbosity == Verbosity::quiet);
+  CohortOutcome outcome = run_cohort(cohort, folder, settings, part, progress);
+  if (outcome.end == CohortEnd::stopped)
+    throw Stopped(fmt::format("stopped; the same command goes on where it was (results so far: {})", output),
+                  stop_cause());
+  if (outcome.end == CohortEnd::in_part) return;
+  std::vector<std::string> notes;
+  const auto write = [&]<int Dim>(FinishedCohort<Dim>& finished) {
+    for (const std::string& line : write_cohort(cohort, std::move(finished), folder.path(), notes))
+      progress.say(line);
+  };
+  if (auto* planar = std::get_if<FinishedCohort<2>>(&outcome.result)) write(*planar);
+  if (auto* spatial = std::get_if<FinishedCohort<3>>(&outcome.result)) write(*spatial);
+  for (const std::string& note : notes) progress.say(note);
+  progress.say(fmt::format("written: {}/report.html", output));
+}
+
+}  // namespace shellmatch

@@ -1,0 +1,53 @@
+#include "apps/runs/runs.h"
+
+#include "apps/process/limits.h"
+#include "base/error.h"
+#include "base/printable.h"
+#include "base/stop.h"
+#include "matching/progress/process_info.h"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+
+namespace shellmatch {
+
+void RunsProgress::run_started(const RunTask& run) { say(fmt::format("{} ...", run.name)); }
+
+void RunsProgress::run_ended(const RunTask& run, const RunResult& result) {
+  say(fmt::format("{}: {} after {:.1f} s{}{}", run.name, status_name(result.status), result.seconds,
+                  result.message.empty() ? "" : ": ", result.message));
+}
+
+bool RunsProgress::stop_requested() { return stop_cause() != StopCause::none; }
+
+void RunsProgress::say(const std::string& text) const {
+  if (!is_quiet_)
+    std::fputs(fmt::format("shellmatch: {}\n", printable(text, max_message_length)).c_str(), stderr);
+}
+
+int number_of_jobs(const std::string& text, int fallback) {
+  if (text.empty()) return fallback;
+  int jobs = 1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
+  if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > 1024)
+    throw_input_error("--jobs {}: expected the number of runs at the same time, 1 to 1024", text);
+  return jobs;
+}
+
+std::string checked_program(const std::string& program) {
+  if (program.empty()) return "";
+  const std::string path = std::filesystem::absolute(program).string();
+  if (std::filesystem::is_directory(path) || access(path.c_str(), X_OK) != 0)
+    throw_input_error("--program {}: is no program that can be executed", program);
+  return path;
+}
+
+void keep_memory_of_runs(RunLimits& limits, int jobs) {
+  const double share = static_cast<double>(memory_limit_bytes()) / 1e6 / jobs;
+  if (share > 0 && (limits.memory_mb == 0 || limits.memory_mb > share)) limits.memory_mb = share;
+}
+
+}  // namespace shellmatch

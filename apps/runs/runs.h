@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// What the commands share that perform many runs: their settings and their progress.
+
+#include "studies/execution/run_tasks.h"
+
+#include <string>
+
+namespace shellmatch {
+
+/// Progress of many runs, a line for each, on the standard error.
+class RunsProgress : public virtual TaskObserver {
+ public:
+  explicit RunsProgress(bool is_quiet) : is_quiet_(is_quiet) {}
+  void run_started(const RunTask& run) override;
+  void run_ended(const RunTask& run, const RunResult& result) override;
+  bool stop_requested() override;
+  void say(const std::string& text) const;
+
+ private:
+  bool is_quiet_;
+};
+
+/// The value of --jobs; `fallback` where it is not given. \throws InputError
+int number_of_jobs(const std::string& text, int fallback);
+
+/// The absolute path of another executable, checked to be one that execv accepts; empty for an empty one.
+/// \throws InputError
+std::string checked_program(const std::string& program);
+
+/// All runs at a time share the memory that the user has given.
+void keep_memory_of_runs(RunLimits& limits, int jobs);
+
+}  // namespace shellmatch

@@ -1,0 +1,155 @@
+#include "cohorts/execution/stage_result.h"
+
+#include "base/error.h"
+#include "geometry/io/read_shape.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/output/summary.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+bool is_included(const SubjectResult& subject, Included included) {
+  if (subject.status != "finished") return false;
+  if (subject.outcome == "matched" || included == Included::all) return true;
+  return included == Included::look_here && subject.outcome == "look-here";
+}
+
+constexpr double largest_unreached = 0.3;
+
+template <int Dim>
+OriginalShape<Dim> read_shape_as_it_is(const std::string& folder, const std::string& name) {
+  if constexpr (Dim == 3)
+    return read_points_or_mesh_3d(folder + "/" + name + ".ply");
+  else
+    return read_points_or_outline_2d(folder + "/" + name + ".csv");
+}
+
+// The results of one stage, subject by subject.
+template <int Dim>
+class Reader {
+ public:
+  Reader(const Cohort& cohort, const Stage& stage, const RunsFolder& folder, const Atlas<Dim>& atlas)
+      : cohort_(cohort), stage_(stage), folder_(folder), atlas_(atlas) {}
+
+  void add(std::size_t k, const RunTask& task, const std::string& landmarks) {
+    const Subject& subject = cohort_.subjects[k];
+    const RunResult run = folder_.result_of(task);
+    SubjectResult row;
+    row.id = subject.id;
+    row.group = subject.group;
+    row.status = status_name(run.status);
+    row.message = run.message;
+    row.seconds = run.seconds;
+    if (run.status == RunStatus::finished) {
+      try {
+        read_finished(k, task, landmarks, row);
+      } catch (const InputError& error) {
+        throw_input_error("{}; remove {} so that it is matched again", error.what(),
+                          folder_.run_folder(task));
+      }
+    }
+    result_.subjects.push_back(std::move(row));
+  }
+
+  StageResult<Dim> take() {
+    result_.points.dimension = Dim;
+    result_.points.coordinates.resize(atlas_.points.size(), static_cast<Eigen::Index>(columns_.size()));
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      result_.points.coordinates.col(static_cast<Eigen::Index>(c)) = columns_[c];
+    return std::move(result_);
+  }
+
+ private:
+  void read_finished(std::size_t k, const RunTask& task, const std::string& landmarks, SubjectResult& row) {
+    const std::string output = folder_.run_folder(task) + "/output";
+    const MatchSummary summary = read_summary(output + "/summary.json");
+    row.folder = "runs/" + task.name + "/output";
+    row.distance = summary.distance;
+    row.diagonal = summary.template_diagonal.value_or(0);
+    if (summary.verdict) {
+      row.outcome = summary.verdict->outcome;
+      row.reasons = summary.verdict->reasons;
+    }
+    if (result_.unit.empty()) result_.unit = summary.unit.value_or("");
+    std::vector<Vec<Dim>> carried;
+    if (!atlas_.landmarks.empty() || !landmarks.empty()) carried = carry(k, output, landmarks);
+    row.in_model = stage_.is_last() ? is_included(row, cohort_.options.statistics.include) : is_near(summary);
+    if (!row.in_model) return;
+    const OriginalShape<Dim> deformed = read_shape_as_it_is<Dim>(output, "deformed");
+    if (deformed.vertices.size() != atlas_.shape.vertices.size())
+      throw_input_error("{}: has {} vertices where the atlas has {}", output, deformed.vertices.size(),
+                        atlas_.shape.vertices.size());
+    Eigen::VectorXd column(atlas_.points.size());
+    Eigen::Index at = 0;
+    for (const std::vector<Vec<Dim>>* list : {&deformed.vertices, &std::as_const(carried)})
+      for (const Vec<Dim>& x : *list) column.segment<Dim>(Dim * at++) = x;
+    columns_.push_back(std::move(column));
+    result_.rows.push_back(k);
+  }
+
+  // The atlas' landmarks on the subject, and the subject's own on the atlas.
+  std::vector<Vec<Dim>> carry(std::size_t k, const std::string& output, const std::string& landmarks) {
+    const Deformation<Dim> map = read_deformation<Dim>(output);
+    const PointMap<Dim> forward(map, Toward::template_shape);
+    std::map<std::string, Vec<Dim>> known;
+    if (!landmarks.empty()) {
+      std::vector<std::string> notes;
+      const OriginalShape<Dim> subject = read_shape_as_it_is<Dim>(output, "template");
+      const PointMap<Dim> back(map, Toward::reference);
+      for (const NamedPoint<Dim>& point :
+           read_named_points<Dim>(landmarks, subject.vertices, subject.space, subject.space, notes)) {
+        known[point.name] = point.point;
+        result_.returned.push_back({k, point.name, back(point.point)});
+      }
+    }
+    std::vector<Vec<Dim>> carried;
+    for (std::size_t l = 0; l < atlas_.landmarks.size(); ++l) {
+      const std::optional<Vec<Dim>> image = forward(atlas_.landmarks[l].point);
+      if (!image)
+        throw_input_error("{}: landmark '{}' of the atlas has no image", output, atlas_.landmarks[l].name);
+      carried.push_back(*image);
+      const auto own = known.find(atlas_.landmarks[l].name);
+      result_.carried.push_back(
+          {k, l, *image, own == known.end() ? std::nullopt : std::optional<Vec<Dim>>(own->second)});
+    }
+    return carried;
+  }
+
+  const Cohort& cohort_;
+  const Stage& stage_;
+  const RunsFolder& folder_;
+  const Atlas<Dim>& atlas_;
+  StageResult<Dim> result_;
+  std::vector<Eigen::VectorXd> columns_;
+};
+
+}  // namespace
+
+bool is_near(const MatchSummary& summary) {
+  return !summary.levels.empty() && summary.distance &&
+         summary.distance->uncovered.value_or(0) <= largest_unreached;
+}
+
+template <int Dim>
+StageResult<Dim> read_stage(const Cohort& cohort, const Stage& stage, const RunsFolder& folder,
+                            const std::vector<RunTask>& tasks, const Atlas<Dim>& atlas,
+                            const std::vector<std::string>& landmarks) {
+  Reader<Dim> reader(cohort, stage, folder, atlas);
+  for (std::size_t k = 0; k < tasks.size(); ++k) reader.add(k, tasks[k], landmarks[k]);
+  return reader.take();
+}
+
+#define SHELLMATCH_INSTANTIATE(Dim)                                                         \
+  template StageResult<Dim> read_stage<Dim>(const Cohort&, const Stage&, const RunsFolder&, \
+                                            const std::vector<RunTask>&, const Atlas<Dim>&, \
+                                            const std::vector<std::string>&)
+SHELLMATCH_INSTANTIATE(2);
+SHELLMATCH_INSTANTIATE(3);
+#undef SHELLMATCH_INSTANTIATE
+
+}  // namespace shellmatch

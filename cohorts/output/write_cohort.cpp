@@ -1,0 +1,57 @@
+#include "cohorts/output/write_cohort.h"
+
+#include "base/replace_file.h"
+#include "cohorts/output/cohort_statistics.h"
+#include "cohorts/output/cohort_summary.h"
+#include "cohorts/output/cohort_tables.h"
+#include "cohorts/output/mode_animations.h"
+#include "cohorts/output/model_files.h"
+#include "cohorts/report/cohort_report.h"
+
+#include <filesystem>
+
+namespace shellmatch {
+
+template <int Dim>
+std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished,
+                                      const std::string& folder, std::vector<std::string>& notes) {
+  const Eigen::MatrixXd points = finished.stage.points.coordinates.topRows(
+      Dim * static_cast<Eigen::Index>(finished.atlas.shape.vertices.size()));
+  const std::vector<NamedPoint<Dim>> landmarks = finished.atlas.landmarks;
+  const std::vector<CarriedLandmark<Dim>> carried = std::move(finished.stage.carried);
+  const std::vector<ReturnedLandmark<Dim>> returned = std::move(finished.stage.returned);
+  const CohortResult<Dim> result = cohort_statistics(cohort, std::move(finished), notes);
+
+  replace_file(folder + "/subjects.csv", subjects_csv(cohort, result.subjects, result.rows));
+  replace_file(folder + "/times.csv", times_csv(result.subjects));
+  const auto write_or_remove = [&](const std::string& name, const std::string& text, bool is_there) {
+    if (is_there)
+      replace_file(folder + "/" + name, text);
+    else
+      std::filesystem::remove(folder + "/" + name);  // of an earlier table, in which there were some
+  };
+  write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty());
+  write_or_remove("landmarks_on_atlas.csv", returned_landmarks_csv<Dim>(result.subjects, returned),
+                  !returned.empty());
+  if (result.rows.empty()) {
+    std::filesystem::remove_all(folder + "/model");
+  } else {
+    write_model(result, points, cohort.options.statistics.mode_meshes, folder + "/model");
+    if (result.model) {
+      replace_file(folder + "/model/scores.csv", scores_csv(*result.model, result.subjects, result.rows));
+      replace_file(folder + "/model/modes.csv", modes_csv(*result.model, result.curves));
+      write_mode_animations(result, cohort.options.statistics.mode_meshes, folder + "/model");
+    }
+  }
+  const CohortSummary summary = cohort_summary(result, carried);
+  replace_file(folder + "/summary.json", cohort_summary_json(summary));
+  replace_file(folder + "/report.html", cohort_report_html(result));
+  return cohort_summary_lines(summary);
+}
+
+template std::vector<std::string> write_cohort<2>(const Cohort&, FinishedCohort<2>, const std::string&,
+                                                  std::vector<std::string>&);
+template std::vector<std::string> write_cohort<3>(const Cohort&, FinishedCohort<3>, const std::string&,
+                                                  std::vector<std::string>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,24 @@
+#include "cohorts/subjects/point_file.h"
+
+#include "base/replace_file.h"
+#include "geometry/io/read_text.h"
+
+#include <fmt/format.h>
+
+namespace shellmatch {
+
+template <int Dim>
+void write_named_points(const std::string& path, const std::vector<NamedPoint<Dim>>& points) {
+  std::string text = Dim == 3 ? "name,x,y,z\n" : "name,x,y\n";
+  for (const NamedPoint<Dim>& point : points) {
+    text += csv_field(point.name);
+    for (int k = 0; k < Dim; ++k) text += fmt::format(",{}", point.point[k]);
+    text += "\n";
+  }
+  replace_file(path, text);
+}
+
+template void write_named_points<2>(const std::string&, const std::vector<NamedPoint<2>>&);
+template void write_named_points<3>(const std::string&, const std::vector<NamedPoint<3>>&);
+
+}  // namespace shellmatch

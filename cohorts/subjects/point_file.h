@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// Named points as a file that `--landmarks` reads.
+
+#include "matching/pairs/landmark_file.h"
+
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// CSV with the columns name, x, y(, z). \throws EnvironmentError if the file cannot be written
+template <int Dim>
+void write_named_points(const std::string& path, const std::vector<NamedPoint<Dim>>& points);
+
+}  // namespace shellmatch

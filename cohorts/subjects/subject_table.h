@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// The subjects of a cohort: from a table, or from names of files.
+
+#include "cohorts/subjects/subject.h"
+
+#include <string>
+#include <vector>
+
+namespace shellmatch {
+
+/// Reads a CSV file with a head line. Columns: `file`, needed; `id`, by default made of the file's name;
+/// `landmarks`, `group`, `reflect` (0 or 1, no or yes); others are kept. Paths are relative to the table.
+/// \throws InputError with file and line
+std::vector<Subject> read_subject_table(const std::string& path);
+
+/// The subjects of files, built-in shapes and patterns with * and ?, each in the order of names. \param where
+/// the beginning of messages \throws InputError for a pattern that no file has
+std::vector<Subject> subjects_of(const std::vector<std::string>& names, const std::string& where);
+
+/// Checks that ids differ and can be names of files. \throws InputError
+void check_subjects(const std::vector<Subject>& subjects, const std::string& where);
+
+}  // namespace shellmatch

@@ -1,0 +1,42 @@
+#include "matching/alignment/prepare_as_before.h"
+
+namespace shellmatch {
+
+namespace {
+
+template <int Dim>
+bool lies_inside(const Surface<Dim>& surface, const Similarity<Dim>& pose, const Similarity<Dim>& placement,
+                 double clearance) {
+  for (const auto& facet : surface.facets)
+    for (const Index v : facet) {
+      const Vec<Dim> x = placement(pose(surface.vertices[v]));
+      if (!(x.minCoeff() >= clearance && x.maxCoeff() <= 1 - clearance)) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+template <int Dim>
+std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const MapFrame<Dim>& frame,
+                                                   double clearance) {
+  Shape<Dim>&moved = frame.is_backward ? shapes.template_shape : shapes.reference,
+  &other = frame.is_backward ? shapes.reference : shapes.template_shape;
+  if (frame.space != shapes.template_shape.original.space) return std::nullopt;
+  if (!lies_inside(moved.surface, frame.pose, frame.placement, clearance) ||
+      !lies_inside<Dim>(other.surface, {}, frame.placement, clearance))
+    return std::nullopt;
+  if (!frame.pose.is_identity()) apply_placement(frame.pose, moved);
+  for (Shape<Dim>* shape : {&moved, &other}) apply_placement(frame.placement, *shape);
+  PreparedPair<Dim> pair;
+  if (frame.is_backward) pair.direction = DirectionSummary{.backward = true};
+  pair.alignment.pose = frame.pose;
+  pair.placement = frame.placement;
+  pair.space = frame.space;
+  return pair;
+}
+
+template std::optional<PreparedPair<2>> prepare_as_before<2>(ShapePair<2>&, const MapFrame<2>&, double);
+template std::optional<PreparedPair<3>> prepare_as_before<3>(ShapePair<3>&, const MapFrame<3>&, double);
+
+}  // namespace shellmatch

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// How well a shape is approximated by the principal modes of all others, from the principal modes of all.
+
+#include <Eigen/Core>
+
+namespace shellmatch {
+
+/// Let y_i be n shapes less their mean, S = sum_i y_i y_i^T with eigenvalues lambda_k, and z the scores of one of them, y. About
+/// their own mean the others have
+///     S' = S - rho y y^T,  rho = n / (n - 1),
+/// and y lies rho y from that mean. In the basis of the modes S' is diag(lambda) - rho z z^T, whose eigenvalues mu_k solve
+///     1 = rho sum_j z_j^2 / (lambda_j - mu)        (G. H. Golub, SIAM Rev. 15, 1973),
+/// and the square of the component of rho y along the k-th eigenvector is 1 / sum_j (z_j / (lambda_j - mu_k))^2. Thus leaving out
+/// each of the shapes takes n^3 operations in all, while a new decomposition for each would take n^4.
+///
+/// \param values K eigenvalues of S, descending, > 0 \param scores K of one shape \param n number of shapes, > 1
+/// \return K + 1 entries: entry M is the squared distance of the shape from its best approximation by M modes of the others
+Eigen::VectorXd left_out_distances(const Eigen::VectorXd& values, const Eigen::VectorXd& scores, Eigen::Index n);
+
+}  // namespace shellmatch

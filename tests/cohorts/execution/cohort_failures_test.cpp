@@ -1,0 +1,78 @@
+// What is wrong with a cohort, and what it costs.
+
+#include "tests/cohorts/execution/cohort_harness.h"
+
+namespace shellmatch {
+namespace {
+
+TEST_F(CohortProgram, ADamagedSubjectIsARow) {
+  const std::string file = write_cohort(4, "{kind: mean, rounds: 1}");
+  write("e2.csv", "x,y\n0,zero\n");
+  std::filesystem::remove(folder_ / "e3.csv");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto lines = csv_lines(text_of("out/subjects.csv"));
+  EXPECT_TRUE(lines.at("e2").starts_with("e2,thick,failed,,,")) << lines.at("e2");
+  EXPECT_TRUE(has(lines.at("e2"), "e2.csv")) << lines.at("e2");
+  EXPECT_TRUE(has(lines.at("e3"), "no such file")) << lines.at("e3");
+  EXPECT_TRUE(lines.at("e1").starts_with("e1,thick,finished,matched,0,")) << lines.at("e1");
+  EXPECT_TRUE(lines.at("e4").ends_with(",24")) << "further columns are kept: " << lines.at("e4");
+  // Mended, it is matched; the others are not matched again in that round.
+  write_ellipse("e2.csv", 1.04, 0.82);
+  const ProgramResult again = cohort({file, "-o", "out"});
+  EXPECT_TRUE(has(again.err, "e2 ...")) << again.err;
+  EXPECT_TRUE(csv_lines(text_of("out/subjects.csv")).at("e2").starts_with("e2,thick,finished,matched,")) << again.err;
+}
+
+TEST_F(CohortProgram, WithoutAnyUsableSubjectThereIsNoMean) {
+  const std::string file = write_cohort(2, "{kind: mean, shape: good.csv}");
+  write_ellipse("good.csv", 1, 0.8);
+  write("e1.csv", "x,y\n0,zero\n");
+  write("e2.csv", "x,y\n0,zero\n");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "no subject can be used for the mean")) << result.err;
+}
+
+TEST_F(CohortProgram, OneSubjectHasNoModes) {
+  const std::string file = write_cohort(1, "{kind: given, shape: e1}");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "one subject has no modes")) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/model/modes.npy"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/model/points.npy"));
+}
+
+TEST_F(CohortProgram, AFolderOfSomethingElseIsLeftAlone) {
+  const std::string file = write_cohort(1, "{kind: given, shape: e1}");
+  std::filesystem::create_directories(folder_ / "out");
+  write("out/thesis.tex", "years of work");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "thesis.tex, which no cohort has written")) << result.err;
+  EXPECT_EQ(text_of("out/thesis.tex"), "years of work");
+}
+
+TEST_F(CohortProgram, MistakesOnTheCommandLine) {
+  const std::string file = write_cohort(2, "{kind: given, shape: e1}");
+  const auto expect = [&](std::vector<std::string> words, const char* part) {
+    const ProgramResult result = cohort(words);
+    EXPECT_EQ(result.exit_code, 2) << part;
+    EXPECT_TRUE(has(result.err, part)) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << part;
+  };
+  expect({"-o", "out"}, "no subject is named");
+  expect({"e1.csv"}, "say where to write");
+  expect({file, "-o", "out", "--only", "e3"}, "did you mean e1?");
+  expect({file, "-o", "out", "--shard", "3/2"}, "1 <= I <= N");
+  expect({file, "-o", "out", "--shard", "1/2", "--only", "e1"}, "exclude each other");
+  expect({file, "-o", "out", "--stage", "1"}, "--only, --shard or --collect");
+  expect({file, "-o", "out", "--jobs", "none"}, "1 to 1024");
+  expect({file, "e1.csv", "-o", "out"}, "give it alone");
+  expect({"nothing*.csv", "-o", "out"}, "no file has such a name");
+  expect({file, "-o", "out", "--set", "atlas.kinds=mean"}, "atlas.kinds");
+  expect({file, "-o", "out", "--set", "input.template=e1.csv"}, "another one for each subject");
+}
+
+}  // namespace
+}  // namespace shellmatch
