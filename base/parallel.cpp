@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
@@ -54,6 +55,9 @@ void run_on_threads(std::size_t count, const Call& call) {
 template <class Call>
 void run_on_threads(std::size_t count, const Call& call) {
   tbb::parallel_for(std::size_t{0}, count, call);
+  // Where a body of an enclosing loop has thrown, TBB cancels the loops within the others: they return without an exception and with chunks
+  // left out. Whoever goes on would compute with half of the data. The enclosing loop throws what came first.
+  if (tbb::is_current_task_group_canceling()) throw Stopped("stopped, as another part of the computation has ended");
 }
 #endif
 }  // namespace

@@ -146,5 +146,28 @@ TEST_F(Parallel, SumsAnythingThatAdds) {
   EXPECT_EQ(text, "01234");
 }
 
+// A body that throws ends the loops within the others, which must not return as if they were done.
+TEST_F(Parallel, ALoopWithinOneThatEndsDoesNotReturnWithChunksLeftOut) {
+  set_n_threads(2);
+  std::atomic<int> n_torn = 0;
+  for (int round = 0; round < 100; ++round) {
+    std::atomic<int> n_done = 0;
+    try {
+      for_both([&](int i) {
+        if (i == 0) {
+          for (int wait = 0; wait < 100000 && n_done < 500; ++wait) std::this_thread::yield();
+          throw std::runtime_error("the end");
+        }
+        std::vector<char> done(20000, 0);
+        parallel_for(done.size(), [&](std::size_t k) { done[k] = 1, ++n_done; }, 1);
+        if (std::count(done.begin(), done.end(), 0) > 0) ++n_torn;
+      });
+    } catch (const std::runtime_error&) {
+    }
+  }
+  EXPECT_EQ(n_torn, 0);
+  set_n_threads(0);
+}
+
 }  // namespace
 }  // namespace shellmatch
