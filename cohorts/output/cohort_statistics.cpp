@@ -12,7 +12,7 @@ namespace {
 // The two groups that are compared; empty where there are none.
 std::vector<std::string> compared_groups(const Cohort& cohort, const std::vector<SubjectResult>& subjects,
                                          const std::vector<std::size_t>& rows,
-                                         std::vector<std::string>& notes) {
+                                         int dimension, std::vector<std::string>& notes) {
   std::map<std::string, int> sizes;
   for (const std::size_t k : rows) ++sizes[subjects[k].group];
   std::vector<std::string> groups = cohort.options.statistics.groups;
@@ -33,6 +33,11 @@ std::vector<std::string> compared_groups(const Cohort& cohort, const std::vector
                       group, sizes[group], sizes[group] == 1 ? "" : "s"));
       return {};
     }
+  // Hotelling's T^2 takes that many (statistics/group_difference.h).
+  if (const int n = sizes[groups[0]] + sizes[groups[1]]; n < dimension + 2) {
+    notes.push_back(fmt::format("groups are not compared: both together have {} subjects in the statistics, and {} are needed", n, dimension + 2));
+    return {};
+  }
   return groups;
 }
 
@@ -92,7 +97,7 @@ CohortResult<Dim> cohort_statistics(const Cohort& cohort, FinishedCohort<Dim> fi
     return result;
   }
   add_model(result, weights, options, notes);
-  const std::vector<std::string> groups = compared_groups(cohort, result.subjects, result.rows, notes);
+  const std::vector<std::string> groups = compared_groups(cohort, result.subjects, result.rows, Dim, notes);
   if (groups.empty()) return result;
   result.group_a = groups[0];
   result.group_b = groups[1];

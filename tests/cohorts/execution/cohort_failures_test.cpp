@@ -43,6 +43,16 @@ TEST_F(CohortProgram, OneSubjectHasNoModes) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/model/points.npy"));
 }
 
+TEST_F(CohortProgram, GroupsThatAreTooSmallAreNotComparedAndNothingIsLost) {
+  write("table.csv",
+        "id,file,group\na,generate:sphere/large,x\nb,generate:sphere/small,x\nc,generate:sphere/large,y\nd,generate:sphere/small,y\n");
+  const ProgramResult result = cohort({"--table", "table.csv", "--atlas", "a", "-o", "out", "--levels", "2:2", "--set", "align.mode=none", "--set", "pictures=none",
+                                       "--set", "report=false", "--set", "statistics.mode_meshes=0", "--set", "statistics.include=all"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "both together have 4 subjects in the statistics, and 5 are needed")) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.html"));
+}
+
 TEST_F(CohortProgram, AFolderOfSomethingElseIsLeftAlone) {
   const std::string file = write_cohort(1, "{kind: given, shape: e1}");
   std::filesystem::create_directories(folder_ / "out");
