@@ -89,6 +89,7 @@ class Matching {
     summary_.run = std::move(s.run);
     summary_.run.resumed_after = summary_.run.resumed_after.value_or(std::vector<int>{});
     summary_.run.resumed_after->push_back(level);
+    if (options_.report) levels_ = std::move(inputs_.before->levels);
     return FinishedLevel<Dim>{level, std::move(inputs_.before->map)};
   }
 
@@ -104,7 +105,8 @@ class Matching {
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
-      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, vertex_distances(deformed), summary_so_far(), recorder_.history});
+      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, vertex_distances(deformed), summary_so_far(), recorder_.history,
+                        levels_});
   }
 
   Surface<Dim> deformed_reference(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {

@@ -30,6 +30,7 @@ struct LevelEnd {
   const std::vector<double>& distance;           ///< of its vertices to the template's; unit domain, NaN where a shape has no data
   const MatchSummary& summary;                   ///< of the levels finished so far
   const History& history;
+  const std::vector<LevelVertices<Dim>>& levels;  ///< this one and those before; none without options.report
 };
 
 /// What a matching starts from.

@@ -150,7 +150,7 @@ class Run {
     std::string obstacle = checkpoints_->obstacle();
     std::optional<MatchProgress<Dim>> checkpoint;
     try {
-      if (obstacle.empty()) checkpoint = checkpoints_->read<Dim>();
+      if (obstacle.empty()) checkpoint = checkpoints_->read<Dim>(inputs_.shapes.reference.surface.vertices.size());
     } catch (const InputError& error) {
       obstacle = fmt::format("it cannot be read ({})", error.what());
     }
@@ -175,7 +175,7 @@ class Run {
     s.distance = s.levels.back().distance;
     clock_.state(s.run);
     try {
-      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s}, folder_.path_of("pictures"));
+      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s, end.levels}, folder_.path_of("pictures"));
       checkpoint_level_ = end.level.start.level;
     } catch (const InputError& error) {
       note_failed_checkpoint(end.level.start.level, error.what());

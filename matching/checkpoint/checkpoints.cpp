@@ -1,6 +1,7 @@
 #include "matching/checkpoint/checkpoints.h"
 
 #include "base/error.h"
+#include "matching/checkpoint/level_vertices.h"
 #include "matching/output/checksum.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/experiment/option_text.h"
@@ -160,11 +161,11 @@ std::string CheckpointFolder::obstacle() const {
 }
 
 template <int Dim>
-std::optional<MatchProgress<Dim>> CheckpointFolder::read() const {
+std::optional<MatchProgress<Dim>> CheckpointFolder::read(std::size_t n_vertices) const {
   if (!is_ours()) return std::nullopt;
   const fs::path folder = path_;
   return MatchProgress<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
-                            read_summary(folder / "summary.json")};
+                            read_summary(folder / "summary.json"), read_level_vertices<Dim>(folder / level_vertices_file_name, n_vertices)};
 }
 
 template <int Dim>
@@ -173,6 +174,7 @@ void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::s
   write_deformation(folder.path_of(deformation_file_name), checkpoint.grid, checkpoint.phi, checkpoint.frame);
   write_history(checkpoint.history, folder.path_of("history.csv"));
   write_summary(checkpoint.summary, folder.path_of("summary.json"));
+  write_level_vertices<Dim>(checkpoint.levels, folder.path_of(level_vertices_file_name));
   write_file(folder.path_of("config.yaml"), to_yaml(identity_.options));
   write_file(folder.path_of("README.txt"), read_me);
   copy_files(pictures, folder.path_of("pictures"));
@@ -223,7 +225,7 @@ std::string CheckpointFolder::foreign_text() const {
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,            \
                                          const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&);  \
-  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>() const;                        \
+  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;                        \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -40,6 +40,7 @@ struct CheckpointView {
   const MapFrame<Dim>& frame;
   const History& history;
   const MatchSummary& summary;
+  const std::vector<LevelVertices<Dim>>& levels;  ///< as MatchProgress::levels
 };
 
 /// The folder of a run's checkpoint. It has the files of an output folder except the deformed shape, so that the
@@ -60,10 +61,10 @@ class CheckpointFolder {
   /// history.csv is damaged"; empty where it can, or where there is no checkpoint. \pre not is_foreign()
   std::string obstacle() const;
 
-  /// What the earlier run had reached, if there is a checkpoint. \pre obstacle() is empty \throws InputError for intact files with invalid
-  /// contents
+  /// What the earlier run had reached, if there is a checkpoint. \param n_vertices of the reference's surface \pre obstacle() is empty
+  /// \throws InputError for intact files with invalid contents
   template <int Dim>
-  std::optional<MatchProgress<Dim>> read() const;
+  std::optional<MatchProgress<Dim>> read(std::size_t n_vertices) const;
 
   /// What is in the folder besides a checkpoint, as "'thesis' in it is of no run"; empty where there is nothing. As long as
   /// it is there, no checkpoint can be written.
@@ -92,7 +93,7 @@ class CheckpointFolder {
 /// Contents of state.json, the file by which a checkpoint is recognised. Its files stand in files.json, as those of every
 /// output folder.
 struct CheckpointManifest {
-  int format = 3;  ///< of the manifest; format 2 listed the files itself, format 1 had other checksums
+  int format = 4;  ///< of the checkpoint; format 3 had no levels.bin, format 2 listed the files itself, format 1 had other checksums
   int level = 0;  ///< the finished level that was kept
   std::string program, reference, template_shape;
   std::optional<std::string> landmarks;

@@ -45,7 +45,7 @@ struct MatchResult {
   MatchSummary summary;
   History history;  ///< every accepted step
   MatchedSurfaces<Dim> surfaces;
-  std::vector<LevelVertices<Dim>> levels;  ///< from coarse to fine, if options.report asks for them; not those before a run was resumed
+  std::vector<LevelVertices<Dim>> levels;  ///< from coarse to fine, if options.report asks for them
   /// Distance, normal and classified shape operator at the nodes of `map.grid`, of the shape that phi deforms and of the other one.
   CoefficientFields<Dim> moving_fields, target_fields;
 };
@@ -56,6 +56,7 @@ struct MatchProgress {
   Deformation<Dim> map;
   History history;
   MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, whose times are those until then
+  std::vector<LevelVertices<Dim>> levels;  ///< those finished, as far as their runs were asked for a report
 };
 
 using AnyMatchResult = std::variant<MatchResult<2>, MatchResult<3>>;

@@ -32,7 +32,7 @@ READERS = {
     "map": ["matching/map_file/vtu_file.cpp", "geometry/vtk_xml/xml_head.cpp", "matching/map_file/read_deformation.cpp",
             "matching/output/file_checksum.cpp"],
     "history": ["matching/output/history_file.cpp"], "summary": ["matching/output/json_summary.cpp"],
-    "manifest": ["matching/checkpoint/json_checkpoint_manifest.cpp"], "files": ["matching/output/json_written_files.cpp"],
+    "manifest": ["matching/checkpoint/json_checkpoint_manifest.cpp"], "levels": ["matching/checkpoint/level_vertices.cpp"], "files": ["matching/output/json_written_files.cpp"],
     "run_result": ["studies/execution/json_run_result.cpp"], "landmarks": ["matching/pairs/landmark_file.cpp"],
     "fcsv": ["matching/pairs/fcsv_points.cpp"], "markups": ["matching/pairs/json_markups.cpp"],
     "correspondence": ["matching/result/correspondence.cpp"],

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "matching/checkpoint/checkpoints.h"
+#include "matching/checkpoint/level_vertices.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/file_checksum.h"
 #include "matching/output/history_file.h"
@@ -13,6 +14,8 @@
 #include "tests/fuzz/target.h"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -108,6 +111,28 @@ void demand_round_trip(std::string_view bytes, auto read, auto text_of, const ch
 
 void read_manifest_file(std::string_view bytes) {
   demand_round_trip(bytes, read_manifest, manifest_json, "a manifest that is written is read back");
+}
+
+namespace {
+
+template <int Dim>
+void check_levels(std::string_view bytes) {
+  const auto levels = read_level_vertices<Dim>(MemoryFile(bytes).path(), 2);
+  for (const LevelVertices<Dim>& level : levels) {
+    demand(level.level > 0 && level.vertices.size() == 2, "levels have the vertices of the run");
+    for (const Vec<Dim>& x : level.vertices) demand(x.allFinite(), "vertices are finite");
+  }
+  const MemoryFile written("");
+  write_level_vertices<Dim>(levels, written.path());
+  std::ifstream in(written.path(), std::ios::binary);
+  demand(std::string(std::istreambuf_iterator<char>(in), {}) == bytes, "levels that are written are read back");
+}
+
+}  // namespace
+
+// Of a reference of two vertices, in the plane and in space.
+void read_kept_levels(std::string_view bytes) {
+  both([&] { check_levels<2>(bytes); }, [&] { check_levels<3>(bytes); });
 }
 
 void read_list_of_files(std::string_view bytes) {

@@ -286,7 +286,11 @@ def seeds_of_all():
                      fcsv.replace(b"1.5", b"nan"), b"1,2,3\n", b"# columns = label,x,y,z\na,1,2,3\n", b"1,1,2,3,0,0,0,1,1,1,0,a\n"]
     seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
     seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
-    seeds["manifest"] = [b'{"format": 3, "level": 4, "program": "a", "reference": "b", "template": "c", "landmarks": "d"}', b"[1e300]"]
+    two, three = (struct.pack(f"<{2 * n}d", *range(2 * n)) for n in (2, 3))
+    seeds["levels"] = [b"dimension 2, 2 vertices, levels [3, 4]\n" + 2 * two, b"dimension 3, 2 vertices, levels [12]\n" + three,
+                       b"dimension 2, 0 vertices, levels []\n", b"dimension 2, 2 vertices, levels [4, 3]\n" + 2 * two,
+                       b"dimension 3, 3 vertices, levels [3]\n" + three, b"dimension 2, 2 vertices, levels [3]\n" + two[:-1] + b"\xff"]
+    seeds["manifest"] = [b'{"format": 4, "level": 4, "program": "a", "reference": "b", "template": "c", "landmarks": "d"}', b"[1e300]"]
     seeds["run_result"] = [b'{"status": "finished", "message": "", "exit_code": 0, "signal": 0, "fingerprint": "a", "seconds": 1.5, '
                            b'"peak_memory_bytes": 1, "load": 0, "limit_seconds": 0, "limit_memory_mb": 0, "jobs": 1, "machine": "m", "program": "p"}']
     seeds["summary"] = [b"{}", SUMMARY, b"[]"]
