@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""docs/pictures/README.md names for every picture of the documentation the script that makes it, and documents show every picture."""
+
+import fnmatch
+import os
+import pathlib
+import re
+import unittest
+
+root = pathlib.Path(__file__).resolve().parent.parent.parent
+endings = {".png", ".svg", ".webp", ".gif", ".jpg"}
+
+
+def table():
+    """Pattern to script."""
+    rows = re.findall(r"^\| `([^`]+)` \| `(scripts/[^`]+)` \|", (root / "docs/pictures/README.md").read_text(), re.M)
+    return {"docs/" + pattern: script for pattern, script in rows}
+
+
+def pictures():
+    return sorted(str(path.relative_to(root)) for path in (root / "docs").rglob("*") if path.suffix in endings)
+
+
+def matches(name, pattern):
+    """As a shell does: a star is no slash."""
+    return name.count("/") == pattern.count("/") and fnmatch.fnmatch(name, pattern)
+
+
+class Pictures(unittest.TestCase):
+    def test_each_stands_in_the_table_once(self):
+        self.assertGreaterEqual(len(pictures()), 60)
+        for name in pictures():
+            self.assertEqual(sum(matches(name, pattern) for pattern in table()), 1, name)
+
+    def test_the_table_names_what_is_there(self):
+        for pattern, script in table().items():
+            self.assertTrue(any(matches(name, pattern) for name in pictures()), pattern)
+            self.assertTrue(os.access(root / script, os.X_OK), script)
+
+    def test_documents_show_each(self):
+        shown = {os.path.normpath(page.parent / target) for page in [root / "README.md", *(root / "docs").rglob("*.md")]
+                 for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", page.read_text())}
+        self.assertEqual([name for name in pictures() if str(root / name) not in shown], [])
+
+    def test_scripts_name_what_they_make(self):
+        """A picture that is named in full has its name in the script, or in that which calls it."""
+        for pattern, script in table().items():
+            if "*" not in pattern and script != "scripts/bench":
+                texts = (root / script).read_text() + (root / "scripts/make-docs").read_text()
+                self.assertIn(pattern, texts, script)
+
+
+if __name__ == "__main__":
+    unittest.main()
