@@ -58,7 +58,7 @@ def point_weights(points: Floats, faces: Any, weights: Any) -> Floats:
         given = as_vector(weights, "weights")
         if given.shape != (n_points,):
             raise InputError(f"weights: {given.shape[0]} values for {n_points} points")
-        if not np.all(np.isfinite(given)) or np.any(given < 0) or not 0 < given.sum() < np.inf:
+        if np.any(given < 0) or not 0 < given.sum() < np.inf:  # NaN is refused, too
             raise InputError("weights: expected values that are not negative, some of them positive, with a finite sum")
         return given / given.sum()
     if faces is None:

@@ -269,17 +269,21 @@ class Refusals(unittest.TestCase):
     def test_parameters(self):
         points, labels = family(16), np.arange(12) < 5
         model = shellmatch.ShapeModel
-        for weights in (np.ones(5), np.zeros(20), -np.ones(20), np.full(20, nan), np.ones((20, 1)), "a"):
-            self.refused(lambda: model(weights=weights).fit(points))
+        for weights in (np.zeros(20), np.r_[-1, np.ones(19)], np.full(20, nan), np.full(20, np.inf)):
+            self.refused(lambda: model(weights=weights).fit(points), "some of them positive")
+        for weights in (np.ones(5), np.ones((20, 1)), "a"):
+            self.refused(lambda: model(weights=weights).fit(points), "weights")
         for faces in ([[0, 1]], [[0, 1, 20]], [[0, 1, -1]], np.zeros((0, 3), int), [[0.5, 1, 2]], 3, [[0, 0, 0]]):
             self.refused(lambda: model(faces).fit(points))
+        self.refused(lambda: model([[0, 1]]).fit(points), "triangles")
+        self.refused(lambda: model([[0, 1, 2]]).fit(points[:, :, :2]), "segments")
         self.refused(lambda: model([[0, 1, 2]], weights=np.ones(20)).fit(points), "one of them")
         for kind in ("affine", None, 3, ["rigid"]):
-            self.refused(lambda: model(procrustes=kind).fit(points), "rigid")
+            self.refused(lambda: model(procrustes=kind).fit(points), f"procrustes={kind!r}")
         for n_modes in (0, -1, 2.5, "3", True, 2**40):
             self.refused(lambda: model(n_modes=n_modes).fit(points), "n_modes")
         fitted = model(n_modes=2).fit(points)
-        self.refused(lambda: fitted.transform(points[:, :5]))
+        self.refused(lambda: fitted.transform(points[:, :5]), "the model has (20, 3)")
         self.refused(lambda: fitted.transform(points[:, :, :2]))
         self.refused(lambda: fitted.inverse_transform(np.zeros((2, 3))), "at most 2")
         self.refused(lambda: fitted.inverse_transform(np.zeros(2)))
