@@ -189,9 +189,16 @@ TEST(ShapeModel, OfFewOrEqualShapes) {
   EXPECT_EQ(equal.total_variance, 0);
   EXPECT_EQ(equal.scores.rows(), 6);
   EXPECT_EQ(equal.inverse_transform(equal.sample_scores(2, 1)), one.coordinates.replicate(1, 2));
-  // Equal to rounding: after a motion.
-  const AlignedSets aligned =
-      procrustes({3, one.coordinates.replicate(1, 6)}, uniform_weights(12), one.coordinates.col(0) / 7, ProcrustesKind::rigid);
+  // Equal to rounding: after a motion of each.
+  PointSets turned{3, one.coordinates.replicate(1, 6)};
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double c = std::cos(static_cast<double>(i)), s = std::sin(static_cast<double>(i));
+    const Mat<3> turn = (Mat<3>() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+    for (Eigen::Index p = 0; p < 12; ++p)
+      turned.coordinates.col(i).segment<3>(3 * p) = turn * one.coordinates.col(0).segment<3>(3 * p);
+  }
+  const AlignedSets aligned = procrustes(turned, uniform_weights(12), one.coordinates.col(0), ProcrustesKind::rigid);
+  EXPECT_GT((aligned.sets.coordinates.col(0) - aligned.sets.coordinates.col(5)).norm(), 0);
   EXPECT_EQ(fit_shape_model(aligned.sets, uniform_weights(12)).variances.size(), 0);
   const ShapeModel point = fit_shape_model(random_sets(3, 1, 9, 7), uniform_weights(1));
   EXPECT_EQ(point.variances.size(), 3);
