@@ -8,4 +8,12 @@ std::string counted(std::size_t n, std::string_view singular, std::string_view p
   return fmt::format("{} {}", n, n == 1 ? singular : plural);
 }
 
+std::string safe_file_name(std::string text) {
+  for (char& c : text) {
+    const bool is_alphanumeric = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (!is_alphanumeric && std::string_view("._+-=,").find(c) == std::string_view::npos) c = '_';
+  }
+  return text;
+}
+
 }  // namespace shellmatch

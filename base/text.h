@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Wording of messages.
+/// Wording of messages, and of names of files.
 
 #include <cstddef>
 #include <string>
@@ -10,5 +10,8 @@ namespace shellmatch {
 
 /// "1 vertex", "12 vertices": a count with its noun.
 std::string counted(std::size_t n, std::string_view singular, std::string_view plural);
+
+/// `text` for use in file names: bytes other than ASCII letters, digits and ._+-=, become '_'.
+std::string safe_file_name(std::string text);
 
 }  // namespace shellmatch

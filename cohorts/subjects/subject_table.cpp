@@ -1,11 +1,11 @@
 #include "cohorts/subjects/subject_table.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
 #include "geometry/volume/volume_name.h"
 #include "matching/experiment/generated_source.h"
-#include "studies/description/study.h"
 
 #include <fmt/format.h>
 #include <glob.h>
@@ -149,10 +149,10 @@ std::vector<Subject> subjects_of(const std::vector<std::string>& names, const st
 void check_subjects(const std::vector<Subject>& subjects, const std::string& where) {
   std::map<std::string, std::string> source_of;
   for (const Subject& subject : subjects) {
-    if (subject.id.size() > 200 || subject.id != safe_file_name(subject.id) || subject.id.starts_with('.') ||
+    if (subject.id.empty() || subject.id.size() > 200 || subject.id != safe_file_name(subject.id) || subject.id.starts_with('.') ||
         subject.id.starts_with('-'))
       throw_input_error(
-          "{}: the id '{}' cannot be the name of a folder; expected letters, digits and ._+-=, at most 200, "
+          "{}: the id '{}' cannot be the name of a folder; expected 1 to 200 letters, digits and ._+-=, "
           "not . or - first",
           where, subject.id.substr(0, 220));
     if (const auto [at, is_new] = source_of.emplace(subject.id, subject.source); !is_new)

@@ -83,9 +83,6 @@ struct StudyRun : RunTask {
   std::string method() const { return metric == "own" ? solver : solver + " (" + metric + ")"; }
 };
 
-/// `text` for use in file names: characters other than letters, digits and ._+-= become '_'.
-std::string safe_file_name(std::string text);
-
 /// The product, in which problems vary slowest and repeats fastest. A method with its own metric runs once, not for
 /// every metric. \throws InputError for an invalid option, a missing input or two runs of the same name
 std::vector<StudyRun> runs_of(const Study& study);

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/text.h"
 #include "matching/cascade/schedule.h"
 #include "matching/output/checksum.h"
 #include "matching/experiment/option_text.h"
@@ -125,14 +126,6 @@ class Product {
 };
 
 }  // namespace
-
-std::string safe_file_name(std::string text) {
-  for (char& c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 &&
-        std::string_view("._+-=,").find(c) == std::string_view::npos)
-      c = '_';
-  return text;
-}
 
 std::vector<StudyRun> runs_of(const Study& study) { return Product(study).all(); }
 

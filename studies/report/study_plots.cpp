@@ -1,6 +1,7 @@
 #include "studies/report/study_plots.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/types.h"
 #include "studies/report/performance_profile.h"
 

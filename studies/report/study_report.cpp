@@ -1,6 +1,7 @@
 #include "studies/report/study_report.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/types.h"
 #include "studies/execution/machine.h"
 #include "studies/report/study_plots.h"

@@ -28,10 +28,10 @@ class MemoryFile {
 };
 
 /// The parts of an input between its separators; at least one.
-inline std::vector<std::string_view> parts_of(std::string_view bytes, char separator) {
+inline std::vector<std::string_view> parts_of(std::string_view bytes, char between) {
   std::vector<std::string_view> parts;
   for (;;) {
-    const std::size_t end = bytes.find(separator);
+    const std::size_t end = bytes.find(between);
     parts.push_back(bytes.substr(0, end));
     if (end == bytes.npos) return parts;
     bytes.remove_prefix(end + 1);

@@ -1,10 +1,14 @@
 #include "base/error.h"
+#include "base/text.h"
+#include "cohorts/cohort.h"
+#include "cohorts/subjects/subject_table.h"
 #include "matching/experiment/yaml_document.h"
 #include "matching/experiment/yaml_options.h"
 #include "studies/description/study.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/target.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -99,6 +103,44 @@ void read_whole_study(std::string_view bytes) {
   demand(!study.problems.empty() && !study.solvers.empty(), "a study has problems and solvers");
   demand(study.options.repeats >= 1 && study.options.limits.seconds >= 0, "keys of a study lie in their ranges");
   for (const StudyParameter& parameter : study.parameters) demand(!parameter.values.empty(), "a parameter has values");
+}
+
+namespace {
+
+void check_subject_list(const std::vector<Subject>& subjects) {
+  demand(!subjects.empty(), "a cohort has subjects");
+  std::set<std::string> ids;
+  for (const Subject& subject : subjects) {
+    demand(ids.insert(subject.id).second, "ids differ");
+    demand(!subject.id.empty() && subject.id == safe_file_name(subject.id) && subject.id[0] != '.', "an id is the name of a folder");
+    demand(!subject.source.empty(), "a subject has a shape");
+  }
+}
+
+}  // namespace
+
+void read_table_of_subjects(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  const std::vector<Subject> subjects = read_subject_table(file.path());
+  check_subject_list(subjects);
+  for (const Subject& subject : subjects)
+    demand(subject.further.size() == subjects[0].further.size(), "all lines have the columns of the head");
+}
+
+void read_whole_cohort(std::string_view bytes) {
+  // Patterns of whole folders would be looked up on this machine's disk.
+  if (bytes.find_first_of("*?[") != bytes.npos && bytes.find('/') != bytes.npos) return;
+  auto parts = parts_of(bytes, separator);
+  const MemoryFile file(parts[0]);
+  CohortWords words;
+  words.overrides = overrides_of(parts);
+  const Cohort cohort = read_cohort(file.path(), words);
+  check_subject_list(cohort.subjects);
+  demand(cohort.options.atlas.max_level >= cohort.experiment.cascade.min_level && cohort.options.atlas.max_level <= cohort.experiment.cascade.max_level,
+         "the rounds' level is one of the cascade's");
+  const std::string text = to_yaml(cohort);
+  const MemoryFile again(text);
+  demand(to_yaml(read_cohort(again.path(), {})) == text, "a cohort that is written is read back");
 }
 
 }  // namespace shellmatch::fuzz

@@ -265,6 +265,18 @@ def seeds_of_all():
                       b"version: 1\nproblems: {a: {base: []}}", b"version: 1\nproblems: {a: {b: 1}}", b"version: 1\nproblems: {a b: {}}",
                       b"version: 1\nproblems: {a: {base: none}}", b"version: 1\nproblems: {a: {}}\nsolvers: [[]]", study + b"metrics: []",
                       study + b"metrics: 1", study + b"parameters: []", study.replace(b"solvers", b"repeats"), study.replace(b"[newton]", b"1")]
+    table = b"id,file,landmarks,group,reflect,age\n a1 ,a.ply,a.fcsv,left,1,40\n,b/c.nii.gz:3,,\"ri, ght\",no,\n"
+    seeds["subjects"] = [table, b"file\ngenerate:hand/bent\na.vtp\n", b"FILE;id\na;b\n", table + table, b"file,file\na,b\n", b"id\na\n", b"file\n", b"",
+                         table.replace(b"no", b"2"), table.replace(b"a1", b".a"), table.replace(b"b/c.nii.gz:3", b""), b"file,id\na\n",
+                         table.replace(b"a1", b"a" * 201), b"file,x\na,b,c\n"]
+    cohort = b"version: 1\ntitle: a\nshapes: ['generate:circle', 'generate:blob', b.csv]\natlas: {kind: given, shape: blob, rounds: 2}\n"
+    more = b"statistics: {procrustes: none, modes: 2}\nlimits: {seconds: 3}\nset: {profile: paper, cascade: {max_level: 5}, energy.delta: 2}\n"
+    seeds["cohort"] = [cohort, cohort + more, joined(cohort, b"atlas.kind=mean", b"cascade.nu=1", b"atlas.shape=generate:leaf", b"version=1"),
+                       cohort.replace(b"blob,", b"blub,"), cohort.replace(b"shape: blob, ", b""), cohort + b"table: a.csv\n", b"version: 1\ntable: a.csv\n",
+                       b"version: 1\n", b"version: 1\nshapes: []\n", cohort + b"statistics: {groups: [a, b]}\n", cohort + b"statistics: {groups: [a]}\n",
+                       cohort + b"set: {input.reference: a}\n", cohort + b"set: {input: {template: a}}\n", cohort + b"set: {input.correspondence: a}\n",
+                       cohort + b"set: {landmarks.file: a}\n", cohort + b"set: {landmarks: {template_file: a}}\n", cohort.replace(b"rounds", b"max_level"),
+                       b"version: 1\nshapes: ['*.x']\n", joined(cohort, b"atlas.landmarks=b"), cohort.replace(b"blob, ", b"b.csv, landmarks: a.csv, ")]
     seeds["history"] = [HISTORY, HISTORY.replace(b",match", b"").replace(b"1.5,1.5", b"1.5"), HISTORY + b"1,2\n", HISTORY.replace(b"0.25", b"a"),
                         b"level,substep\n", b""]
     seeds["landmarks"] = [b"name,x1,y1,z1,x2,y2,z2,weight\na,0,0,0,1,1,1,2\n", b"vertex1,vertex2,sd\n0,1,0.5\n2,3,1\n",
@@ -300,7 +312,7 @@ def seeds_of_all():
 def words_of(target, inputs):
     """A dictionary of libFuzzer: the words of the seeds, and for options those of docs/options.md."""
     text = b"\n".join(inputs)
-    if target in ("experiment", "study"):
+    if target in ("experiment", "study", "cohort"):
         text += b" ".join(re.findall(rb"`([^`]*)`", (ROOT / "docs/options.md").read_bytes()))
     words = set(re.findall(rb"[A-Za-z_][A-Za-z_0-9.-]{1,40}", text)) | {b"1e308", b"-1", b"nan", b"9223372036854775807", b"2147483648"}
     return "".join(f'"{word.decode()}"\n' for word in sorted(words) if not re.search(rb'["\\]', word))

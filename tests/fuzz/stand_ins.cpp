@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "geometry/generate/exact_shape.h"
 #include "geometry/generate/generate_shape.h"
+#include "matching/input/shape_source.h"
 #include "solvers/minimizer.h"
 #include "solvers/options.h"
 
@@ -10,6 +11,9 @@
 #include <stdexcept>
 
 namespace shellmatch {
+
+// A volume may be two files, of which readers of options open none.
+std::vector<std::string> files_of_shape(const std::string& source) { return {source}; }
 
 // Of make_minimizer() the readers of options use the refusals only.
 std::vector<std::string> minimizer_names() { return {"fletcher_reeves", "lbfgs", "newton", "ceres_lbfgs", "nlopt_lbfgs"}; }
@@ -26,7 +30,10 @@ std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
 
 [[noreturn]] static void never_called() { throw std::logic_error("readers generate no shapes"); }
 
-AnyOriginal generate_shape(std::string_view, std::string_view, double, const GeneratorParameters&) { never_called(); }
+// Whoever names a shape has it generated to see whether it exists: here none does.
+AnyOriginal generate_shape(std::string_view name, std::string_view, double, const GeneratorParameters&) {
+  throw_input_error("there is no shape '{}'", name);
+}
 AnyKnownPositions known_positions(std::string_view, std::string_view, std::string_view) { never_called(); }
 std::optional<AnyExactShape> exact_shape(std::string_view, std::string_view) { never_called(); }
 

@@ -48,6 +48,8 @@ void mend_edited_outline(std::string_view bytes);
 void read_options(std::string_view bytes);
 void read_whole_experiment(std::string_view bytes);
 void read_whole_study(std::string_view bytes);
+void read_table_of_subjects(std::string_view bytes);
+void read_whole_cohort(std::string_view bytes);
 void read_map_file(std::string_view bytes);
 void read_history_file(std::string_view bytes);
 void read_summary_file(std::string_view bytes);

@@ -58,6 +58,7 @@ TEST_F(SubjectTable, MistakesAreSaidWithTheirLine) {
   EXPECT_NE(refusal("file\n").find("no subject"), std::string::npos);
   EXPECT_NE(refusal("file\na/s.ply\nb/s.ply\n").find("two subjects have the id s"), std::string::npos);
   EXPECT_NE(refusal("file,id\na.ply,../up\n").find("cannot be the name of a folder"), std::string::npos);
+  EXPECT_NE(refusal("file\na/hand/\n").find("the id '' cannot be the name of a folder"), std::string::npos);
   EXPECT_NE(refusal("file,id\na.ply,.hidden\n").find("cannot be the name of a folder"), std::string::npos);
 }
 
