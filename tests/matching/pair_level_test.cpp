@@ -21,7 +21,7 @@ ShapePair<2> ellipses() {
   return std::get<ShapePair<2>>(open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"generate:ellipse/long"}}, {}, quiet));
 }
 
-ExperimentOptions options_to(int max_level) {
+ExperimentOptions options_of_level(int max_level) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.align.mode = AlignMode::none;
   o.cascade.max_level = max_level;
@@ -31,7 +31,7 @@ ExperimentOptions options_to(int max_level) {
 
 // Where the cascade begins a level, the object begins, on the same grid and with the same energy.
 TEST(PairLevel, IsThatOfTheCascade) {
-  const ExperimentOptions o = options_to(5);
+  const ExperimentOptions o = options_of_level(5);
   Observer quiet;
   const MatchResult<2> result = match_shapes(ellipses(), o, quiet, {});
   for (const int level : {3, 4, 5}) {
@@ -61,7 +61,7 @@ TEST(PairLevel, ShapesInMemoryAreThoseOfFiles) {
   const auto original = std::get<OriginalShape<2>>(generate_shape("ellipse", "long"));
   auto pair = std::get<ShapePair<2>>(open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"mine", original}}, {}, quiet));
   EXPECT_EQ(pair.template_shape.source, "mine");
-  const ExperimentOptions o = options_to(4);
+  const ExperimentOptions o = options_of_level(4);
   EXPECT_EQ(match_shapes(std::move(pair), o, quiet, {}).deformed.vertices, match_shapes(ellipses(), o, quiet, {}).deformed.vertices);
   const auto ball = std::get<OriginalShape<3>>(generate_shape("sphere", ""));
   expect_input_error([&] { open_shape_pair({ShapeInput{"ball", ball}, ShapeInput{"mine", original}}, {}, quiet); },
@@ -70,7 +70,7 @@ TEST(PairLevel, ShapesInMemoryAreThoseOfFiles) {
 
 // In a cell the map is multilinear, so that the midpoint rule has no error but rounding along an axis.
 TEST(Jacobian, IsTheDerivativeOfTheMap) {
-  const ExperimentOptions o = options_to(4);
+  const ExperimentOptions o = options_of_level(4);
   Observer quiet;
   for (const MatchDirection direction : {MatchDirection::forward, MatchDirection::backward}) {
     ExperimentOptions directed = o;

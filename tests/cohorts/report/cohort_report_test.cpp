@@ -5,6 +5,7 @@
 #include "cohorts/report/cohort_page.h"
 #include "matching/json/json_text.h"
 #include "tests/cohorts/report/cohort_samples.h"
+#include "tests/matching/report/page_element.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +17,8 @@
 namespace shellmatch {
 namespace {
 
-std::string element(const std::string& page, const std::string& id) {
-  const std::size_t begin = page.find('>', page.find("id=\"" + id + "\"")) + 1;
-  return page.substr(begin, page.find("</script>", begin) - begin);
-}
-
 Json description(const std::string& page) {
-  std::istringstream text(element(page, "data"));
+  std::istringstream text(testing::page_element(page, "data"));
   return parse_json(text);
 }
 
@@ -138,7 +134,7 @@ TEST(CohortReport, NamesDoNotBecomePartsOfThePage) {
   result.subjects[4].reasons[0].what = name;
   result.subjects[4].distance->deformed_to_template.p95 = std::numeric_limits<double>::quiet_NaN();
   const std::string page = cohort_report_html(result);
-  EXPECT_EQ(element(page, "data").find('<'), std::string::npos);
+  EXPECT_EQ(testing::page_element(page, "data").find('<'), std::string::npos);
   const Json read_back = description(page);
   EXPECT_TRUE(read_back["title"].get<std::string>().starts_with("</script><script>alert(1)</script><!-- "));
   EXPECT_TRUE(read_back["subjects"][2]["distance"]["atlas_to_subject"]["p95"].is_null());

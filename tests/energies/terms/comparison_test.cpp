@@ -23,18 +23,18 @@ ReferencePoint<Dim, double> reference_point(const Vec<Dim>& n1, const Mat<Dim>& 
   return {0, small<Dim>(n1), small_symmetric<Dim>(r1)};
 }
 template <int Dim>
-Mat<Dim> projection(const Vec<Dim>& n) {
+Mat<Dim> tangential_projection(const Vec<Dim>& n) {
   return Mat<Dim>::Identity() - n * n.transpose();
 }
 
 template <int Dim>
-void check_formulas(unsigned seed) {
+void check_variants(unsigned seed) {
   std::mt19937 random(seed);
   const Material<double> material{0.7, 1.3};
   for (int i = 0; i < 20; ++i) {
     const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
                    n2 = random_matrix<Dim, 1>(random).normalized();
-    const Mat<Dim> dphi = random_matrix<Dim>(random), p1 = projection<Dim>(n1);
+    const Mat<Dim> dphi = random_matrix<Dim>(random), p1 = tangential_projection<Dim>(n1);
     const Mat<Dim> at2 = random_symmetric<Dim>(random, -1, 2), at1 = random_symmetric<Dim>(random, -1, 2);
     const auto y = target_point<Dim>(0.8 * n2, at2);  // n2 need not come as a unit vector
     const auto x = reference_point<Dim>(n1, at1);
@@ -50,8 +50,8 @@ void check_formulas(unsigned seed) {
 }
 
 TEST(Comparison, IntegrandsAreTheFormulas) {
-  check_formulas<2>(1);
-  check_formulas<3>(2);
+  check_variants<2>(1);
+  check_variants<3>(2);
 }
 
 // Example ex:norank1conv: F convex in trace and determinant of the Cauchy-Green tensor is not enough.
@@ -92,7 +92,7 @@ void check_rank_one_convexity(unsigned seed) {
   for (int i = 0; i < 500; ++i) {
     const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
                    n2 = random_matrix<Dim, 1>(random).normalized();
-    const Mat<Dim> p1 = projection<Dim>(n1), p2 = projection<Dim>(n2);
+    const Mat<Dim> p1 = tangential_projection<Dim>(n1), p2 = tangential_projection<Dim>(n2);
     const Mat<Dim> root = p2 * random_symmetric<Dim>(random, 0.5, 2) * p2 + n2 * n2.transpose();
     const auto y = target_point<Dim>(n2, root);
     const auto x = reference_point<Dim>(n1, p1 * random_symmetric<Dim>(random, 0.5, 2) * p1);
@@ -127,8 +127,8 @@ TEST(Comparison, QuadraticBendingIsNotConvexOnThePapersSegment) {
   const Vec<3> e3 = Vec<3>::UnitZ();
   const auto density = [&](double t) {
     const Mat<3> a = Mat<3>::Identity() - t * Vec<3>::UnitX() * Vec<3>::UnitX().transpose();
-    return band_density<QuadraticBending<3>>(target_point<3>(e3, projection<3>(e3)), small(a),
-                                        reference_point<3>(e3, projection<3>(e3)), unit);
+    return band_density<QuadraticBending<3>>(target_point<3>(e3, tangential_projection<3>(e3)), small(a),
+                                        reference_point<3>(e3, tangential_projection<3>(e3)), unit);
   };
   for (const double t : {0.0, 0.5, 0.625, 0.75})
     EXPECT_NEAR(density(t), std::pow((1 - t) * (1 - t) - 1, 2), 1e-15);

@@ -50,7 +50,7 @@ Shape<Dim> moved(const Shape<Dim>& shape, const Similarity<Dim>& by) {
   return make_shape(std::move(original), "moved");
 }
 
-struct Notes final : Observer {
+struct Words final : Observer {
   void note(const std::string& text) override { all += text + "\n"; }
   std::string all;
 };
@@ -134,7 +134,7 @@ TEST(MatchBackward, ThePoseOfLandmarksCarriesTheTemplateOntoTheReference) {
   }
   ExperimentOptions o = options_to(4, MatchDirection::backward);
   o.align.mode = AlignMode::landmarks;
-  Notes notes;
+  Words notes;
   const Similarity<2> pose = prepare_pair(pair, landmarks, o, notes).alignment.pose;
   for (const Landmark<2>& l : landmarks) EXPECT_LT((pose(l.on_template) - l.on_reference).norm(), 1e-9);
 }
@@ -156,7 +156,7 @@ TEST(MatchBackward, DerivativesAreCheckedWhereTheMatchingEnded) {
 }
 
 TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {
-  const auto direction_of = [](const Shape<2>& reference, const Shape<2>& target, MatchDirection wanted, Notes& notes) {
+  const auto direction_of = [](const Shape<2>& reference, const Shape<2>& target, MatchDirection wanted, Words& notes) {
     ShapePair<2> pair{reference, target};
     ExperimentOptions o = options_to(4, wanted);
     o.align.mode = AlignMode::none;
@@ -165,7 +165,7 @@ TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {
     EXPECT_EQ(pair.reference.original.vertices[60], reference.original.vertices[60]);  // in the order given
     return prepared.is_backward();
   };
-  Notes notes;
+  Words notes;
   EXPECT_TRUE(direction_of(letter(0.04), letter(0.4), MatchDirection::automatic, notes));
   EXPECT_NE(notes.all.find("the template is deformed"), std::string::npos) << notes.all;
   EXPECT_FALSE(direction_of(letter(0.4), letter(0.04), MatchDirection::automatic, notes));

@@ -10,6 +10,7 @@
 #include "matching/output/written_files.h"
 #include "matching/run_matching.h"
 #include "tests/matching/output/temporary_folder.h"
+#include "tests/matching/report/page_element.h"
 
 #include <gtest/gtest.h>
 
@@ -100,19 +101,14 @@ std::string decoded(const std::string& base64_text) {
   return bytes;
 }
 
-std::string element(const std::string& page, const std::string& id) {
-  const std::size_t begin = page.find('>', page.find("id=\"" + id + "\"")) + 1;
-  return page.substr(begin, page.find("</script>", begin) - begin);
-}
-
 // What the page of an output folder has of the deformed reference at the ends of levels, by name: how it is to be read, and its bytes.
 std::map<std::string, std::string> levels_of_page(const std::string& folder) {
   const std::string page = contents_of(folder + "/report.html");
-  std::istringstream text(element(page, "data"));
+  std::istringstream text(testing::page_element(page, "data"));
   Json report = parse_json(text);
   const Json& last = report["arrays"].back();
   std::string bytes(last["offset"].get<std::size_t>() + last["bytes"].get<std::size_t>(), '\0');
-  EXPECT_TRUE(inflate_exactly(decoded(element(page, "arrays")), bytes.data(), bytes.size()));
+  EXPECT_TRUE(inflate_exactly(decoded(testing::page_element(page, "arrays")), bytes.data(), bytes.size()));
   std::map<std::string, std::string> found = {{"levels", report["levels"].dump()}};
   for (Json& a : report["arrays"]) {
     const std::string name = a["name"];

@@ -8,6 +8,7 @@
 #include "matching/match_shapes.h"
 #include "matching/report/report_page.h"
 #include "matching/report/surface_figures.h"
+#include "tests/matching/report/page_element.h"
 
 #include <gtest/gtest.h>
 
@@ -38,13 +39,8 @@ MatchResult<Dim> matched(const std::string& reference, const std::string& templa
   return match_shapes(shape<Dim>(reference), shape<Dim>(template_shape), options, nobody);
 }
 
-std::string element(const std::string& page, const std::string& id) {
-  const std::size_t begin = page.find('>', page.find("id=\"" + id + "\"")) + 1;
-  return page.substr(begin, page.find("</script>", begin) - begin);
-}
-
 Json description(const std::string& page) {
-  std::istringstream text(element(page, "data"));
+  std::istringstream text(testing::page_element(page, "data"));
   return parse_json(text);
 }
 
@@ -97,7 +93,7 @@ TEST(Report, NamesDoNotBecomePartsOfThePage) {
   MatchResult<2> result = matched<2>("circle", "ellipse", o);
   const std::string name = "</script><script>alert(1)</script><!-- \xff\"&.csv";
   result.summary.reference.file = name;
-  const std::string page = report_html(result, o), data = element(page, "data");
+  const std::string page = report_html(result, o), data = testing::page_element(page, "data");
   EXPECT_EQ(data.find('<'), std::string::npos);
   const std::string read_back = description(page)["summary"]["reference"]["file"];
   EXPECT_TRUE(read_back.starts_with("</script><script>alert(1)</script><!-- ")) << read_back;

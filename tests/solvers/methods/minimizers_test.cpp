@@ -93,9 +93,9 @@ TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
   EXPECT_NEAR(std::sqrt(squared), records.back().gradient_norm, 1e-12 * std::sqrt(squared));
 }
 
-std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
+std::string method_of(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(minimizer_names()),
-                         test_name);
+                         method_of);
 
 // The variants of the paper's method that options reach, its letter among them.
 TEST(FletcherReevesVariants, AllSolveRosenbrock) {

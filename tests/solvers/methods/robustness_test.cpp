@@ -221,9 +221,9 @@ TEST_P(AnyMinimizer, GivesTheSameBitsWithOneThreadAndTwo) {
   EXPECT_EQ(points[0], points[1]);
 }
 
-std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
+std::string name_of_method(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 INSTANTIATE_TEST_SUITE_P(Methods, AnyMinimizer, ::testing::ValuesIn(minimizer_names()),
-                         test_name);
+                         name_of_method);
 
 // At most 1.6 evaluations and one gradient per step is what the step memory is for.
 TEST(Economy, OurMethodsEvaluateLittleMoreThanOncePerStep) {
