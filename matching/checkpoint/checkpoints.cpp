@@ -225,7 +225,7 @@ std::string CheckpointFolder::foreign_text() const {
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,            \
                                          const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&);  \
-  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;                        \
+  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;             \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
