@@ -1,6 +1,7 @@
 #include "matching/checkpoint/level_vertices.h"
 
 #include "base/error.h"
+#include "matching/experiment/finest_level.h"
 #include "matching/output/write_file.h"
 
 #include <fmt/ranges.h>
@@ -16,8 +17,6 @@
 namespace shellmatch {
 
 namespace {
-
-constexpr int finest_level = 15;  // of cascade.max_level
 
 std::string head_of(int dimension, std::size_t n_vertices, const std::vector<int>& levels) {
   return fmt::format("dimension {}, {} vertices, levels [{}]\n", dimension, n_vertices, fmt::join(levels, ", "));

@@ -1,6 +1,7 @@
 #include "matching/experiment/level_overrides.h"
 
 #include "base/error.h"
+#include "matching/experiment/finest_level.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,13 +10,11 @@ namespace shellmatch {
 
 namespace {
 
-constexpr int max_level = 15;  // upper limit of CascadeOptions::max_level
-
 /// `text` as a level; 0 if it is none.
 int parse_level(std::string_view text) {
   int level = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-  const bool good = error == std::errc() && end == text.data() + text.size() && level >= 1 && level <= max_level;
+  const bool good = error == std::errc() && end == text.data() + text.size() && level >= 1 && level <= finest_level;
   return good ? level : 0;
 }
 
@@ -36,7 +35,7 @@ LevelOverrides::Entry& LevelOverrides::at(std::string_view key, const std::strin
   const int last = dash == std::string_view::npos ? first : parse_level(key.substr(dash + 1));
   if (first == 0 || last == 0 || last < first)
     throw_input_error("{}: '{}' is no range of levels; expected a level from 1 to {}, as 6, or two, as 3-5", where,
-                      key.substr(0, 60), max_level);
+                      key.substr(0, 60), finest_level);
   for (Entry& e : entries) {
     if (e.first == first && e.last == last) return e;
     if (first <= e.last && e.first <= last)

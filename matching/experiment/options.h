@@ -8,6 +8,7 @@
 #include "grid/options.h"
 #include "matching/experiment/align_options.h"
 #include "matching/experiment/check_options.h"
+#include "matching/experiment/finest_level.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/pair_options.h"
 
@@ -90,7 +91,7 @@ struct CascadeOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
-    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = 15, .meaning = "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
+    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = finest_level, .meaning = "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
     visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
     visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
     visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
@@ -111,7 +112,7 @@ struct StartOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("map", self.map, {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not fit the run begins as without, and says so; relative to the YAML file"});
-    visit("level", self.level, {.unit = "level", .min = 0, .max = 15, .meaning = "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
+    visit("level", self.level, {.unit = "level", .min = 0, .max = finest_level, .meaning = "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
   }
 };
 

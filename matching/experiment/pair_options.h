@@ -4,6 +4,7 @@
 
 #include "base/options.h"
 #include "energies/pairs/robust_loss.h"
+#include "matching/experiment/finest_level.h"
 
 #include <string>
 
@@ -46,7 +47,7 @@ struct CoverageOptions {
   int rounds = 3;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = 15, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper"});
+    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper"});
     visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the template's area (length) over nu"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a point of the template that is reached so closely does not pull: a mesh is no closer to the shape that it stands for"});
     visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "most points of the template that pull"});

@@ -3,6 +3,7 @@
 #include "base/printable.h"
 #include "geometry/surface/placement.h"
 #include "geometry/surface/topology.h"
+#include "matching/experiment/finest_level.h"
 #include "matching/experiment/options.h"
 
 #include <Eigen/Geometry>
@@ -65,9 +66,9 @@ double mean_edge_length(const Surface<Dim>& s) {
   return n == 0 ? 0 : sum / static_cast<double>(n);
 }
 
-// Coarsest level with 2^-level <= length, at most 15.
+// Coarsest level with 2^-level <= length, at most the finest one.
 int level_of_length(double length) {
-  return std::isfinite(length) ? std::clamp(static_cast<int>(std::ceil(-std::log2(length))), 1, 15) : 1;
+  return std::isfinite(length) ? std::clamp(static_cast<int>(std::ceil(-std::log2(length))), 1, finest_level) : 1;
 }
 
 }  // namespace

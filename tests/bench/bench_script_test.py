@@ -4,7 +4,6 @@
 usage: bench_script_test.py --build BUILD_TREE [Script | Kernels]
 """
 
-import argparse
 import json
 import math
 import os
@@ -29,7 +28,7 @@ import paired  # noqa: E402
 import plotting  # noqa: E402
 import roofline  # noqa: E402
 import scaling  # noqa: E402
-from script_test import ScriptTest  # noqa: E402
+from script_test import ScriptTest, path_option  # noqa: E402
 
 build = None  # the build tree under test
 tiny = ["--pairs", "leaf", "--levels", "3:4", "--only", "cascades"]
@@ -359,8 +358,5 @@ class Kernels(Folder):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--build", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    build = arguments.build.resolve()
+    build, rest = path_option("--build")
     unittest.main(argv=[sys.argv[0], *rest])

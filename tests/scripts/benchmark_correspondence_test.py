@@ -4,7 +4,6 @@
 usage: benchmark_correspondence_test.py --build BUILD_TREE [TEST]
 """
 
-import argparse
 import csv
 import json
 import math
@@ -21,7 +20,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(root / "scripts"), str(root / "bench"), str(root / "tests/support")]
 
 from correspondence import tables  # noqa: E402
-from script_test import ScriptTest  # noqa: E402
+from script_test import ScriptTest, path_option  # noqa: E402
 
 build = None  # the build tree under test
 
@@ -318,8 +317,5 @@ def ended(pid):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--build", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    build = arguments.build.resolve()
+    build, rest = path_option("--build")
     unittest.main(argv=[sys.argv[0], *(f"Benchmark.{name}" for name in rest)])

@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 """docs/commands is what this program says of itself, and scripts/command-pages notices where it is not."""
 
-import argparse
-import os
 import pathlib
 import shutil
 import subprocess
@@ -13,7 +11,7 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(root / "tests/support")]
 
-from script_test import ScriptTest  # noqa: E402
+from script_test import ScriptTest, path_option  # noqa: E402
 
 program = ""
 
@@ -92,8 +90,5 @@ class CommandPages(ScriptTest):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", required=True)
-    arguments, others = parser.parse_known_args()
-    program = os.path.abspath(arguments.program)
-    unittest.main(argv=[sys.argv[0], *others])
+    program, rest = path_option("--program")
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """docs/tutorial.md followed word by word: every command runs, in order, and says what the tutorial shows."""
 
-import argparse
 import os
 import pathlib
 import re
@@ -12,6 +11,11 @@ import time
 import unittest
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(root / "tests/support")]
+
+from script_test import path_option  # noqa: E402
+
 build = None
 number = re.compile(r"-?\d+(?:\.\d+)?")
 
@@ -85,8 +89,5 @@ class Tutorial(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--build", type=pathlib.Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    build = arguments.build.resolve()
+    build, rest = path_option("--build")
     unittest.main(argv=[sys.argv[0], *rest])

@@ -1,8 +1,17 @@
 """What tests of scripts share."""
 
+import argparse
 import pathlib
 import tempfile
 import unittest
+
+
+def path_option(option):
+    """The value of this option of the command line, an absolute path, and the words that are left for unittest."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument(option, type=pathlib.Path, required=True, dest="value")
+    arguments, rest = parser.parse_known_args()
+    return arguments.value.resolve(), rest
 
 
 class ScriptTest(unittest.TestCase):
