@@ -102,7 +102,7 @@ bool Progress::iterated(const LevelStart& start, const IterationRecord& record) 
 void Progress::gradient_checked(const LevelStart& start, const GradientReport& report) {
   if (report.passed() && verbosity_ != Verbosity::verbose && terminal_) return;
   line(fmt::format("{}, iteration {}: derivatives {}", place(start, max_level_), report.iteration,
-                   report.passed() ? "checked" : "WRONG: " + report.failed_terms()));
+                   report.passed() ? "checked" : "WRONG: " + report.faults()));
 }
 
 void Progress::minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) {

@@ -175,8 +175,10 @@ class ElementComparison {
     double greatest = 0;
     for (const std::size_t e : acting_) greatest = std::max(greatest, largest(by_jets_[e]));
     std::vector<std::size_t> fit;
+    // Ceres compares every component to 1e-5 of itself, with differences whose rounding errors are 1e-12 of the natural size:
+    // where a hundredth of the largest component is less than 1e-6 of that size, it would reject what is right.
     for (const std::size_t e : acting_)
-      if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
+      if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-4 * natural_[e] &&
           least_distance_to_kinks(oracle_, context_.level.geometry.target, e, oracle_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;

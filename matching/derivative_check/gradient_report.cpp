@@ -109,6 +109,14 @@ std::string GradientReport::failed_terms() const {
   return names;
 }
 
+std::string GradientReport::faults() const {
+  std::string text;
+  for (const TermCheck& t : terms)
+    if (t.state == TermCheck::State::failed)
+      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", t.name, t.faults.empty() ? "no details" : t.faults.front());
+  return text;
+}
+
 std::string gradient_report_text(const GradientReport& r) {
   std::string text = fmt::format("{} at level {}, deformation {}: {} nodes, {} of them free, nu {:.3g}, c_vol {:.3g}\n\n", r.source,
                                  r.level, r.state, r.n_nodes, r.n_free_nodes, r.nu, r.volume_weight);

@@ -82,6 +82,8 @@ struct GradientReport {
   bool passed() const;
   /// Names of the terms with faults, separated by commas.
   std::string failed_terms() const;
+  /// The same with the first fault of each in brackets, for a message.
+  std::string faults() const;
 };
 
 /// A table with remarks, for people.

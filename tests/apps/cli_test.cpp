@@ -106,6 +106,31 @@ TEST_F(Cli, MissingAndSuperfluousWords) {
   expect_refused({"match", "a", "b", "-o"}, {"--output"});
 }
 
+TEST_F(Cli, GenerateListsShapesAndTheirParameters) {
+  const ProgramResult all = run_program({"generate", "--list"});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.err, "");
+  for (const char* part : {"sphere (3D): ", "leaf (2D): ", "\n  hand/bent ", "`shellmatch generate NAME --list`"}) expect_contains(all.out, part);
+  const ProgramResult one = run_program({"generate", "leaf", "--list"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  for (const char* part : {"leaf (2D): ", "Variants:\n", "\n  shallow ", "Parameters:\n", "\n  lobes ", "(3 <= x <= 9; default 5)"}) expect_contains(one.out, part);
+  EXPECT_EQ(one.out.find("sphere"), std::string::npos) << one.out;
+}
+
+TEST_F(Cli, GenerateTakesParametersAndSaysWhichItDoesNotKnow) {
+  const std::string file = (folder_ / "leaf.csv").string();
+  const ProgramResult made = run_program({"generate", "leaf", "-o", file, "--set", "lobes=3", "--set", "depth=0.1"});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const auto size = fs::file_size(file);
+  EXPECT_GT(size, 1000u);
+  expect_refused({"generate", "laef", "--list"}, {"laef", "did you mean leaf?", "generate --list"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobs=3"}, {"lobs", "lobes"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes"}, {"--set lobes", "parameter=value"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "=3"}, {"--set =3", "parameter=value"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes=many"}, {"lobes", "many", "not a number"});
+  EXPECT_EQ(fs::file_size(file), size);
+}
+
 TEST_F(Cli, WrongValuesNameTheOption) {
   const auto match = [](Words words) {
     words.insert(words.begin(), {"match", "a.ply", "b.ply", "-o", "out"});
