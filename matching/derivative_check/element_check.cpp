@@ -168,17 +168,18 @@ class ElementComparison {
       if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
       return std::isfinite(value);
     };
-    return check_with_ceres(function, oracle_.dofs_of(e, context_.phi), step * elements_[e].side, 1e-5);
+    // Ceres compares every component with itself. Rounding errors of its differences are 1e-12 of the natural size, and a
+    // component may be a hundredth of the largest.
+    const double precision = std::max(1e-5, 1e-10 * natural_[e] / largest(by_jets_[e]));
+    return check_with_ceres(function, oracle_.dofs_of(e, context_.phi), step * elements_[e].side, precision);
   }
 
   void probe_with_ceres() {
     double greatest = 0;
     for (const std::size_t e : acting_) greatest = std::max(greatest, largest(by_jets_[e]));
     std::vector<std::size_t> fit;
-    // Ceres compares every component to 1e-5 of itself, with differences whose rounding errors are 1e-12 of the natural size:
-    // where a hundredth of the largest component is less than 1e-6 of that size, it would reject what is right.
     for (const std::size_t e : acting_)
-      if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-4 * natural_[e] &&
+      if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
           least_distance_to_kinks(oracle_, context_.level.geometry.target, e, oracle_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;

@@ -100,7 +100,7 @@ TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
 TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   const TemporaryFolder tmp;
   const auto words = [&](const char* folder) {
-    return Words{"match", "generate:circle", "generate:ellipse", "-o", tmp / folder, "--levels", "3:4", "--align", "none", "--set", "pictures=none", "--set",
+    return Words{"match", "generate:leaf", "generate:leaf/shallow", "-o", tmp / folder, "--levels", "3:4", "--align", "none", "--set", "pictures=none", "--set",
                  "report=false", "--set", "check_gradient.every=1"};
   };
   const Shown shown = run_on_terminal(words("terminal"), 80);
