@@ -44,6 +44,16 @@ TEST(Products, Combinations) {
   EXPECT_LE((in_place - a * square).norm(), 1e-9);
 }
 
+// Sizes at which Eigen takes other kernels: no product, a vector, less than a register, more than a panel.
+TEST(Products, CombinationsDoNotDependOnTheColumnsThatFollow) {
+  for (const Eigen::Index n_sets : {2, 11, 70}) {
+    const Eigen::MatrixXd a = random_sets(3, 411, n_sets, 1).coordinates, c = random_sets(2, n_sets, 100, 2).coordinates;
+    const Eigen::MatrixXd all = combinations({a}, c.topRows(n_sets));
+    for (const Eigen::Index n : {0, 1, 2, 5, 15, 16, 17, 33, 99})
+      EXPECT_EQ(combinations({a}, c.topLeftCorner(n_sets, n)), all.leftCols(n)) << n_sets << " sets, " << n << " columns";
+  }
+}
+
 TEST(Products, OnlyOfWhatFits) {
   const Eigen::MatrixXd a = Eigen::MatrixXd::Ones(6, 2), b = Eigen::MatrixXd::Ones(9, 2);
   const Eigen::VectorXd weights = uniform_weights(2);
