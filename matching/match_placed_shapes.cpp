@@ -59,7 +59,7 @@ class Matching {
                                               options_, inputs_.prepared.placement, d1_, d2_))
       pairs.push_back(std::move(set));
     for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
-    if (options_.coverage.levels > 0) recorder_.history.term_names.emplace_back("coverage");
+    if (has_coverage(options_)) recorder_.history.term_names.emplace_back("coverage");
     std::optional<FinishedLevel<Dim>> before = resume();
     recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,

@@ -53,7 +53,7 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
     fields_->compute_distances(grid_);
   }
   pairs_ = known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_);
-  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_);
+  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_, has_coverage(options_));
 }
 
 template <int Dim>
@@ -89,8 +89,8 @@ template <int Dim>
 void PairLevel<Dim>::follow(const std::vector<Vec<Dim>>& phi) {
   const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
   if (!observed.is_all()) level_->energy.set_mask(phi, PairMask<Dim>(observed, level_->sigma));
-  if (!level_->coverage || !level_->covers(options_)) return;
-  const Coverage<Dim> coverage(shapes_.reference.surface, shapes_.template_shape.surface, options_.coverage, observed);
+  if (!level_->coverage || !level_->is_covered(options_)) return;
+  const Coverage<Dim> coverage(shapes_.reference.surface, *d2_, options_.coverage, observed);
   level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage.pairs(grid_, phi)));
 }
 

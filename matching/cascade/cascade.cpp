@@ -55,8 +55,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   result.phi = identity_map(grid);
   ShapeFields<Dim> shapes(reference, template_shape, options);
   std::optional<Coverage<Dim>> coverage;
-  if (options.coverage.levels > 0)
-    coverage.emplace(reference.surface(), template_shape.surface(), options.coverage, observed);
+  if (has_coverage(options)) coverage.emplace(reference.surface(), template_shape, options.coverage, observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.reference = at_nodes(geometry.reference, grid);

@@ -30,8 +30,8 @@ LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<
                                           const ObservedPair<Dim>& observed)
     : options_(options),
       grid_(grid),
-      level_(grid, std::move(geometry), options, pairs),
-      coverage_(level_.covers(options) ? coverage : nullptr) {
+      level_(grid, std::move(geometry), options, pairs, coverage != nullptr),
+      coverage_(level_.is_covered(options) ? coverage : nullptr) {
   if (!observed.is_all()) mask_.emplace(observed, level_.sigma);
 }
 

@@ -37,6 +37,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.tau = 1;
     // The shapes begin as they lie, and nothing but the match pulls.
     options.align.mode = AlignMode::none;
+    options.coverage.levels = 0;
     // Section 6: the simplified volume term, no other term against folds, natural boundary conditions.
     options.energy.terms.model("volume"_term) = "simplified";
     options.energy.terms.factor("barrier"_term) = 0;

@@ -12,6 +12,7 @@
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/pair_options.h"
 
+#include <algorithm>
 #include <string>
 
 namespace shellmatch {
@@ -169,6 +170,14 @@ inline bool refines_at_template(const ExperimentOptions& options) {
   return options.cascade.refine == RefineWhere::both ||
          options.coefficients.interpolation == FieldInterpolation::multilinear;
 }
+
+/// Whether coverage acts on a level: on the finest ones, but not on the coarsest, which begins with the identity, whose closest points mean
+/// nothing yet.
+inline bool covers(const ExperimentOptions& options, int level) {
+  return level > std::max(options.cascade.min_level, options.cascade.max_level - options.coverage.levels);
+}
+/// Whether it acts on any.
+inline bool has_coverage(const ExperimentOptions& options) { return covers(options, options.cascade.max_level); }
 
 /// The default options of a profile.
 ExperimentOptions profile_defaults(Profile profile);

@@ -38,20 +38,24 @@ struct LandmarkOptions {
   }
 };
 
-/// Coverage: points of the template pull at the deformed reference nearest to them.
+/// Coverage: pairs of closest points of both shapes make the match two-sided.
 struct CoverageOptions {
-  int levels = 0;
+  int levels = 1;
   double weight = 1;
+  double loss_scale = 0.1;
+  double point_distance = 0.3;
   double tolerance = 2e-4;
   int samples = 3000;
-  int rounds = 3;
+  int rounds = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper"});
-    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the template's area (length) over nu"});
-    visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a point of the template that is reached so closely does not pull: a mesh is no closer to the shape that it stands for"});
-    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "most points of the template that pull"});
-    visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the nearest points are found anew"});
+    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
+    visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance from which on a pair counts less, by Huber's loss: what cannot be reached does not outweigh the rest"});
+    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a point of the template that is farther attracts in all directions, others across its surface only: thin parts are drawn to their tips"});
+    visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
+    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "most vertices of each shape that pull or are pulled"});
+    visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }
 };
 

@@ -31,11 +31,12 @@ struct LevelEnergy {
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
   std::vector<double> pair_weights;  ///< in the energy, of the terms made from `pairs`
-  std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where coverage.levels > 0
+  std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where the constructor was asked for it
 
   /// \param pairs terms of their own, on all levels
+  /// \param with_coverage adds the term of coverage, without pairs until replace_pairs() gives it some
   LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
-              const std::vector<PairSet<Dim>>& pairs = {})
+              const std::vector<PairSet<Dim>>& pairs = {}, bool with_coverage = false)
       : grid(g),
         sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
@@ -46,7 +47,7 @@ struct LevelEnergy {
       energy.add_pairs(set.name, PairTerm<Dim>(g, set.pairs));
       pair_weights.push_back(set.factor / options.cascade.nu);
     }
-    if (options.coverage.levels > 0) coverage = energy.add_pairs("coverage", {});
+    if (with_coverage) coverage = energy.add_pairs("coverage", {});
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
@@ -57,14 +58,12 @@ struct LevelEnergy {
     const std::size_t first = all.size();
     all.extend_to(energy.n_terms());
     for (std::size_t i = 0; i < pair_weights.size(); ++i) all[first + i] = pair_weights[i];
-    if (coverage && covers(options)) all[*coverage] = options.coverage.weight / nu;
+    if (coverage && is_covered(options)) all[*coverage] = options.coverage.weight / nu;
     return all;
   }
 
   /// Does coverage act on this level?
-  bool covers(const ExperimentOptions& options) const {
-    return grid.finest_level() > options.cascade.max_level - options.coverage.levels;
-  }
+  bool is_covered(const ExperimentOptions& options) const { return covers(options, grid.finest_level()); }
 };
 
 }  // namespace shellmatch

@@ -7,25 +7,9 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 namespace shellmatch {
 
 namespace {
-
-/// Number along a Morton curve: points that are close on the curve are close in space.
-template <int Dim>
-std::uint64_t morton_number(const Vec<Dim>& x) {
-  std::uint64_t number = 0;
-  constexpr int bits = 60 / Dim;
-  for (int k = 0; k < Dim; ++k) {
-    const auto coordinate = static_cast<std::uint64_t>(std::clamp(x[k], 0.0, 1.0) * ((std::uint64_t{1} << bits) - 1));
-    for (int bit = 0; bit < bits; ++bit) number |= ((coordinate >> bit) & 1) << (bit * Dim + k);
-  }
-  return number;
-}
 
 /// The point of the undeformed facet with the barycentric coordinates that x has in the deformed one.
 template <int Dim>
@@ -45,75 +29,93 @@ Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, I
   return at(reference, 0) + edges_before * b;
 }
 
-}  // namespace
-
 template <int Dim>
-Coverage<Dim>::Coverage(const Surface<Dim>& reference, const Surface<Dim>& template_shape, const CoverageOptions& options,
-                        const ObservedPair<Dim>& observed)
-    : reference_(&reference), observed_(observed), tolerance_(options.tolerance * bounding_box(template_shape.vertices).diagonal()) {
-  const auto n_samples = static_cast<std::size_t>(options.samples);
-  const std::size_t n = template_shape.vertices.size();
-  std::vector<double> area(n, 0.0);
-  std::vector<Vec<Dim>> normal(n, Vec<Dim>::Zero());
-  for (Index f = 0; f < static_cast<Index>(template_shape.facets.size()); ++f) {
-    const Vec<Dim> of_facet = facet_normal(template_shape, f);
-    for (const Index v : template_shape.facets[f]) {
-      area[v] += facet_measure(template_shape, f) / Dim;
-      normal[v] += of_facet;
-    }
-  }
-  std::vector<std::size_t> order;
-  for (std::size_t v = 0; v < n; ++v)
-    if (area[v] > 0 && normal[v].norm() > 0 && observed.template_shape.contains(template_shape.vertices[v])) order.push_back(v);
-  double total = 0;
-  for (const std::size_t v : order) total += area[v];
-  const auto sample = [&](std::size_t v, double stands_for) {
-    samples_.push_back({template_shape.vertices[v], normal[v].normalized(), stands_for});
-  };
-  if (order.size() <= n_samples) {
-    for (const std::size_t v : order) sample(v, area[v]);
-    return;
-  }
-  std::vector<std::uint64_t> number(n);
-  for (const std::size_t v : order) number[v] = morton_number<Dim>(template_shape.vertices[v]);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return number[a] < number[b]; });
-  const double each = total / static_cast<double>(n_samples);
-  double passed = 0, next = 0.5 * each;
-  for (const std::size_t v : order) {
-    passed += area[v];
-    if (passed < next) continue;
-    const double count = std::floor((passed - next) / each) + 1;  // a vertex may stand for several shares
-    sample(v, count * each);
-    next += count * each;
-  }
-}
-
-template <int Dim>
-PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const {
-  Surface<Dim> deformed = *reference_;
+Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) {
+  Surface<Dim> deformed = reference;
   parallel_for(deformed.vertices.size(), [&](std::size_t i) {
-    const LocalPoint<Dim> at = locate_local(grid, reference_->vertices[i]);
+    const LocalPoint<Dim> at = locate_local(grid, reference.vertices[i]);
     const auto n = shape_values<Dim>(at.xi);
     const auto& nodes = grid.cell(at.cell).nodes;
     deformed.vertices[i].setZero();
     for (int c = 0; c < n_corners<Dim>; ++c) deformed.vertices[i] += n[c] * phi[nodes[c]];
   });
+  return deformed;
+}
+
+/// pair(i), of weight 0 where there is none, for i < n, appended in their order.
+template <int Dim, class Pair>
+void append_pairs(std::size_t n, const Pair& pair, std::vector<PointPair<Dim>>& found) {
+  std::vector<PointPair<Dim>> made(n);
+  parallel_for(n, [&](std::size_t i) { made[i] = pair(i); }, 64);
+  for (const PointPair<Dim>& p : made)
+    if (p.weight > 0) found.push_back(p);
+}
+
+}  // namespace
+
+template <int Dim>
+Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, const CoverageOptions& options,
+                        const ObservedPair<Dim>& observed)
+    : reference_(&reference),
+      template_(&template_shape),
+      options_(options),
+      observed_(observed),
+      tolerance_(options.tolerance * bounding_box(template_shape.surface().vertices).diagonal()) {
+  const auto most = static_cast<std::size_t>(options.samples);
+  on_reference_ = sample_vertices<Dim>(reference, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
+  on_template_ =
+      sample_vertices<Dim>(template_shape.surface(), most, [&](const Vec<Dim>& x) { return observed.template_shape.contains(x); });
+}
+
+template <int Dim>
+void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, double h, std::vector<PointPair<Dim>>& found) const {
   const FacetTree<Dim> tree(deformed);
-  std::vector<PointPair<Dim>> found(samples_.size());
-  parallel_for(
-      samples_.size(),
+  append_pairs<Dim>(
+      on_template_.size(),
       [&](std::size_t i) {
-        const Sample& s = samples_[i];
-        found[i] = {Vec<Dim>::Zero(), s.y, 0, s.normal};
-        const Index f = tree.nearest(s.y);
-        if (f == no_index || facet_normal(deformed, f).dot(s.normal) <= 0) return;
-        found[i].p = preimage(*reference_, deformed, f, closest_point_on_facet(deformed, f, s.y).point);
-        if (observed_.reference.contains(found[i].p)) found[i].weight = s.area;
+        const SurfaceSample<Dim>& sample = on_template_[i];
+        PointPair<Dim> pair{Vec<Dim>::Zero(), template_->surface().vertices[sample.vertex], 0, sample.normal};
+        const Index f = tree.nearest(pair.y);
+        if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
+        const Vec<Dim> nearest = closest_point_on_facet(deformed, f, pair.y).point;
+        pair.p = preimage(*reference_, deformed, f, nearest);
+        // The planes along a thin part that is drawn in do not attract it to its tip.
+        if ((nearest - pair.y).norm() > options_.point_distance * h) pair.normal.setZero();
+        if (observed_.reference.contains(pair.p)) pair.weight = sample.area;
+        return pair;
       },
-      64);
-  std::erase_if(found, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });
-  PointPairs<Dim> result{.pairs = std::move(found)};
+      found);
+}
+
+template <int Dim>
+void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const {
+  const std::vector<Vec<Dim>> normals = vertex_normals(deformed);
+  append_pairs<Dim>(
+      on_reference_.size(),
+      [&](std::size_t i) {
+        const auto& [vertex, normal, area] = on_reference_[i];
+        PointPair<Dim> pair{reference_->vertices[vertex], Vec<Dim>::Zero(), 0};
+        const ClosestPoint<Dim> nearest = template_->closest(deformed.vertices[vertex]);
+        pair.y = nearest.point;
+        pair.normal = facet_normal(template_->surface(), nearest.facet);
+        if (pair.normal.dot(normals[vertex]) <= 0) return pair;
+        pair.normal.normalize();
+        if (observed_.template_shape.contains(pair.y)) pair.weight = area;
+        return pair;
+      },
+      found);
+}
+
+template <int Dim>
+PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const {
+  const Surface<Dim> deformed = deformed_surface(*reference_, grid, phi);
+  PointPairs<Dim> result;
+  const double h = grid.finest_side();
+  add_from_template(deformed, h, result.pairs);
+  add_from_reference(deformed, result.pairs);
   result.tolerance = tolerance_;
+  result.loss = RobustLoss::huber;
+  result.scale = options_.loss_scale * h;
   return result;
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 /// \file
-/// Coverage: the match term asks every point of phi(M1) to lie on M2, and nothing asks every point of M2 to be reached.
-/// Samples of M2 do: the point of phi(M1) nearest to each is pulled into the plane that touches M2 there.
+/// Coverage: the match term asks every point of phi(M1) to lie on M2, and nothing asks every point of M2 to be reached. Pairs of
+/// closest points ask for both, point to plane as in the iterative closest point method of Chen and Medioni (1992).
 
 #include "energies/pairs/point_pairs.h"
+#include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
 #include "grid/octree/octree.h"
 #include "matching/experiment/pair_options.h"
 #include "matching/level/pair_mask.h"
+#include "matching/pairs/surface_samples.h"
 
 #include <span>
 #include <vector>
@@ -17,24 +19,27 @@ namespace shellmatch {
 template <int Dim>
 class Coverage {
  public:
-  /// Samples vertices of the template, every one or, where there are more than options.samples, so many that each stands for
-  /// the same area (length). \param reference must outlive this object; all in the unit domain. Neither samples nor the
-  /// points that are pulled lie where a shape has no data
-  Coverage(const Surface<Dim>& reference, const Surface<Dim>& template_shape, const CoverageOptions& options,
+  /// Samples at most options.samples vertices of each shape, where it has data. \param reference, template_shape in the unit domain;
+  /// must outlive this object
+  Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, const CoverageOptions& options,
            const ObservedPair<Dim>& observed = {});
 
-  /// Point to plane pairs for the present phi, with the area that each sample stands for as weight. A sample makes none
-  /// where the nearest part of phi(M1) faces away from it: that belongs to another limb, or to the other side of this one.
+  /// Pairs for the present phi, weighted by the area that each sample stands for: each sample of M2 with the nearest point of phi(M1),
+  /// and each of M1 with the point of M2 nearest to its image. They pull the point of M1 into the plane that touches M2 at the other
+  /// point, or to that point itself where a sample of M2 is farther than options.point_distance. No pair is made where the nearest
+  /// part of the other shape faces away, which belongs to another limb or to the other side of this one.
   PointPairs<Dim> pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const;
 
  private:
-  struct Sample {
-    Vec<Dim> y, normal;
-    double area;
-  };
+  /// \param h side of the finest cells
+  void add_from_template(const Surface<Dim>& deformed, double h, std::vector<PointPair<Dim>>& found) const;
+  void add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const;
+
   const Surface<Dim>* reference_;
+  const SignedDistance<Dim>* template_;
+  CoverageOptions options_;
   ObservedPair<Dim> observed_;
-  std::vector<Sample> samples_;
+  std::vector<SurfaceSample<Dim>> on_reference_, on_template_;
   double tolerance_;  ///< sides of the domain
 };
 

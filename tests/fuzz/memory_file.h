@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,26 @@ class MemoryFile {
 
  private:
   int fd_;
+};
+
+/// The same with an ending, by which readers choose a format: a link in the folder of temporary files while it lives.
+class NamedMemoryFile {
+ public:
+  NamedMemoryFile(std::string_view bytes, std::string_view ending)
+      : file_(bytes),
+        link_(fmt::format("{}/shellmatch-fuzz-{}-{}{}", std::filesystem::temp_directory_path().string(), getpid(),
+                          file_.path().substr(file_.path().rfind('/') + 1), ending)) {
+    unlink(link_.c_str());  // left by a process of this number that crashed
+    if (symlink(file_.path().c_str(), link_.c_str()) != 0) std::abort();
+  }
+  ~NamedMemoryFile() { unlink(link_.c_str()); }
+  NamedMemoryFile(const NamedMemoryFile&) = delete;
+  NamedMemoryFile& operator=(const NamedMemoryFile&) = delete;
+  const std::string& path() const { return link_; }
+
+ private:
+  MemoryFile file_;
+  std::string link_;
 };
 
 /// The parts of an input between its separators; at least one.

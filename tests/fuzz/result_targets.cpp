@@ -149,13 +149,25 @@ void read_result_of_run(std::string_view bytes) {
              again->exit_code == result->exit_code, "a result that is written is read back");
 }
 
-// One part is one file with both shapes, of two parts each has a shape. Both dimensions see them.
+namespace {
+
+// CSV, or what 3D Slicer's files begin with.
+std::string_view ending_of_landmarks(std::string_view bytes) {
+  return bytes.starts_with("# Markups") ? ".fcsv" : bytes.starts_with("{") ? ".mrk.json" : ".csv";
+}
+
+}  // namespace
+
+// One part is one file with both shapes, of two parts each has a shape, a third one takes the first file away, a fourth one leaves out
+// what one of them lacks. Both dimensions see them.
 void read_landmark_files(std::string_view bytes) {
   const auto parts = parts_of(bytes, separator);
-  const MemoryFile file(parts[0]), other(parts.size() > 1 ? parts[1] : "");
+  const std::string_view second = parts.size() > 1 ? parts[1] : "";
+  const NamedMemoryFile file(parts[0], ending_of_landmarks(parts[0])), other(second, ending_of_landmarks(second));
   LandmarkOptions options;
-  options.file = parts.size() > 2 ? "" : file.path();
+  options.file = parts.size() == 3 ? "" : file.path();
   if (parts.size() > 1) options.template_file = other.path();
+  if (parts.size() > 3) options.unpaired = UnpairedLandmarks::are_left_out;
   both([&] { check_landmarks<2>(options); }, [&] { check_landmarks<3>(options); });
 }
 
@@ -186,6 +198,8 @@ void read_correspondence_file(std::string_view bytes) {
   const auto check = [](const auto& list) {
     demand(!list.empty(), "a file that is read has a correspondence");
     for (const auto& [index, x] : list) demand(index >= 0 && index < 9 && x.allFinite(), "a correspondence is of a vertex");
+    const std::vector vertices(9, list.front().second);
+    demand(correspondence_error({list.front()}, vertices) == 0, "a vertex where it belongs has no error");
   };
   both([&] { check(read_correspondence<2>(file.path(), 9)); }, [&] { check(read_correspondence<3>(file.path(), 9)); });
 }

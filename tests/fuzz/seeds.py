@@ -222,18 +222,20 @@ def repair_seeds():
 HISTORY = (b"level,substep,nu,solver,iteration,value,match,gradient_norm,l2_gradient_norm,step,value_evaluations,gradient_evaluations,"
            b"seconds\n3,0,0.5,newton,0,1.5,1.5,2,nan,0,1,1,0.25\n")
 SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interrupted": false, "reference": {"file": "a", "vertices": 1, '
-           b'"facets": 1, "notes": ["b"]}, "template": {"file": "c", "vertices": 1, "facets": 1, "notes": []}, "placement": {"kind": "fit", '
+           b'"facets": 1, "notes": ["b"], "components": 1, "genus": 0, "invented": 0.1}, "template": {"file": "c", "vertices": 1, "facets": 1, "notes": [], '
+           b'"components": 1, "genus": 0}, "unit": "mm", "template_diagonal": 2, "verdict": {"outcome": "look-here", "reasons": [{"what": "a", "advice": '
+           b'"b", "shape": "template", "place": [0, 1]}]}, "placement": {"kind": "fit", '
            b'"scale": 1, "offset": [0, null]}, "distance_before": {D}, "distance": {D}, "correspondence_error": 0.5, "area_distortion": {M}, '
-           b'"angle_distortion": {M}, "flipped_facets": 0, "levels": [{"level": 3, "sigma": 1, "nu": 1, "volume_weight": 1, "substeps": 1, '
+           b'"angle_distortion": {M}, "flipped_facets": 0, "flipped_share": 0, "correspondence_error_before": 1, "levels": [{"level": 3, "sigma": 1, "nu": 1, "volume_weight": 1, "substeps": 1, '
            b'"nodes": 1, "free_nodes": 1, "cells": 1, "band_cells": 1, "energy_minimised": {"sum": 1}, "energy": {"sum": 1}, "iterations": 1, '
            b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "linear_iterations": 1, "regularised_systems": 0, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], '
            b'"stop_reason": "a", "stop_message": "b", "folds": {"min_determinant": 1, "determinant_lower_bound": 1, "folded_cells": 0, '
            b'"uncertified_cells": 0, "folded_volume": 0}, "band": {"normal_angle": 1, "folded_share": 0}, "distance": {D}}], "gradient_checks": '
-           b'[], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
+           b'[{"level": 3, "substep": 0, "iteration": 0, "passed": true, "failed_terms": ["a"], "worst_order": 2, "worst_functor_error": 0}], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
            b'"resumed_after": [3], "level_memory_estimates": [1], "level_memory_peaks": [1]}, "direction": {"backward": false, "reference_gaps": 0, '
            b'"template_gaps": 0}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
            b'"pairs": 1, "doubtful": false, "as_it_lies": false}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
-           b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1}')
+           b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1, "p5": 1, "p95": 1}')
 
 
 def seeds_of_all():
@@ -296,6 +298,11 @@ def seeds_of_all():
             b'1,1.5,-2,3,0,0,0,1,1,1,0,"F, ""1""",,\r\n')
     seeds["fcsv"] = [fcsv, fcsv.replace(b"LPS", b"1"), fcsv.replace(b"LPS", b"IJK"), fcsv.replace(b"id,x,y,z,ow", b"z,y,x"), fcsv.replace(b"label", b"l"),
                      fcsv.replace(b"1.5", b"nan"), b"1,2,3\n", b"# columns = label,x,y,z\na,1,2,3\n", b"1,1,2,3,0,0,0,1,1,1,0,a\n"]
+    slicer = joined(fcsv.replace(b'"F, ""1"""', b"a"), markups)
+    seeds["landmarks"] += [slicer, joined(markups, markups), joined(markups.replace(b'"a"', b'"b"'), markups), fcsv, joined(slicer, b"", b""),
+                           joined(b"name,vertex\na,0\nb,1\n", b"name,vertex\nb,0\nc,1\n", b"", b""), joined(b"name,vertex\na,0\n", b"name,vertex\nb,0\n", b"", b""),
+                           joined(markups.replace(b"defined", b"undefined"), markups), joined(markups.replace(b'"a"', b'""'), markups),
+                           joined(markups.replace(point, point + b"," + point), markups), joined(b"{}", b"{}")]
     seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
     seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
     two, three = (struct.pack(f"<{2 * n}d", *range(2 * n)) for n in (2, 3))

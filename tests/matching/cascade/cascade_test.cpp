@@ -125,6 +125,7 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   Steps steps;
   ExperimentOptions same = o;
   same.cascade.max_level = 4;
+  same.coverage.levels = 0;
   const auto reference = run<2>("circle", "ellipse/long", same, steps);
   const Deformation<2> before_map{{}, reference.grid, reference.phi};
   const auto fine = run<2>("circle", "ellipse/long", o, stop);

@@ -179,6 +179,7 @@ TEST(Resume, TheFolderSaysWhatItIsAndHoldsTheMap) {
   EXPECT_TRUE(read_summary(tmp / "out.unfinished/summary.json").interrupted);
   ExperimentOptions coarse = fine;
   coarse.cascade.max_level = 4;
+  coarse.coverage.levels = 0;
   coarse.cascade.sigma_cells = coarse.cascade.coarse_sigma_cells;
   coarse.solver.stop.relative_decrease = coarse.cascade.intermediate_decrease;
   run(coarse, tmp / "coarse");

@@ -25,35 +25,49 @@ void check_pairs(const std::string& name) {
   CoverageOptions options;
   options.samples = 300;
   options.tolerance = 0.125;
-  const auto same = Coverage<Dim>(surface, surface, options).pairs(grid, identity);
-  EXPECT_LE(same.pairs.size(), 301u);
-  EXPECT_GT(same.pairs.size(), 150u);
+  const SignedDistance<Dim> distance(surface);
+  const auto same = Coverage<Dim>(surface, distance, options).pairs(grid, identity);
+  EXPECT_LE(same.pairs.size(), 602u);
+  EXPECT_GT(same.pairs.size(), 300u);
   EXPECT_DOUBLE_EQ(same.tolerance, 0.125 * bounding_box(surface.vertices).diagonal());
+  EXPECT_EQ(same.loss, RobustLoss::huber);
+  EXPECT_DOUBLE_EQ(same.scale, options.loss_scale / 32);
   double sum = 0;
   for (const auto& pair : same.pairs) {
     EXPECT_LT((pair.p - pair.y).norm(), 1e-9) << "a point of the shape is its own nearest";
     EXPECT_NEAR(pair.normal.norm(), 1, 1e-12);
     sum += pair.weight;
   }
-  EXPECT_NEAR(sum, area, 0.01 * area);
+  EXPECT_NEAR(sum, 2 * area, 0.02 * area) << "both shapes are covered";
   options.samples = 1000000;
-  EXPECT_EQ(Coverage<Dim>(surface, surface, options).pairs(grid, identity).pairs.size(), surface.vertices.size());
+  EXPECT_EQ(Coverage<Dim>(surface, distance, options).pairs(grid, identity).pairs.size(), 2 * surface.vertices.size());
   options.samples = 300;
 
-  // Under a shift the image of the nearest point's preimage is no farther away than the shift.
+  // Under a shift no image is farther from its other point than the shift; those of M2's samples that are farther than
+  // point_distance attract as points.
   auto shifted = identity;
   for (auto& x : shifted) x[0] += 0.01;
-  for (const auto& pair : Coverage<Dim>(surface, surface, options).pairs(grid, shifted).pairs) {
-    EXPECT_LT((pair.p + 0.01 * Vec<Dim>::Unit(0) - pair.y).norm(), 0.0101);
+  for (const double point_distance : {1.0, 0.15}) {
+    options.point_distance = point_distance;
+    const auto pairs = Coverage<Dim>(surface, distance, options).pairs(grid, shifted).pairs;
+    int n_points = 0;
+    for (const auto& pair : pairs) {
+      const double apart = (pair.p + 0.01 * Vec<Dim>::Unit(0) - pair.y).norm();
+      EXPECT_LT(apart, 0.0101);
+      if (!pair.normal.isZero()) continue;
+      ++n_points;
+      EXPECT_GT(apart, point_distance / 32);
+    }
+    EXPECT_EQ(n_points > 0, point_distance < 0.3) << n_points << " of " << pairs.size();
   }
 
   // Seen from inside out, everything faces away.
   Surface<Dim> inverted = surface;
   for (auto& facet : inverted.facets) std::swap(facet[0], facet[1]);
-  EXPECT_TRUE(Coverage<Dim>(inverted, surface, options).pairs(grid, identity).pairs.empty());
+  EXPECT_TRUE(Coverage<Dim>(inverted, distance, options).pairs(grid, identity).pairs.empty());
 }
 
-TEST(Coverage, PairsEverySampleWithItsNearestPoint) {
+TEST(Coverage, PairsSamplesOfBothShapesWithTheirNearestPoints) {
   check_pairs<2>("star/mild");
   check_pairs<3>("ellipsoid/long");
 }
@@ -61,6 +75,7 @@ TEST(Coverage, PairsEverySampleWithItsNearestPoint) {
 TEST(Coverage, ReachesWhatAOneSidedMatchLeavesOut) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.cascade.max_level = 6;
+  o.coverage.levels = 0;
   Observer quiet;
   const Shape<2> from = std::get<Shape<2>>(open_shape("generate:leaf/shallow"));
   const Shape<2> to = std::get<Shape<2>>(open_shape("generate:leaf/deep"));
@@ -73,8 +88,10 @@ TEST(Coverage, ReachesWhatAOneSidedMatchLeavesOut) {
   EXPECT_EQ(covered.summary.levels.back().folds.n_uncertified_cells, 0);
   ASSERT_EQ(covered.history.term_names.back(), "coverage");
   for (const auto& row : covered.history.rows) EXPECT_EQ(row.record.terms.back() > 0, row.level == 6);
-  // Three rounds for each nu, as minimisations of their own.
-  EXPECT_EQ(covered.summary.levels.back().n_substeps, 3 * o.cascade.nu_substeps);
+  EXPECT_EQ(covered.summary.levels.back().n_substeps, o.cascade.nu_substeps);
+  // Rounds are minimisations of their own.
+  o.coverage.rounds = 3;
+  EXPECT_EQ(match_shapes(from, to, o, quiet).summary.levels.back().n_substeps, 3 * o.cascade.nu_substeps);
 }
 
 }  // namespace

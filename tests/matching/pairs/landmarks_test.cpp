@@ -34,6 +34,7 @@ ExperimentOptions options_to(int max_level) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.cascade.max_level = max_level;
   o.align.mode = AlignMode::none;  // which would find the limb by itself
+  o.coverage.levels = 0;           // landmarks alone
   return o;
 }
 

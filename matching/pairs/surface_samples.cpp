@@ -1,0 +1,76 @@
+#include "matching/pairs/surface_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace shellmatch {
+
+namespace {
+
+/// Number along a Morton curve: points that are close on the curve are close in space.
+template <int Dim>
+std::uint64_t morton_number(const Vec<Dim>& x) {
+  std::uint64_t number = 0;
+  constexpr int bits = 60 / Dim;
+  for (int k = 0; k < Dim; ++k) {
+    const auto coordinate = static_cast<std::uint64_t>(std::clamp(x[k], 0.0, 1.0) * ((std::uint64_t{1} << bits) - 1));
+    for (int bit = 0; bit < bits; ++bit) number |= ((coordinate >> bit) & 1) << (bit * Dim + k);
+  }
+  return number;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& surface) {
+  std::vector<Vec<Dim>> normals(surface.vertices.size(), Vec<Dim>::Zero());
+  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) {
+    const Vec<Dim> normal = facet_normal(surface, f);
+    for (const Index v : surface.facets[f]) normals[v] += normal;
+  }
+  return normals;
+}
+
+template <int Dim>
+std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
+                                                const std::function<bool(const Vec<Dim>&)>& contains) {
+  const auto n = static_cast<Index>(surface.vertices.size());
+  const std::vector<Vec<Dim>> normals = vertex_normals(surface);
+  std::vector<double> area(surface.vertices.size(), 0.0);
+  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f)
+    for (const Index v : surface.facets[f]) area[v] += facet_measure(surface, f) / Dim;
+
+  std::vector<Index> order;
+  double total = 0;
+  for (Index v = 0; v < n; ++v)
+    if (area[v] > 0 && normals[v].norm() > 0 && contains(surface.vertices[v])) {
+      order.push_back(v);
+      total += area[v];
+    }
+  std::vector<SurfaceSample<Dim>> samples;
+  if (order.size() <= most) {
+    for (const Index v : order) samples.push_back({v, normals[v].normalized(), area[v]});
+    return samples;
+  }
+  std::vector<std::uint64_t> number(surface.vertices.size());
+  for (const Index v : order) number[v] = morton_number<Dim>(surface.vertices[v]);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return number[a] < number[b]; });
+  const double each = total / static_cast<double>(most);
+  double passed = 0, next = 0.5 * each;
+  for (const Index v : order) {
+    passed += area[v];
+    if (passed < next) continue;
+    const double count = std::floor((passed - next) / each) + 1;  // a vertex may stand for several shares
+    samples.push_back({v, normals[v].normalized(), count * each});
+    next += count * each;
+  }
+  return samples;
+}
+
+template std::vector<Vec<2>> vertex_normals(const Surface<2>&);
+template std::vector<Vec<3>> vertex_normals(const Surface<3>&);
+template std::vector<SurfaceSample<2>> sample_vertices(const Surface<2>&, std::size_t, const std::function<bool(const Vec<2>&)>&);
+template std::vector<SurfaceSample<3>> sample_vertices(const Surface<3>&, std::size_t, const std::function<bool(const Vec<3>&)>&);
+
+}  // namespace shellmatch

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// Vertices that represent a surface in sums over it.
+
+#include "geometry/surface/surface.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+struct SurfaceSample {
+  Index vertex;
+  Vec<Dim> normal;  ///< of length 1: the mean over the facets around, by their area (length)
+  double area;      ///< that it stands for (length)
+};
+
+/// Samples of the vertices that have an area and a normal and for which `contains` holds: every one or, where there are more than
+/// `most`, so many that each stands for the same area. They follow a Morton curve then, which spreads them evenly.
+template <int Dim>
+std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
+                                                const std::function<bool(const Vec<Dim>&)>& contains);
+
+/// Sum of the facets' normals at each vertex, by area (length) and not normalised.
+template <int Dim>
+std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& surface);
+
+}  // namespace shellmatch
