@@ -82,13 +82,13 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
   if (uncovered)
     reasons.add(*uncovered, unreached,
                 {percent_text(*uncovered) + " of the template is not reached",
-                 pose_advice(summary) + ", or coverage.levels=2 can tell where to go", "template", places.template_shape});
+                 pose_advice(summary) + " can tell where to go", "template", places.template_shape});
   reasons.add(there.max, largest_distance,
               {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
                "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
   reasons.add(back.max, largest_distance,
               {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
-               "the reference may lack it; otherwise a finer level, landmarks or coverage.levels=2 help", "template", places.template_shape});
+               "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }
 
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
