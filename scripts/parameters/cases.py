@@ -61,9 +61,9 @@ parameters = {
         [Picture("landmarks-1", "the reference", "--show reference"), Picture("landmarks-0.01", "0.01, too little: the nearest arm is taken", ""),
          Picture("landmarks-1", "1: the right arms", ""), Picture("landmarks-100", "100, too much: their errors are drawn", "")]),
     "coverage": (
-        [plane(f"teeth-{levels}", f"leaf, `coverage.levels={levels}`", teeth, f"--set coverage.levels={levels}") for levels in (0, 1)] +
+        [plane(f"teeth-{levels}", f"leaf, `coverage.levels={levels}`", teeth, f"--set coverage.levels={levels}") for levels in (0, 1, 2)] +
         [space(f"dolphin-{levels}", f"dolphin, `coverage.levels={levels}`", dolphins, f"--set coverage.levels={levels}") for levels in (0, 2)],
-        [Picture("teeth-0", "leaf, 0, too little: a tooth is left out", part=tooth), Picture("teeth-1", "leaf, 1: it is reached", part=tooth),
+        [Picture("teeth-0", "leaf, 0, too little: a tooth is left out", part=tooth), Picture("teeth-2", "leaf, 2: it is reached", part=tooth),
          Picture("dolphin-0", "the dolphin that lies the wrong way, 0: it shows"),
          Picture("dolphin-2", "2, too much: a tail is drawn out of the snout")]),
     "volume": (
