@@ -76,6 +76,16 @@ def volume_seeds():
                 f'Direction="0 1 0 -1 0 0 0 0 1"><Piece Extent="{extent}"><{section}><DataArray type="{kind}" Name="a" format="{form}">{values}'
                 f"</DataArray></{section}></Piece></ImageData></VTKFile>")
 
+    text = " ".join(map(str, voxels))
+    image = vti("PointData", "UInt8", "ascii", text, (5, 4, 4)).encode()
+    array = image[image.index(b"<DataArray"):image.index(b"</PointData>")]
+    more_vti = [vti("PointData", kind, "ascii", text, (5, 4, 4)).encode()
+                for kind in ("Int8", "UInt16", "Int16", "UInt32", "Int32", "UInt64", "Int64", "Float64", "Bit")] + \
+        [image.replace(array, array * 2), image.replace(array, array.replace(b'"a"', b'"vtkGhostType"') + array),
+         image.replace(b'Name="a"', b'Name="a" NumberOfComponents="3"'), image.replace(b"PointData", b"FieldData"),
+         image.replace(b'Spacing="1 1 2" ', b"").replace(b'Origin="1 2 3" ', b""), image.replace(b'Spacing="1 1 2"', b'Spacing="1 1"'),
+         image.replace(b' Extent="0 5', b' Extent="0 4'), image.replace(b' Extent="0 5', b' Size="0 5'), image.replace(b'"0 5 0 4', b'"0 5e9 0 4')]
+
     nrrd = ("NRRD0004\ntype: {}\ndimension: 3\nspace: {}\nsizes: 6 5 5\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nkinds: domain domain domain\n"
             "endian: little\nencoding: {}\nspace origin: (1,2,3)\n\n")
     meta = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n{}TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
@@ -85,9 +95,8 @@ def volume_seeds():
     return {"nifti": [plain, nifti(16, 32, floats), nifti(4, 16, struct.pack(">150h", *voxels), ">"), plain[:400], plain[:200],
                       nifti(2, 8, voxels, frame=(1.0, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0))],
             "nifti_gz": [gzip(plain), gzip(plain)[:-30], plain],
-            "vti": [vti("PointData", "UInt8", "ascii", " ".join(map(str, voxels)), (5, 4, 4)).encode(),
-                    vti("CellData", "Float32", "ascii", " ".join(map(str, voxels)), (6, 5, 5)).encode(),
-                    vti("PointData", "UInt8", "binary", base64.b64encode(struct.pack("<I", n) + voxels).decode(), (5, 4, 4)).encode()],
+            "vti": [image, vti("CellData", "Float32", "ascii", text, (6, 5, 5)).encode(),
+                    vti("PointData", "UInt8", "binary", base64.b64encode(struct.pack("<I", n) + voxels).decode(), (5, 4, 4)).encode(), *more_vti],
             "nrrd": [nrrd.format("uchar", "left-posterior-superior", "raw").encode() + voxels,
                      nrrd.format("float", "right-anterior-superior", "gzip").encode() + gzip(floats),
                      nrrd.format("uchar", "scanner-xyz", "ascii").encode() + " ".join(map(str, voxels)).encode(),

@@ -72,6 +72,23 @@ TEST(Coverage, PairsSamplesOfBothShapesWithTheirNearestPoints) {
   check_pairs<3>("ellipsoid/long");
 }
 
+TEST(Coverage, ActsOnTheFinestLevelsButNotOnTheCoarsest) {
+  ExperimentOptions o = profile_defaults(Profile::standard);
+  o.cascade.min_level = 3;
+  o.cascade.max_level = 6;
+  o.coverage.levels = 2;
+  EXPECT_FALSE(covers(o, 4));
+  EXPECT_TRUE(covers(o, 5));
+  EXPECT_TRUE(covers(o, 6));
+  o.coverage.levels = 9;
+  EXPECT_FALSE(covers(o, 3));
+  EXPECT_TRUE(covers(o, 4));
+  o.cascade.min_level = 6;
+  EXPECT_FALSE(has_coverage(o));
+  EXPECT_TRUE(has_coverage(profile_defaults(Profile::standard)));
+  EXPECT_FALSE(has_coverage(profile_defaults(Profile::paper)));
+}
+
 TEST(Coverage, ReachesWhatAOneSidedMatchLeavesOut) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.cascade.max_level = 6;
