@@ -78,9 +78,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
     }
-    s = terms.empty() ? s + 1
-                      : step_after(steps, s, terms[static_cast<std::size_t>("match"_term)], result.last.final_value,
-                                   options_.cascade.negligible_rise);
+    s = terms.empty() ? s + 1 : step_after(steps, s, part_over_nu(terms), result.last.final_value, options_.cascade.negligible_rise);
   }
   level_.energy.evaluate(phi, weights, result.minimised, {});
   weights_ = weights;
@@ -97,6 +95,12 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
   level_.energy.set_pair_values(phi, weights_, result.reported);
   result.band = report.band;
   result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
+}
+
+template <int Dim>
+double LevelMinimisation<Dim>::part_over_nu(const std::vector<double>& terms) const {
+  const double match = terms[static_cast<std::size_t>("match"_term)];
+  return coverage_ ? match + terms[static_cast<std::size_t>(*level_.coverage)] : match;
 }
 
 // One minimisation from phi, which is replaced by its result. Adds its costs to `result` and returns the values of the

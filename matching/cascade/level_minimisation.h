@@ -37,6 +37,8 @@ class LevelMinimisation {
 
  private:
   LevelStart start_of(int level) const;
+  /// The terms whose weights are proportional to 1 / nu.
+  double part_over_nu(const std::vector<double>& terms) const;
   std::vector<double> minimise_once(const LevelStart& start, const TermValues& weights, const std::vector<double>& mass,
                                     const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
                                     Observer& observer, LevelResult& result);

@@ -14,9 +14,9 @@ std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) 
   return steps;
 }
 
-std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
+std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double over_nu, double value,
                        double negligible) {
-  const double rise = match * (steps[s].nu / steps.back().nu - 1);
+  const double rise = over_nu * (steps[s].nu / steps.back().nu - 1);
   return s + 1 < steps.size() && rise < negligible * std::abs(value) ? steps.size() - 1 : s + 1;
 }
 

@@ -15,10 +15,10 @@ struct ScheduleStep {
 };
 std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& options, int level);
 
-/// The index of the step to follow step `s`, which ended with match term `match` and energy `value`: s + 1, or the
-/// last. The match term is proportional to 1/nu, so that it tells by how much the last nu raises the energy. If that
-/// rise is less than the share `negligible` of the energy, the steps in between are skipped.
-std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double match, double value,
+/// The index of the step to follow step `s`, which ended with energy `value`, of which `over_nu` is the part that is proportional to
+/// 1/nu (match and coverage): s + 1, or the last. That part tells by how much the last nu raises the energy. If the rise is less
+/// than the share `negligible` of the energy, the steps in between are skipped.
+std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double over_nu, double value,
                        double negligible);
 
 }  // namespace shellmatch

@@ -171,8 +171,8 @@ inline bool refines_at_template(const ExperimentOptions& options) {
          options.coefficients.interpolation == FieldInterpolation::multilinear;
 }
 
-/// Whether coverage acts on a level: on the finest ones, but not on the coarsest, which begins with the identity, whose closest points mean
-/// nothing yet.
+/// Whether coverage acts on a level: on the finest ones, but not on cascade.min_level, whose minimisation begins with the identity. Its
+/// closest points are no correspondences yet.
 inline bool covers(const ExperimentOptions& options, int level) {
   return level > std::max(options.cascade.min_level, options.cascade.max_level - options.coverage.levels);
 }

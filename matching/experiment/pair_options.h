@@ -49,12 +49,12 @@ struct CoverageOptions {
   int rounds = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper"});
+    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper. Never on cascade.min_level, which begins with the identity"});
     visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
-    visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance from which on a pair counts less, by Huber's loss: what cannot be reached does not outweigh the rest"});
-    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a point of the template that is farther attracts in all directions, others across its surface only: thin parts are drawn to their tips"});
+    visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
+    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a vertex of the template that is farther from the deformed reference pulls it towards itself, a nearer one along its normal only"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
-    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "most vertices of each shape that pull or are pulled"});
+    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "at most so many vertices of each shape are paired"});
     visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }
 };

@@ -30,16 +30,13 @@ Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, I
 }
 
 template <int Dim>
-Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) {
-  Surface<Dim> deformed = reference;
-  parallel_for(deformed.vertices.size(), [&](std::size_t i) {
-    const LocalPoint<Dim> at = locate_local(grid, reference.vertices[i]);
-    const auto n = shape_values<Dim>(at.xi);
-    const auto& nodes = grid.cell(at.cell).nodes;
-    deformed.vertices[i].setZero();
-    for (int c = 0; c < n_corners<Dim>; ++c) deformed.vertices[i] += n[c] * phi[nodes[c]];
-  });
-  return deformed;
+Vec<Dim> image(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const Vec<Dim>& x) {
+  const LocalPoint<Dim> at = locate_local(grid, x);
+  const auto n = shape_values<Dim>(at.xi);
+  const auto& nodes = grid.cell(at.cell).nodes;
+  Vec<Dim> y = Vec<Dim>::Zero();
+  for (int c = 0; c < n_corners<Dim>; ++c) y += n[c] * phi[nodes[c]];
+  return y;
 }
 
 /// pair(i), of weight 0 where there is none, for i < n, appended in their order.
@@ -68,7 +65,9 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>
 }
 
 template <int Dim>
-void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, double h, std::vector<PointPair<Dim>>& found) const {
+void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+                                      std::vector<PointPair<Dim>>& found) const {
+  const double far = options_.point_distance * grid.finest_side();
   const FacetTree<Dim> tree(deformed);
   append_pairs<Dim>(
       on_template_.size(),
@@ -77,10 +76,10 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, double h, st
         PointPair<Dim> pair{Vec<Dim>::Zero(), template_->surface().vertices[sample.vertex], 0, sample.normal};
         const Index f = tree.nearest(pair.y);
         if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
-        const Vec<Dim> nearest = closest_point_on_facet(deformed, f, pair.y).point;
-        pair.p = preimage(*reference_, deformed, f, nearest);
-        // The planes along a thin part that is drawn in do not attract it to its tip.
-        if ((nearest - pair.y).norm() > options_.point_distance * h) pair.normal.setZero();
+        pair.p = preimage(*reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y).point);
+        // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The distance is that of
+        // phi(p), which lies beside the facet through the moved vertices where phi bends it.
+        if ((image(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
         if (observed_.reference.contains(pair.p)) pair.weight = sample.area;
         return pair;
       },
@@ -108,14 +107,14 @@ void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector
 
 template <int Dim>
 PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const {
-  const Surface<Dim> deformed = deformed_surface(*reference_, grid, phi);
+  Surface<Dim> deformed = *reference_;
+  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = image(grid, phi, reference_->vertices[i]); });
   PointPairs<Dim> result;
-  const double h = grid.finest_side();
-  add_from_template(deformed, h, result.pairs);
+  add_from_template(deformed, grid, phi, result.pairs);
   add_from_reference(deformed, result.pairs);
   result.tolerance = tolerance_;
   result.loss = RobustLoss::huber;
-  result.scale = options_.loss_scale * h;
+  result.scale = options_.loss_scale * grid.finest_side();
   return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Coverage: the match term asks every point of phi(M1) to lie on M2, and nothing asks every point of M2 to be reached. Pairs of
+/// Coverage: the match term asks every point of phi(M1) to lie on M2, and no other term asks every point of M2 to be reached. Pairs of
 /// closest points ask for both, point to plane as in the iterative closest point method of Chen and Medioni (1992).
 
 #include "energies/pairs/point_pairs.h"
@@ -31,8 +31,8 @@ class Coverage {
   PointPairs<Dim> pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const;
 
  private:
-  /// \param h side of the finest cells
-  void add_from_template(const Surface<Dim>& deformed, double h, std::vector<PointPair<Dim>>& found) const;
+  void add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+                         std::vector<PointPair<Dim>>& found) const;
   void add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const;
 
   const Surface<Dim>* reference_;

@@ -51,9 +51,9 @@ class CommandLine(WithFolder):
             "--set",
             "energy.delta=0.5",
             "--set",
-            "coverage.levels=1",
+            "coverage.weight=2",
         )
-        result = shellmatch.register(self.ball, self.egg, levels=(3, 4), energy={"delta": 0.5}, coverage={"levels": 1})
+        result = shellmatch.register(self.ball, self.egg, levels=(3, 4), energy={"delta": 0.5}, coverage={"weight": 2})
         self.assertTrue(np.array_equal(result.vertices, shapes.read_deformed_ply(out / "deformed.ply")))
         self.same_summary(result, out, but=("reference", "template"))
 

@@ -86,7 +86,7 @@ class Page:
         self.add("# The paper's experiments", "Made by `scripts/paper-results`; do not edit.")
         self.add("The paper's scans are not public. Here the built-in shapes stand in their place, with the paper's",
                  "weights, levels and schedule (`configs/paper/*.yaml`) and with `profile: paper`; where the default",
-                 "profile ran on the same pair its numbers stand beside. Distances are relative to the diagonal of the",
+                 "profile ran on the same pair, without coverage, its numbers stand beside. Distances are relative to the diagonal of the",
                  "template's bounding box, both ways, means; *correspondence* is the mean distance of vertices from where",
                  "the generator, or the common connectivity of two meshes, knows that they belong. Times are those of the",
                  "minimisation on one busy machine: ratios say more than seconds.")
