@@ -1,6 +1,7 @@
 #include "matching/match_placed_shapes.h"
 
 #include "geometry/distance/surface_distance.h"
+#include "geometry/surface/subdivision.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
@@ -60,6 +61,8 @@ class Matching {
       pairs.push_back(std::move(set));
     for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
     if (has_coverage(options_)) recorder_.history.term_names.emplace_back("coverage");
+    else if (options_.coverage.levels > 0)
+      recorder_.note("coverage acts on no level, as cascade.min_level is cascade.max_level: the match is one-sided (docs/landmarks.md)");
     std::optional<FinishedLevel<Dim>> before = resume();
     recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,

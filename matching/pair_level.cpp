@@ -8,10 +8,10 @@
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/size_estimate.h"
 #include "matching/level/level_metric.h"
-#include "matching/pairs/coverage.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace shellmatch {
@@ -54,6 +54,10 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
   }
   pairs_ = known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_);
   level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_, has_coverage(options_));
+  const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
+  if (!observed.is_all()) mask_.emplace(observed, level_->sigma);
+  if (level_->is_covered(options_))
+    coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage, observed);
 }
 
 template <int Dim>
@@ -87,11 +91,9 @@ bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
 
 template <int Dim>
 void PairLevel<Dim>::follow(const std::vector<Vec<Dim>>& phi) {
-  const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
-  if (!observed.is_all()) level_->energy.set_mask(phi, PairMask<Dim>(observed, level_->sigma));
-  if (!level_->coverage || !level_->is_covered(options_)) return;
-  const Coverage<Dim> coverage(shapes_.reference.surface, *d2_, options_.coverage, observed);
-  level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage.pairs(grid_, phi)));
+  if (mask_) level_->energy.set_mask(phi, *mask_);
+  if (coverage_)
+    level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi, mask_ ? &*mask_ : nullptr)));
 }
 
 template <int Dim>

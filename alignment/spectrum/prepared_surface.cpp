@@ -5,11 +5,11 @@
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/repair/simplify.h"
+#include "geometry/surface/subdivision.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace shellmatch {
@@ -53,23 +53,6 @@ Surface<3> component_of(const Surface<3>& surface, const Components& components,
   return part;
 }
 
-/// Every facet as four, whose new corners are the middles of its edges.
-Surface<3> subdivided(const Surface<3>& surface) {
-  Surface<3> fine{surface.vertices, {}};
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b) {
-    const auto [at, is_new] = middles.emplace(std::minmax(a, b), static_cast<Index>(fine.vertices.size()));
-    if (is_new) fine.vertices.push_back(0.5 * (surface.vertices[a] + surface.vertices[b]));
-    return at->second;
-  };
-  for (const auto& [a, b, c] : surface.facets) {
-    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const std::array<Index, 3>& facet : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-      fine.facets.push_back(facet);
-  }
-  return fine;
-}
-
 /// For each vertex of a component the nearest corner of the nearest facet.
 std::vector<Index> nearest_vertices(const Surface<3>& input, const Components& components, Index wanted,
                                     const Surface<3>& surface) {
@@ -107,7 +90,7 @@ PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions&
     const Components parts = components_of(coarse);
     prepared.surface = component_of(coarse, parts, largest_component(parts));
   }
-  while (prepared.surface.vertices.size() < n_least_vertices) prepared.surface = subdivided(prepared.surface);
+  while (prepared.surface.vertices.size() < n_least_vertices) cut_long_edges(prepared.surface, 0);
   if (prepared.surface.vertices.size() != n)
     prepared.notes.push_back(
         fmt::format("{} vertices {} {}", n, prepared.surface.vertices.size() < n ? "simplified to" : "divided into",

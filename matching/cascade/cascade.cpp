@@ -10,6 +10,8 @@
 #include "matching/pairs/coverage.h"
 #include "matching/progress/process_info.h"
 
+#include <cmath>
+
 namespace shellmatch {
 
 namespace {
@@ -55,7 +57,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   result.phi = identity_map(grid);
   ShapeFields<Dim> shapes(reference, template_shape, options);
   std::optional<Coverage<Dim>> coverage;
-  if (has_coverage(options)) coverage.emplace(reference.surface(), template_shape, options.coverage, observed);
+  if (has_coverage(options)) coverage.emplace(reference.surface(), template_shape, std::ldexp(1.0, -schedule.max_level), options.coverage, observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.reference = at_nodes(geometry.reference, grid);

@@ -71,7 +71,8 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
     for (int round = 0; round < rounds && !interrupted; ++round) {
       start.substep = static_cast<int>(s) * rounds + round + 1;
       if (mask_) level_.energy.set_mask(phi, *mask_);
-      if (coverage_) level_.energy.replace_pairs(*level_.coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi)));
+      if (coverage_)
+        level_.energy.replace_pairs(*level_.coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi, mask_ ? &*mask_ : nullptr)));
       StopOptions stop = solver.stop;
       if (!is_last || round + 1 < rounds)
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);

@@ -3,9 +3,13 @@
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"
+#include "geometry/surface/subdivision.h"
 #include "grid/fields/interpolation.h"
 
 #include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
 
 namespace shellmatch {
 
@@ -39,6 +43,14 @@ Vec<Dim> image(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const Vec
   return y;
 }
 
+/// Facets that are larger than samples are apart have samples within, and bend with phi.
+template <int Dim>
+Surface<Dim> resolved(const Surface<Dim>& surface, double side, const CoverageOptions& options) {
+  double area = 0;
+  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) area += facet_measure(surface, f);
+  return subdivided(surface, 3 * std::max(side, std::pow(area / options.samples, 1.0 / (Dim - 1))));
+}
+
 /// pair(i), of weight 0 where there is none, for i < n, appended in their order.
 template <int Dim, class Pair>
 void append_pairs(std::size_t n, const Pair& pair, std::vector<PointPair<Dim>>& found) {
@@ -51,17 +63,16 @@ void append_pairs(std::size_t n, const Pair& pair, std::vector<PointPair<Dim>>& 
 }  // namespace
 
 template <int Dim>
-Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, const CoverageOptions& options,
-                        const ObservedPair<Dim>& observed)
-    : reference_(&reference),
-      template_(&template_shape),
+Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, double side,
+                        const CoverageOptions& options, const ObservedPair<Dim>& observed)
+    : template_(&template_shape),
       options_(options),
-      observed_(observed),
+      reference_(resolved(reference, side, options)),
       tolerance_(options.tolerance * bounding_box(template_shape.surface().vertices).diagonal()) {
   const auto most = static_cast<std::size_t>(options.samples);
-  on_reference_ = sample_vertices<Dim>(reference, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
-  on_template_ =
-      sample_vertices<Dim>(template_shape.surface(), most, [&](const Vec<Dim>& x) { return observed.template_shape.contains(x); });
+  on_reference_ = sample_vertices<Dim>(reference_, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
+  on_template_ = sample_vertices<Dim>(resolved(template_shape.surface(), side, options), most,
+                                      [&](const Vec<Dim>& x) { return observed.template_shape.contains(x); });
 }
 
 template <int Dim>
@@ -73,14 +84,14 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree
       on_template_.size(),
       [&](std::size_t i) {
         const SurfaceSample<Dim>& sample = on_template_[i];
-        PointPair<Dim> pair{Vec<Dim>::Zero(), template_->surface().vertices[sample.vertex], 0, sample.normal};
+        PointPair<Dim> pair{Vec<Dim>::Zero(), sample.x, 0, sample.normal};
         const Index f = tree.nearest(pair.y);
         if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
-        pair.p = preimage(*reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y).point);
+        pair.p = preimage(reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y).point);
         // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The distance is that of
         // phi(p), which lies beside the facet through the moved vertices where phi bends it.
         if ((image(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
-        if (observed_.reference.contains(pair.p)) pair.weight = sample.area;
+        pair.weight = sample.area;
         return pair;
       },
       found);
@@ -92,26 +103,30 @@ void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector
   append_pairs<Dim>(
       on_reference_.size(),
       [&](std::size_t i) {
-        const auto& [vertex, normal, area] = on_reference_[i];
-        PointPair<Dim> pair{reference_->vertices[vertex], Vec<Dim>::Zero(), 0};
-        const ClosestPoint<Dim> nearest = template_->closest(deformed.vertices[vertex]);
+        const SurfaceSample<Dim>& sample = on_reference_[i];
+        PointPair<Dim> pair{sample.x, Vec<Dim>::Zero(), 0};
+        const ClosestPoint<Dim> nearest = template_->closest(deformed.vertices[sample.vertex]);
         pair.y = nearest.point;
         pair.normal = facet_normal(template_->surface(), nearest.facet);
-        if (pair.normal.dot(normals[vertex]) <= 0) return pair;
+        if (pair.normal.dot(normals[sample.vertex]) <= 0) return pair;
         pair.normal.normalize();
-        if (observed_.template_shape.contains(pair.y)) pair.weight = area;
+        pair.weight = sample.area;
         return pair;
       },
       found);
 }
 
 template <int Dim>
-PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi) const {
-  Surface<Dim> deformed = *reference_;
-  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = image(grid, phi, reference_->vertices[i]); });
+PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const BandMask<Dim>* mask) const {
+  Surface<Dim> deformed = reference_;
+  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = image(grid, phi, reference_.vertices[i]); });
   PointPairs<Dim> result;
   add_from_template(deformed, grid, phi, result.pairs);
   add_from_reference(deformed, result.pairs);
+  if (mask) {
+    parallel_for(result.pairs.size(), [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });
+    std::erase_if(result.pairs, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });
+  }
   result.tolerance = tolerance_;
   result.loss = RobustLoss::huber;
   result.scale = options_.loss_scale * grid.finest_side();

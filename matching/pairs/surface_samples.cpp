@@ -50,7 +50,7 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
     }
   std::vector<SurfaceSample<Dim>> samples;
   if (order.size() <= most) {
-    for (const Index v : order) samples.push_back({v, normals[v].normalized(), area[v]});
+    for (const Index v : order) samples.push_back({v, surface.vertices[v], normals[v].normalized(), area[v]});
     return samples;
   }
   std::vector<std::uint64_t> number(surface.vertices.size());
@@ -62,7 +62,7 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
     passed += area[v];
     if (passed < next) continue;
     const double count = std::floor((passed - next) / each) + 1;  // a vertex may stand for several shares
-    samples.push_back({v, normals[v].normalized(), count * each});
+    samples.push_back({v, surface.vertices[v], normals[v].normalized(), count * each});
     next += count * each;
   }
   return samples;

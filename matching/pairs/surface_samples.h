@@ -13,6 +13,7 @@ namespace shellmatch {
 template <int Dim>
 struct SurfaceSample {
   Index vertex;
+  Vec<Dim> x;
   Vec<Dim> normal;  ///< of length 1: the mean over the facets around, by their area (length)
   double area;      ///< that it stands for (length)
 };

@@ -13,22 +13,6 @@
 
 namespace shellmatch {
 
-Surface<2> subdivided(const Surface<2>& curve, double length) {
-  Surface<2> fine{curve.vertices, {}};
-  for (const auto& [a, b] : curve.facets) {
-    const Vec<2> from = curve.vertices[a], edge = curve.vertices[b] - from;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / length)));
-    Index last = a;
-    for (int k = 1; k < pieces; ++k) {
-      fine.vertices.push_back(from + edge * (static_cast<double>(k) / pieces));
-      fine.facets.push_back({last, static_cast<Index>(fine.vertices.size()) - 1});
-      last = fine.facets.back()[1];
-    }
-    fine.facets.push_back({last, b});
-  }
-  return fine;
-}
-
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
   Surface<Dim> deformed = reference;

@@ -10,10 +10,6 @@
 
 namespace shellmatch {
 
-/// A curve with its edges subdivided to at most `length`, so that measurements see the image of the curve and not the
-/// polygon through the images of its corners. Meshes in space resolve their shape.
-Surface<2> subdivided(const Surface<2>& curve, double length);
-
 /// The surface with its vertices moved by phi; unit domain.
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);

@@ -4,6 +4,7 @@
 #include "matching/level/shape_fields.h"
 #include "matching/match_shapes.h"
 #include "matching/pairs/coverage.h"
+#include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ void check_pairs(const std::string& name) {
   options.samples = 300;
   options.tolerance = 0.125;
   const SignedDistance<Dim> distance(surface);
-  const auto same = Coverage<Dim>(surface, distance, options).pairs(grid, identity);
+  const auto same = Coverage<Dim>(surface, distance, 1, options).pairs(grid, identity);
   EXPECT_LE(same.pairs.size(), 602u);
   EXPECT_GT(same.pairs.size(), 300u);
   EXPECT_DOUBLE_EQ(same.tolerance, 0.125 * bounding_box(surface.vertices).diagonal());
@@ -40,7 +41,7 @@ void check_pairs(const std::string& name) {
   }
   EXPECT_NEAR(sum, 2 * area, 0.02 * area) << "both shapes are covered";
   options.samples = 1000000;
-  EXPECT_EQ(Coverage<Dim>(surface, distance, options).pairs(grid, identity).pairs.size(), 2 * surface.vertices.size());
+  EXPECT_EQ(Coverage<Dim>(surface, distance, 1, options).pairs(grid, identity).pairs.size(), 2 * surface.vertices.size());
   options.samples = 300;
 
   // Under a shift no image is farther from its other point than the shift; those of M2's samples that are farther than
@@ -49,7 +50,7 @@ void check_pairs(const std::string& name) {
   for (auto& x : shifted) x[0] += 0.01;
   for (const double point_distance : {1.0, 0.15}) {
     options.point_distance = point_distance;
-    const auto pairs = Coverage<Dim>(surface, distance, options).pairs(grid, shifted).pairs;
+    const auto pairs = Coverage<Dim>(surface, distance, 1, options).pairs(grid, shifted).pairs;
     int n_points = 0;
     for (const auto& pair : pairs) {
       const double apart = (pair.p + 0.01 * Vec<Dim>::Unit(0) - pair.y).norm();
@@ -64,12 +65,55 @@ void check_pairs(const std::string& name) {
   // Seen from inside out, everything faces away.
   Surface<Dim> inverted = surface;
   for (auto& facet : inverted.facets) std::swap(facet[0], facet[1]);
-  EXPECT_TRUE(Coverage<Dim>(inverted, distance, options).pairs(grid, identity).pairs.empty());
+  EXPECT_TRUE(Coverage<Dim>(inverted, distance, 1, options).pairs(grid, identity).pairs.empty());
 }
 
 TEST(Coverage, PairsSamplesOfBothShapesWithTheirNearestPoints) {
   check_pairs<2>("star/mild");
   check_pairs<3>("ellipsoid/long");
+}
+
+TEST(Coverage, LargeFacetsHaveSamplesWithin) {
+  const Surface<3> cube = test::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+  const SignedDistance<3> distance(cube);
+  const Octree<3> grid(5);
+  CoverageOptions options;
+  options.samples = 3000;
+  const auto pairs = Coverage<3>(cube, distance, grid.finest_side(), options).pairs(grid, identity_map(grid)).pairs;
+  EXPECT_GT(pairs.size(), 600u) << "edges of at most three sides";
+  EXPECT_LT(pairs.size(), 2000u);
+  double area = 0;
+  for (const auto& pair : pairs) {
+    EXPECT_LT((pair.p - pair.y).norm(), 1e-9);
+    EXPECT_LT(pair.weight, 0.01);
+    area += pair.weight;
+  }
+  EXPECT_NEAR(area, 2 * 1.5, 1e-9);
+  EXPECT_LT(Coverage<3>(cube, distance, 1, options).pairs(grid, identity_map(grid)).pairs.size(), 17u) << "a cell holds all of it";
+}
+
+TEST(Coverage, WeighsAsTheMatchTermNearGaps) {
+  /// From 0 to 1 along x for the point of the reference and along y for that of the template.
+  struct Ramp final : BandMask<3> {
+    double weight(const Vec<3>& x, const Vec<3>& y) const override { return std::max(0.0, 2 * x[0] - 1) * y[1]; }
+    std::optional<double> constant(const Vec<3>&, double, const Vec<3>&, double) const override { return std::nullopt; }
+  };
+  const Surface<3> surface = built_in<3>("ellipsoid/long");
+  const SignedDistance<3> distance(surface);
+  const Octree<3> grid(5);
+  const auto identity = identity_map(grid);
+  const Coverage<3> coverage(surface, distance, 1, {});
+  const Ramp ramp;
+  const auto all = coverage.pairs(grid, identity).pairs, some = coverage.pairs(grid, identity, &ramp).pairs;
+  EXPECT_LT(some.size(), 0.6 * all.size());
+  std::size_t k = 0;
+  for (const auto& pair : all)
+    if (const double m = ramp.weight(pair.p, pair.y); m > 0) {
+      ASSERT_LT(k, some.size());
+      EXPECT_EQ(some[k].p, pair.p);
+      EXPECT_DOUBLE_EQ(some[k++].weight, m * pair.weight);
+    }
+  EXPECT_EQ(k, some.size()) << "no pair without weight";
 }
 
 TEST(Coverage, ActsOnTheFinestLevelsButNotOnTheCoarsest) {

@@ -163,14 +163,5 @@ TEST(MatchResult, CellsKnowTheBandAndTheirDeterminant) {
   }
 }
 
-TEST(MatchResult, SubdividedCurvesKeepTheirLength) {
-  const Surface<2> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-  const Surface<2> fine = subdivided(square, 0.3);
-  EXPECT_EQ(fine.facets.size(), 16u);
-  double length = 0;
-  for (std::size_t f = 0; f < fine.facets.size(); ++f) length += facet_measure(fine, static_cast<Index>(f));
-  EXPECT_NEAR(length, 4, 1e-14);
-}
-
 }  // namespace
 }  // namespace shellmatch
