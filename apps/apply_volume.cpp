@@ -124,7 +124,7 @@ void apply_to_volumes(const ApplyCommand& command) {
     if (!output.empty()) {
       check_volume_output(output);
       check_report_file(output, command.force);
-      if (!outputs.insert(std::filesystem::absolute(output).lexically_normal()).second)
+      if (!outputs.insert(std::filesystem::weakly_canonical(output)).second)
         throw_input_error("{}: is named for two results; give each a file of its own", output);
     }
   if (!carries && !command.sampling.empty()) throw_input_error("apply: --sampling {} is for a volume that is carried, and there is none", command.sampling);

@@ -50,9 +50,7 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
   OutputFolder folder(command.settings.output, command.settings.force);
   const double scale =
       options.input.placement == PlacementKind::fit ? fit_placement(shape, shape, options.input.margin).scale : 1;
-  double measure = 0;
-  for (Index f = 0; f < static_cast<Index>(shape.surface.facets.size()); ++f) measure += facet_measure(shape.surface, f);
-  check_size<Dim>({.phi = measure * std::pow(scale, Dim - 1)}, options.cascade.min_level, options.cascade.max_level,
+  check_size<Dim>({.phi = surface_measure(shape.surface) * std::pow(scale, Dim - 1)}, options.cascade.min_level, options.cascade.max_level,
                   folder.final_path());
   const auto comparison =
       compare_curvatures<Dim>(shape, formula_of<Dim>(shape.source), options, fit, [&](const CurvatureLevel& l) {
@@ -86,8 +84,14 @@ void execute(const CurvatureCommand& command) {
   const MeshFit fit{whole_number(command.degree, "--degree", 2, 4, defaults.degree),
                     whole_number(command.rings, "--rings", 1, 10, defaults.n_rings)};
   set_n_threads(options.threads);
-  const AnyShape shape = open_shape(command.shape);
-  std::visit([&](const auto& s) { compare(s, options, command, fit); }, shape);
+  const AnyShape shape = open_shape(command.shape, options.input.close);
+  std::visit(
+      [&](const auto& s) {
+        if (command.settings.verbosity != Verbosity::quiet)
+          for (const std::string& note : s.notes) std::cerr << fmt::format("{}: {}\n", s.source, note);
+        compare(s, options, command, fit);
+      },
+      shape);
 }
 
 }  // namespace shellmatch

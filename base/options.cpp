@@ -49,9 +49,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 std::string range_text(const OptionInfo& info) {
   const bool low = std::isfinite(info.min), high = std::isfinite(info.max);
   const char* less = info.min_excluded ? "<" : "<=";
-  if (low && high) return fmt::format("{:g} {} x <= {:g}", info.min, less, info.max);
-  if (low) return fmt::format("x {} {:g}", info.min_excluded ? ">" : ">=", info.min);
-  if (high) return fmt::format("x <= {:g}", info.max);
+  if (low && high) return fmt::format("{:.7g} {} x <= {:.7g}", info.min, less, info.max);
+  if (low) return fmt::format("x {} {:.7g}", info.min_excluded ? ">" : ">=", info.min);
+  if (high) return fmt::format("x <= {:.7g}", info.max);
   return "any";
 }
 

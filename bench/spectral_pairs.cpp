@@ -88,9 +88,7 @@ class TrueCorrespondence {
       for (std::size_t v = 0; v < reference.vertices.size(); ++v) on_reference_.push_back(static_cast<Index>(v));
       on_template_ = on_reference_;
     }
-    double area = 0;
-    for (std::size_t f = 0; f < template_.facets.size(); ++f) area += facet_measure(template_, static_cast<Index>(f));
-    unit_ = std::sqrt(area) / 100;
+    unit_ = std::sqrt(surface_measure(template_)) / 100;
   }
 
   /// \param turn that of the template before `found`

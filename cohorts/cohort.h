@@ -32,12 +32,12 @@ struct AtlasOptions {
   double tolerance = 0.25;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("kind", self.kind, {.meaning = "given: the shape `atlas.shape` is deformed onto every subject; mean: it is the start of an iteration, in which the mean of all deformed atlases becomes the next atlas until it rests; medoid: the subject that is nearest to the mean after one round is the atlas"});
+    visit("kind", self.kind, {.meaning = "given: the shape `atlas.shape` is deformed onto every subject; mean: it is the start of an iteration, in which the mean of all deformed atlases becomes the next atlas until it converges; medoid: the subject that is nearest to the mean after one round is the atlas"});
     visit("shape", self.shape, {.meaning = "file of the atlas, or the id of a subject; empty: the first subject; relative to this file"});
     visit("landmarks", self.landmarks, {.meaning = "file of points of `atlas.shape` (docs/landmarks.md), which are carried to every subject; relative to this file"});
     visit("max_level", self.max_level, {.unit = "level", .min = 0, .max = finest_level, .meaning = "finest level of the rounds; 0: set.cascade.max_level. On coarser levels thin parts are not reached, and the mean loses some of them in every round"});
     visit("rounds", self.rounds, {.unit = "rounds", .min = 1, .max = 100, .meaning = "most rounds of kind mean before the last one"});
-    visit("tolerance", self.tolerance, {.unit = "standard error of the mean", .min = 0, .meaning = "the mean rests where its surface has moved by no more than this share of its standard error, the spread of the subjects over the root of their number; all root mean squares after Procrustes analysis"});
+    visit("tolerance", self.tolerance, {.unit = "standard error of the mean", .min = 0, .meaning = "the mean has converged where its surface has moved by no more than this share of its standard error, the spread of the subjects over the root of their number; all root mean squares after Procrustes analysis"});
   }
 };
 

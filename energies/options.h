@@ -65,7 +65,7 @@ class TermOptions {
   std::vector<double> own_;  ///< of all terms, in the order of the list
 };
 
-/// Weights and material of the energy E = E_match + E_mem + E_bend + E_vol (paper, section 3).
+/// Weights and material of the terms in energies/terms/list.h.
 struct EnergyOptions {
   double lambda = 1, mu = 1;
   double delta = 1;

@@ -46,7 +46,7 @@ class Matching {
         d1_(is_backward_ ? template_.surface : reference_.surface),
         d2_(is_backward_ ? reference_.surface : template_.surface) {}
 
-  MatchResult<Dim> go() {
+  MatchResult<Dim> run() {
     summary_.reference = shape_summary(reference_);
     summary_.template_shape = shape_summary(template_);
     summary_.unit = unit();
@@ -63,15 +63,15 @@ class Matching {
     if (has_coverage(options_)) recorder_.history.term_names.emplace_back("coverage");
     else if (options_.coverage.levels > 0)
       recorder_.note("coverage acts on no level, as cascade.min_level is cascade.max_level: the match is one-sided (docs/landmarks.md)");
-    std::optional<FinishedLevel<Dim>> before = resume();
+    std::optional<FinishedLevel<Dim>> finished = resume();
     recorder_.stage("matching");
     auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
-                                   clock_.phases, std::move(before), pairs, observed_);
+                                   clock_.phases, std::move(finished), pairs, observed_);
     summary_.interrupted = result.interrupted;
     PhaseClock phase(clock_.phases);
     phase.start("output");
-    MatchResult<Dim> complete = measured(std::move(result));
+    MatchResult<Dim> complete = make_result(std::move(result));
     phase.stop();
     complete.summary = summary_so_far();
     complete.summary.verdict = judge(complete.summary, places_);
@@ -82,18 +82,18 @@ class Matching {
  private:
   // Restores history, checks, times and levels of an earlier matching, which become part of this one's result.
   std::optional<FinishedLevel<Dim>> resume() {
-    if (!inputs_.before) return std::move(inputs_.start);
-    MatchSummary& s = inputs_.before->summary;
+    if (!inputs_.checkpoint) return std::move(inputs_.start);
+    MatchSummary& s = inputs_.checkpoint->summary;
     const int level = s.levels.back().level;
-    recorder_.history = std::move(inputs_.before->history);
+    recorder_.history = std::move(inputs_.checkpoint->history);
     recorder_.gradient_checks = s.gradient_checks.value_or(std::vector<GradientCheckSummary>{});
     clock_.add_earlier(s.run);
     summary_.levels = std::move(s.levels);
     summary_.run = std::move(s.run);
     summary_.run.resumed_after = summary_.run.resumed_after.value_or(std::vector<int>{});
     summary_.run.resumed_after->push_back(level);
-    if (options_.report) levels_ = std::move(inputs_.before->levels);
-    return FinishedLevel<Dim>{level, std::move(inputs_.before->map)};
+    if (options_.report) levels_ = std::move(inputs_.checkpoint->levels);
+    return FinishedLevel<Dim>{level, std::move(inputs_.checkpoint->map)};
   }
 
   void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
@@ -113,7 +113,7 @@ class Matching {
   }
 
   Surface<Dim> deformed_reference(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
-    return is_backward_ ? surface_before(reference, grid, phi) : deformed_surface(reference, grid, phi);
+    return is_backward_ ? inversely_deformed_surface(reference, grid, phi) : deformed_surface(reference, grid, phi);
   }
 
   // The distances, and where they are greatest. In the plane segments bend within themselves.
@@ -174,41 +174,48 @@ class Matching {
     return {y.begin(), y.end()};
   }
 
+  void add_distortions(const Surface<Dim>& deformed) {
+    const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
+    const Surface<Dim> undeformed = measured_facets(reference_.surface, facets), after = measured_facets(deformed, facets);
+    add_distortion(summary_, undeformed, after, template_distance_);
+    places_.distorted = coordinates_of_template(most_distorted_place(undeformed, after));
+  }
+
+  void add_correspondence_error(const OriginalShape<Dim>& moved) {
+    if (inputs_.truth.empty()) return;
+    const double diagonal = bounding_box(template_.original.vertices).diagonal();
+    summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
+    summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
+  }
+
   // The result without summary and history.
-  MatchResult<Dim> measured(CascadeResult<Dim> result) {
-    Surface<Dim> deformed = deformed_reference(reference_.surface, result.grid, result.phi);
+  MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
+    Surface<Dim> deformed = deformed_reference(reference_.surface, cascade.grid, cascade.phi);
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(deformed, result.grid, result.phi);
-    const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
-    const Surface<Dim> before = measured_facets(reference_.surface, facets), after = measured_facets(deformed, facets);
-    add_distortion(summary_, before, after, template_distance_);
-    places_.distorted = coordinates_of_template(most_distorted_place(before, after));
-    Deformation<Dim> map{inputs_.prepared.frame(), std::move(result.grid), std::move(result.phi)};
+    if (places_.deformed.empty()) measure_distance(deformed, cascade.grid, cascade.phi);
+    add_distortions(deformed);
+    Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
+    add_correspondence_error(moved);
     const SignedDistance<Dim> deformed_distance(deformed);
     OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed_distance);
-    if (!inputs_.truth.empty()) {
-      const double diagonal = bounding_box(template_.original.vertices).diagonal();
-      summary_.correspondence_error_before = correspondence_error(inputs_.truth, reference_.original.vertices) / diagonal;
-      summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
-    }
     add_observed(moved, covered, map, deformed);
     std::vector<double> distance = vertex_distances(deformed);
     std::vector<double> template_distance = distances_to(template_.surface.vertices, deformed_distance);
     leave_out(template_distance, parts_.of_template(template_.surface.vertices, deformed));
-    return {std::move(map),
-            std::move(moved),
-            std::move(covered),
-            {},
-            {},
-            {reference_.surface, template_.surface, std::move(deformed), std::move(distance), std::move(template_distance)},
-            std::move(levels_),
-            std::move(result.reference),
-            std::move(result.target)};
+    return {.map = std::move(map),
+            .deformed = std::move(moved),
+            .template_shape = std::move(covered),
+            .summary = {},
+            .history = {},
+            .surfaces = {reference_.surface, template_.surface, std::move(deformed), std::move(distance), std::move(template_distance)},
+            .levels = std::move(levels_),
+            .moving_fields = std::move(cascade.moving_fields),
+            .target_fields = std::move(cascade.target_fields)};
   }
 
   MatchSummary summary_so_far() const {
@@ -244,7 +251,7 @@ class Matching {
 template <int Dim>
 MatchResult<Dim> match_placed_shapes(MatchInputs<Dim> inputs, const ExperimentOptions& options, Recorder& recorder,
                                      RunClock& clock) {
-  return Matching<Dim>(std::move(inputs), options, recorder, clock).go();
+  return Matching<Dim>(std::move(inputs), options, recorder, clock).run();
 }
 
 template MatchResult<2> match_placed_shapes<2>(MatchInputs<2>, const ExperimentOptions&, Recorder&, RunClock&);

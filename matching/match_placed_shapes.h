@@ -41,8 +41,8 @@ struct MatchInputs {
   Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
   std::vector<Landmark<Dim>> landmarks;  ///< in the user's coordinates; may be empty
   std::vector<PairSet<Dim>> pairs;       ///< further terms of point pairs, in the unit domain
-  std::optional<MatchProgress<Dim>> before;            ///< resume after its last level
-  std::optional<FinishedLevel<Dim>> start;             ///< without `before`: begin after this level of another matching
+  std::optional<MatchProgress<Dim>> checkpoint;        ///< resume after its last level
+  std::optional<FinishedLevel<Dim>> start;             ///< without `checkpoint`: begin after this level of another matching
   std::function<void(const LevelEnd<Dim>&)> finished;  ///< called at the end of every level; may be empty
 };
 

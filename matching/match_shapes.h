@@ -17,8 +17,9 @@ namespace shellmatch {
 /// Finds the map that carries the reference onto the template: places both in the unit domain by one similarity, runs
 /// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
 /// polygons, `open_shape` (matching/input/shape_source.h) from a file.
-/// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement and margin
-///   are used; of `landmarks` all but the files; `pictures` and `resume` are ignored. `threads` is set for the whole process.
+/// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement,
+///   margin and unit are used; `start.map` must be empty; of `landmarks`, all but the files are used; `report` keeps `levels`;
+///   `pictures` and `resume` are ignored. `threads` is set for the whole process.
 /// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing
 /// \param landmarks points that correspond, in the coordinates of the shapes
 /// \throws InputError for contradictory options, shapes that cannot be placed or landmarks far from them, EnvironmentError if the machine has

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "grid/fields/mass.h"
 #include "grid/octree/constraints.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
@@ -91,17 +90,12 @@ bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
 
 template <int Dim>
 void PairLevel<Dim>::follow(const std::vector<Vec<Dim>>& phi) {
-  if (mask_) level_->energy.set_mask(phi, *mask_);
-  if (coverage_)
-    level_->energy.replace_pairs(*level_->coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi, mask_ ? &*mask_ : nullptr)));
+  shellmatch::follow<Dim>(*level_, phi, mask_ ? &*mask_ : nullptr, coverage_ ? &*coverage_ : nullptr);
 }
 
 template <int Dim>
 LevelProblem<Dim> PairLevel<Dim>::problem(const SolverOptions& solver, const std::vector<Vec<Dim>>& phi) {
-  const std::vector<double> all = lumped_mass(grid_);
-  std::vector<double> mass;
-  for (const Index node : level_->unknowns.nodes()) mass.push_back(all[grid_.free_index(node)]);
-  return LevelProblem<Dim>(level_->unknowns, level_->energy, level_->hessian, weights(), mass, phi,
+  return LevelProblem<Dim>(level_->unknowns, level_->energy, level_->hessian, weights(), level_->unknown_mass(), phi,
                            [this, solver](Metric metric) { return level_metric(*level_, solver, weights(), metric); });
 }
 

@@ -10,7 +10,7 @@
 #include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
 #include "matching/level/shape_fields.h"
-#include "matching/level/pair_mask.h"
+#include "matching/level/observed_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/progress/observer.h"
@@ -88,7 +88,7 @@ class PairLevel {
   std::vector<LevelSize> sizes_;
   std::vector<PairSet<Dim>> pairs_;
   std::optional<LevelEnergy<Dim>> level_;
-  std::optional<PairMask<Dim>> mask_;     ///< where a shape has gaps
+  std::optional<ObservedMask<Dim>> mask_;     ///< where a shape has gaps
   std::optional<Coverage<Dim>> coverage_;  ///< where it acts
 };
 

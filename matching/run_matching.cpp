@@ -65,14 +65,16 @@ class Run {
     inputs_.truth = input.correspondence.empty()
                       ? generated_correspondence<Dim>(input.reference, input.template_file)
                       : read_correspondence<Dim>(input.correspondence, inputs_.shapes.reference.original.vertices.size());
+    // A uniform grid of the coarsest level, which all grids hold: what cannot fit is refused before alignment tries starts on it.
+    check_size<Dim>({}, options_.cascade.min_level, options_.cascade.max_level, folder_.final_path());
     prepare();
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
-    // What a start's file held when a checkpoint was written is not kept.
+    // With start.map there are no checkpoints: the identity of a run does not cover the contents of that file.
     if (options_.resume.enabled && options_.start.map.empty()) {
       open_checkpoints(run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
-      if (checkpoints_ && !restart) inputs_.before = read_checkpoint();
+      if (checkpoints_ && !restart) inputs_.checkpoint = read_checkpoint();
     }
     inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
@@ -92,6 +94,11 @@ class Run {
 
   // False where the shapes do not lie where those of the earlier map do.
   bool begin_with(Deformation<Dim> map) {
+    const auto refuse = [&](const char* why) { throw_input_error("start.map: {}: {}", options_.start.map, why); };
+    if (options_.input.placement == PlacementKind::as_is && !map.placement.is_identity())
+      refuse("that run has moved and scaled its shapes into the unit domain; leave out input.placement: as-is");
+    if (options_.align.direction == MatchDirection::backward && !map.is_backward)
+      refuse("that run has deformed its reference, not its template; leave out align.direction: backward");
     const CascadeOptions& c = options_.cascade;
     const int level = options_.start.level > 0 ? options_.start.level : std::clamp(map.grid.finest_level() + 1, c.min_level, c.max_level);
     std::optional<PreparedPair<Dim>> prepared = prepare_as_before<Dim>(inputs_.shapes, map, 1.0 / (1 << c.max_level));
@@ -188,7 +195,8 @@ class Run {
     }
     last_checkpoint_ = clock_.seconds();
     clock_.phases["keeping"] += last_checkpoint_ - begin;
-    clock_.phases["output"] -= last_checkpoint_ - begin;  // the clock of this phase is running
+    // Writing runs within the phase output, which therefore counts it too.
+    clock_.phases["output"] -= last_checkpoint_ - begin;
   }
 
   void note_failed_checkpoint(int level, const std::string& why) {

@@ -23,12 +23,12 @@ struct AlignedSets {
   double enlargement = 1;
 };
 
-/// Moves every shape onto the mean of all, in turn with the mean, until the mean rests (Gower 1975):
+/// Moves every shape onto the mean of all, in turn with the mean, until the mean converges (Gower 1975):
 ///     sum_i |s_i R_i (x_i - c_i) - mean|^2
 /// becomes least, in the inner product of the weights, over rotations R_i and, with similarity, scales s_i for a mean of given
 /// size. Proper rotations only. The mean stays where, and with similarity as large as, `start` is; without `similarity` sizes are
 /// kept. A direction that nothing determines, as that about the line of points on one line, is an arbitrary one, the same in each
-/// call. The mean rests where it changes by less than 1e-12 of its size; n_iterations is 200 where it never did.
+/// call. It has converged where it changes by less than 1e-12 of its size; n_iterations is 200 where it never did.
 /// \param weights of the points, sum 1 \param start of the iteration, dimension * V coordinates; the frame of the result
 /// \throws InputError for a shape whose points coincide, and as check_point_sets()
 AlignedSets procrustes(PointSets sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& start, ProcrustesKind kind);

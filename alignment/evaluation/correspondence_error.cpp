@@ -25,8 +25,7 @@ std::vector<Index> nearest_vertices(std::span<const Vec<3>> vertices, std::span<
 
 std::vector<double> geodesic_errors(const Surface<3>& template_surface, std::span<const Index> ends,
                                     std::span<const Index> belong) {
-  double area = 0;
-  for (std::size_t f = 0; f < template_surface.facets.size(); ++f) area += facet_measure(template_surface, static_cast<Index>(f));
+  const double area = surface_measure(template_surface);
   if (!(area > 0)) throw_input_error("the template has no area: geodesic errors are in roots of it");
   const EdgeGraph graph(template_surface);
   std::vector<double> errors(ends.size());

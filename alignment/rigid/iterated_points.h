@@ -2,7 +2,7 @@
 /// \file
 /// Iterated closest points between two surfaces, from a given rotation.
 
-#include "alignment/rigid/surface_samples.h"
+#include "alignment/rigid/normalized_surface.h"
 
 namespace shellmatch {
 

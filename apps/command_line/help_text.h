@@ -145,7 +145,7 @@ inline constexpr const char* config_footer = R"(Examples:
 inline constexpr const char* cohort = "Match one shape onto many, and compute their mean, modes of variation and differences of groups.";
 
 inline constexpr const char* cohort_footer = R"(An atlas is deformed onto every subject, so that all have the same points. It is a shape that is given, or the subjects'
-mean: all are matched, the mean becomes the next atlas, until it rests. Each matching is a process of its own: one that fails costs its own row
+mean: all are matched, the mean becomes the next atlas, until it converges. Each matching is a process of its own: one that fails costs its own row
 only. The same command again goes on where it was stopped, and matches only what is new. docs/cohorts.md describes the file and the output folder.
 
 Examples:

@@ -5,8 +5,9 @@
 #include "apps/process/limits.h"
 #include "base/error.h"
 #include "base/printable.h"
-#include "matching/experiment/several_errors.h"
 #include "base/stop.h"
+#include "matching/experiment/several_errors.h"
+#include "matching/progress/exit_code.h"
 
 #include <fmt/core.h>
 
@@ -24,9 +25,9 @@ namespace {
 
 using namespace shellmatch;
 
-enum ExitCode { success = 0, check_failed = 1, input_error = 2, environment_error = 3, limit_reached = 4, internal_error = 70 };
+using namespace exit_code;
 
-int fail(ExitCode code, const std::string& text) {
+int fail(int code, const std::string& text) {
   std::fputs(fmt::format("shellmatch: error: {}\n", printable(text, max_message_length)).c_str(), stderr);
   return code;
 }

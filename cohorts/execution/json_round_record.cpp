@@ -12,7 +12,7 @@ static void describe(Record& r, Member&& member) {
   member("cohort", r.cohort), member("results", r.results);
   member("round", r.round.round), member("n_subjects", r.round.n_subjects);
   member("change", r.round.change), member("spread", r.round.spread);
-  member("rests", r.rests), member("nearest", r.nearest);
+  member("converged", r.converged), member("nearest", r.nearest);
 }
 
 void write_round(const RoundRecord& record, const std::string& path) {

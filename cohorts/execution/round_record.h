@@ -13,7 +13,7 @@ struct RoundRecord {
   std::string cohort;   ///< checksum of the cohort's description
   std::string results;  ///< checksum of all on which the mean depends
   AtlasRound round;
-  bool rests = false;   ///< the mean has moved by no more than atlas.tolerance allows
+  bool converged = false;  ///< the mean has moved by no more than atlas.tolerance allows
   std::string nearest;  ///< id of the subject nearest to the mean
 };
 

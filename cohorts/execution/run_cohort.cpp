@@ -57,7 +57,7 @@ class CohortRun {
       atlas = kind == AtlasKind::medoid ? atlas_of_subject(record.nearest)
                                         : read_atlas<Dim>(stage.folder(folder_.path()), "mean");
       if (kind == AtlasKind::mean) atlas.files.runs = stage.folder(folder_.path()) + "/runs";
-      if (record.rests) break;
+      if (record.converged) break;
       if (k == n && kind == AtlasKind::mean && !is_part())
         observer_.note(
             fmt::format("the mean still moved by {:.2g} diagonals in the last of {} rounds (atlas.rounds, "
@@ -152,7 +152,7 @@ class CohortRun {
     record.cohort = checksum_;
     record.results = results;
     record.round = {stage.round, matched.rows.size(), mean.change, mean.spread};
-    record.rests = mean.change <= cohort_.options.atlas.tolerance * mean.spread /
+    record.converged = mean.change <= cohort_.options.atlas.tolerance * mean.spread /
                                       std::sqrt(static_cast<double>(matched.rows.size()));
     record.nearest = cohort_.subjects[matched.rows[mean.nearest]].id;
     write_round(record, runs.path() + "/round.json");

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier on one grid, with its gradient.
+/// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier + E_pairs on one grid, with its gradient.
 
 #include "energies/elements/band.h"
 #include "energies/elements/band_mask.h"

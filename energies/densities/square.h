@@ -10,7 +10,7 @@
 
 namespace shellmatch {
 
-/// |r|^2 of a residual with N components; with it Newton's model is that of Gauss and Newton.
+/// |r|^2 of a residual with N components; with it Newton's model is the Gauss-Newton model.
 template <int N>
 struct SquareDensity {
   template <class T>

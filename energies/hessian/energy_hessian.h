@@ -3,10 +3,11 @@
 /// A positive semidefinite model of the energy's second derivative, for Newton's method.
 ///
 /// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi, on
-/// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: Gauss and
-/// Newton's model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
-/// elements where they act. Terms of point pairs: 2 rho' B^T B, without rho''. To the model is added, where the solver asks for it, a multiple of the Laplacian's matrix on
-/// single elements: it resists changes of the step within the element, and no common motion of its nodes.
+/// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: the
+/// Gauss-Newton model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
+/// elements where they act. Terms of point pairs: 2 w rho' B^T B, without rho''. To the model is added, where the solver asks
+/// for it, a multiple of the Laplacian's matrix on single elements: it resists changes of the step within the element, and no
+/// common motion of its nodes.
 
 #include "energies/assembly/matching_energy.h"
 #include "energies/assembly/not_finite.h"

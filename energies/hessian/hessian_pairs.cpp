@@ -1,4 +1,4 @@
-// Gauss and Newton's model of the terms of point pairs.
+// The Gauss-Newton model of the terms of point pairs.
 
 #include "energies/hessian/energy_hessian.h"
 

@@ -41,8 +41,8 @@ class PairTerm {
   double add(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
              double weight, double* gradients) const;
 
-  /// Calls body(pair, k) for the pairs of these elements beyond the tolerance: 2 weight rho' B^T B = k is the block of
-  /// Gauss and Newton's model by phi(p).
+  /// Calls body(pair, k) for each pair on these elements, except those within a positive tolerance. k = 2 w rho' B^T B is its
+  /// Gauss-Newton block by phi(p), with the nearest point within the tolerance held fixed; w is `weight` times the pair's own.
   template <class Body>
   void for_each_model(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements,
                       std::span<const Vec<Dim>> phi, double weight, Body&& body) const {

@@ -13,6 +13,10 @@
 ///     CornerTerm  a function of the positions of a cell's corners: argument(corners, scale) is an array, W acts on each
 ///                 entry, and the term is the cell's volume times their mean
 ///
+/// A CornerTerm also defines `n_arguments`, the size of that array; `scale(inverse_side, material)`, the factor handed to
+/// argument(), for a number and for a Pack of them; `may_act(batch, material)`, a Pack that is 0 only in the lanes of elements
+/// on which the term and its derivatives vanish, and nowhere negative. Its density takes one number (energies/terms/fold_barrier.h).
+///
 /// A functor is written once over a scalar T that is differentiated (what depends on phi) and a scalar P that is not. The
 /// same text runs on numbers, on ceres::Jet, and on the recording scalar from which the compiled code is made
 /// (energies/autodiff): it must not branch on data; max_of is the one choice there is.

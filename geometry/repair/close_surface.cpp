@@ -28,15 +28,9 @@ std::string why_open(const Surface<3>& surface, const std::string& source) {
   }
 }
 
-double area_of(const Surface<3>& surface) {
-  double area = 0;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
-  return area;
-}
-
 // A sheet has two sides at twice the wrap's distance: half of its area times that.
 bool encloses_next_to_nothing(const Surface<3>& wrap, double offset) {
-  return enclosed_measure(wrap) < 3 * offset * area_of(wrap);
+  return enclosed_measure(wrap) < 3 * offset * surface_measure(wrap);
 }
 
 // Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there is nothing else.
@@ -119,7 +113,7 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
   if (encloses_next_to_nothing(wrap, distance * diagonal))
     throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
   Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
-  closure.invented_share = area_of(closure.evidence.invented) / area_of(wrap);
+  closure.invented_share = surface_measure(closure.evidence.invented) / surface_measure(wrap);
   notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
                               "{:.2g} % of its area is made up, and weighs nothing",
                               distance * diagonal, gap * diagonal, 100 * closure.invented_share));

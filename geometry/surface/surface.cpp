@@ -11,6 +11,24 @@ Vec<3> facet_normal(const Surface<3>& s, Index f) {
   return (s.vertices[b] - s.vertices[a]).cross(s.vertices[c] - s.vertices[a]);
 }
 
+template <int Dim>
+double surface_measure(const Surface<Dim>& s) {
+  double sum = 0;
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) sum += facet_measure(s, f);
+  return sum;
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& s) {
+  std::vector<Vec<Dim>> normals(s.vertices.size(), Vec<Dim>::Zero());
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
+    const Vec<Dim> normal = facet_normal(s, f);
+    for (const Index v : s.facets[f]) normals[v] += normal;
+  }
+  for (Vec<Dim>& n : normals) n.normalize();  // keeps zero vectors
+  return normals;
+}
+
 // The divergence theorem for the field (x - origin)/Dim. The origin is a vertex of the surface, which avoids
 // cancellation for surfaces far from 0.
 template <int Dim>
@@ -26,6 +44,10 @@ double enclosed_measure(const Surface<Dim>& s) {
   return flux / (Dim * (Dim - 1));
 }
 
+template double surface_measure(const Surface<2>&);
+template double surface_measure(const Surface<3>&);
+template std::vector<Vec<2>> vertex_normals(const Surface<2>&);
+template std::vector<Vec<3>> vertex_normals(const Surface<3>&);
 template double enclosed_measure(const Surface<2>&);
 template double enclosed_measure(const Surface<3>&);
 

@@ -96,6 +96,14 @@ double facet_measure(const Surface<Dim>& s, Index f) {
   return facet_normal(s, f).norm() / (Dim - 1);
 }
 
+/// Length (plane) or area (space) of all facets.
+template <int Dim>
+double surface_measure(const Surface<Dim>& s);
+
+/// Unit normals at the vertices, the mean over the facets around by their length (plane) or area (space); zero where there is none.
+template <int Dim>
+std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& s);
+
 /// Enclosed area (plane) or volume (space), signed by the orientation. Unit: length^Dim.
 template <int Dim>
 double enclosed_measure(const Surface<Dim>& s);

@@ -101,6 +101,8 @@ Alignment<Dim> as_it_lies_for_its_gaps(const ShapePair<Dim>& shapes, Observer& o
 template <int Dim>
 Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options, Observer& observer) {
   if (landmarks.empty()) throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
+  if (landmarks.size() < Dim)
+    throw_input_error("align.mode: landmarks: a pose needs at least {}, and landmarks.file has {}", Dim, landmarks.size());
   std::vector<CorrespondingPointsIn<Dim>> pairs;
   for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, 1});
   Alignment<Dim> result;

@@ -64,7 +64,9 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
     const double with_pairs = terms.sum();
     if (!std::isfinite(with_pairs)) return result;
     result.with_pairs = with_pairs;
-    result.energy = with_pairs - (start.pairs.empty() ? 0 : terms[terms.size() - 1]);
+    const std::vector<std::string>& names = end.levels.back().term_names;
+    const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
+    result.energy = with_pairs - (alignment < names.size() ? terms[alignment] : 0);
     result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2,
                                                   MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape))
                                    .figures.template_to_deformed.mean;

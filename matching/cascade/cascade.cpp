@@ -49,7 +49,7 @@ LevelSizes sizes_of(const Octree<Dim>& grid, const ShapeFields<Dim>& shapes, con
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before,
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> resume_after,
                                const std::vector<PairSet<Dim>>& pairs, const ObservedPair<Dim>& observed) {
   const CascadeOptions& schedule = options.cascade;
   CascadeResult<Dim> result{Octree<Dim>(schedule.min_level), {}, {}, {}, {}, false};
@@ -60,21 +60,21 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   if (has_coverage(options)) coverage.emplace(reference.surface(), template_shape, std::ldexp(1.0, -schedule.max_level), options.coverage, observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
-    result.reference = at_nodes(geometry.reference, grid);
-    result.target = at_nodes(geometry.target, grid);
+    result.moving_fields = at_nodes(geometry.reference, grid);
+    result.target_fields = at_nodes(geometry.target, grid);
   };
 
   for (int level = schedule.min_level;; ++level) {
     const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
-    if (before && !before->is_same_run && level == before->level + 1) {
-      result.phi = sampled_map(before->map, grid);
+    if (resume_after && !resume_after->is_same_run && level == resume_after->level + 1) {
+      result.phi = sampled_map(resume_after->map, grid);
       if (find_folds<Dim>(Unknowns<Dim>(grid, options.energy.boundary).elements(), result.phi).n_uncertified_cells > 0) {
         observer.warn("the earlier map folds between the nodes of this grid: it is not used");
         return run_cascade(reference, template_shape, options, observer, finished, seconds, {}, pairs, observed);
       }
-      before.reset();
+      resume_after.reset();
     }
-    const bool is_finished = before && level <= before->level;
+    const bool is_finished = resume_after && level <= resume_after->level;
     const double memory_estimate =
         is_finished ? 0 : check_level_memory<Dim>(level, sizes_of(grid, shapes, options.coefficients), solver_at_level(options.solver, level));
     PhaseClock clock(seconds);
@@ -88,9 +88,9 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
       geometry.emplace(shapes.geometry(grid));
     }
     if (is_finished) {
-      if (before->is_same_run && level == before->level) {
-        result.phi = renumbered(before->map, grid);
-        before.reset();
+      if (resume_after->is_same_run && level == resume_after->level) {
+        result.phi = renumbered(resume_after->map, grid);
+        resume_after.reset();
       }
       if (ends()) keep_fields(*geometry);
     } else {

@@ -9,7 +9,7 @@
 #include "grid/octree/octree.h"
 #include "matching/cascade/level_result.h"
 #include "matching/level/deformation.h"
-#include "matching/level/pair_mask.h"
+#include "matching/level/observed_mask.h"
 #include "matching/progress/phase_clock.h"
 #include "matching/experiment/options.h"
 #include "matching/progress/observer.h"
@@ -44,7 +44,7 @@ template <int Dim>
 struct CascadeResult {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;
-  CoefficientFields<Dim> reference, target;  ///< at the nodes of the finest grid
+  CoefficientFields<Dim> moving_fields, target_fields;  ///< of the shape that phi deforms and of the other one, at the nodes of the finest grid
   std::vector<LevelResult> levels;           ///< levels of this call; those that were finished before are left out
   bool interrupted = false;
 };
@@ -53,16 +53,16 @@ struct CascadeResult {
 template <int Dim>
 using LevelCallback = std::function<void(const LevelResult&, const LevelState<Dim>&)>;
 
-/// Runs the cascade from the identity, or continues after the level `before`: with the same shapes and options the
+/// Runs the cascade from the identity, or continues after the level `resume_after`: with the same shapes and options the
 /// result is then the same bit for bit. \pre the shapes lie in the unit domain
 /// \param pairs terms of point pairs, besides that of coverage (options.coverage)
 /// \param observed what the shapes have data of; match, membrane, bending and coverage weigh nothing elsewhere
-/// \param before where it is of another run and folds on the grid of these shapes, the observer is warned and the cascade begins anew
-/// \throws InputError if the map `before` is of the same run and does not lie on the grid that these shapes have at its level
+/// \param resume_after where it is of another run and folds on the grid of these shapes, the observer is warned and the cascade begins anew
+/// \throws InputError if `resume_after` is of the same run and does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,
-                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> before = {},
+                               PhaseSeconds& seconds, std::optional<FinishedLevel<Dim>> resume_after = {},
                                const std::vector<PairSet<Dim>>& pairs = {}, const ObservedPair<Dim>& observed = {});
 
 }  // namespace shellmatch

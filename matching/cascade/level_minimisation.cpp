@@ -3,8 +3,6 @@
 #include "base/error.h"
 #include "energies/assembly/energy_report.h"
 #include "energies/terms/term_names.h"
-#include "grid/fields/mass.h"
-#include "matching/cascade/schedule.h"
 #include "matching/derivative_check/gradient_check.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/level/level_metric.h"
@@ -14,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shellmatch {
 
@@ -55,7 +54,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   result.n_band_points = level_.energy.band().n_active_points();
   result.band_measure = level_.energy.band().measure();
 
-  const std::vector<double> mass = lumped_mass_of(level_.unknowns.nodes());
+  const std::vector<double> mass = level_.unknown_mass();
   const auto steps = schedule_of_level(options_.cascade, level);
   const int rounds = std::max(coverage_ ? options_.coverage.rounds : 1, mask_ ? mask_rounds : 1);
   start.n_substeps = static_cast<int>(steps.size()) * rounds;
@@ -70,16 +69,15 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
     std::vector<double> terms;  // values of the terms at the end of the last minimisation
     for (int round = 0; round < rounds && !interrupted; ++round) {
       start.substep = static_cast<int>(s) * rounds + round + 1;
-      if (mask_) level_.energy.set_mask(phi, *mask_);
-      if (coverage_)
-        level_.energy.replace_pairs(*level_.coverage, PairTerm<Dim>(grid_, coverage_->pairs(grid_, phi, mask_ ? &*mask_ : nullptr)));
+      follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
       StopOptions stop = solver.stop;
       if (!is_last || round + 1 < rounds)
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
     }
-    s = terms.empty() ? s + 1 : step_after(steps, s, part_over_nu(terms), result.last.final_value, options_.cascade.negligible_rise);
+    const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
+    s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
   }
   level_.energy.evaluate(phi, weights, result.minimised, {});
   weights_ = weights;
@@ -99,9 +97,12 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
 }
 
 template <int Dim>
-double LevelMinimisation<Dim>::part_over_nu(const std::vector<double>& terms) const {
-  const double match = terms[static_cast<std::size_t>("match"_term)];
-  return coverage_ ? match + terms[static_cast<std::size_t>(*level_.coverage)] : match;
+double LevelMinimisation<Dim>::rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const {
+  const TermValues at_step = level_.weights(options_, step.nu, step.volume_weight);
+  double rise = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (weights[t] > 0) rise += terms[t] * (at_step[t] / weights[t] - 1);
+  return rise;
 }
 
 // One minimisation from phi, which is replaced by its result. Adds its costs to `result` and returns the values of the
@@ -158,7 +159,7 @@ void LevelMinimisation<Dim>::refuse_start(int level, const std::vector<Vec<Dim>>
       which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", names[t], alone[t]);
   }
   throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {} "
-                    "({}); choose smaller weights or parameters of it (energy.*, cascade.*)",
+                    "({}); choose other weights or parameters of it (energy.*, cascade.*, coefficients.*, landmarks.*)",
                     level, which.empty() ? "the sum of its terms" : which, message);
 }
 
@@ -180,15 +181,6 @@ void LevelMinimisation<Dim>::check(int iteration, const LevelStart& start, const
   report.nu = start.nu;
   report.volume_weight = start.volume_weight;
   observer.gradient_checked(start, report);
-}
-
-template <int Dim>
-std::vector<double> LevelMinimisation<Dim>::lumped_mass_of(std::span<const Index> nodes) const {
-  const std::vector<double> all = lumped_mass(grid_);
-  std::vector<double> mass;
-  mass.reserve(nodes.size());
-  for (const Index n : nodes) mass.push_back(all[grid_.free_index(n)]);
-  return mass;
 }
 
 template class LevelMinimisation<2>;

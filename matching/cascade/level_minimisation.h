@@ -5,14 +5,14 @@
 #include "energies/terms/term_values.h"
 #include "grid/octree/octree.h"
 #include "matching/cascade/level_result.h"
+#include "matching/cascade/schedule.h"
 #include "matching/experiment/options.h"
 #include "matching/level/level_energy.h"
-#include "matching/level/pair_mask.h"
+#include "matching/level/observed_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/progress/observer.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,8 +37,8 @@ class LevelMinimisation {
 
  private:
   LevelStart start_of(int level) const;
-  /// The terms whose weights are proportional to 1 / nu.
-  double part_over_nu(const std::vector<double>& terms) const;
+  /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of another step.
+  double rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const;
   std::vector<double> minimise_once(const LevelStart& start, const TermValues& weights, const std::vector<double>& mass,
                                     const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
                                     Observer& observer, LevelResult& result);
@@ -46,13 +46,12 @@ class LevelMinimisation {
                                  const std::string& message) const;
   void check(int iteration, const LevelStart& start, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
              Observer& observer);
-  std::vector<double> lumped_mass_of(std::span<const Index> nodes) const;
 
   const ExperimentOptions& options_;
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
   const Coverage<Dim>* coverage_;
-  std::optional<PairMask<Dim>> mask_;  ///< where a shape has gaps
+  std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
   TermValues weights_;  ///< of the last minimisation
 };
 

@@ -14,10 +14,8 @@ std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) 
   return steps;
 }
 
-std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double over_nu, double value,
-                       double negligible) {
-  const double rise = over_nu * (steps[s].nu / steps.back().nu - 1);
-  return s + 1 < steps.size() && rise < negligible * std::abs(value) ? steps.size() - 1 : s + 1;
+std::size_t step_after(std::size_t s, std::size_t n, double rise_at_last, double negligible) {
+  return s + 1 < n && rise_at_last < negligible ? n - 1 : s + 1;
 }
 
 }  // namespace shellmatch

@@ -15,10 +15,8 @@ struct ScheduleStep {
 };
 std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& options, int level);
 
-/// The index of the step to follow step `s`, which ended with energy `value`, of which `over_nu` is the part that is proportional to
-/// 1/nu (match and coverage): s + 1, or the last. That part tells by how much the last nu raises the energy. If the rise is less
-/// than the share `negligible` of the energy, the steps in between are skipped.
-std::size_t step_after(const std::vector<ScheduleStep>& steps, std::size_t s, double over_nu, double value,
-                       double negligible);
+/// The index of the step to follow step `s` of n: s + 1, or the last where the weights of the last step raise the energy by less
+/// than `negligible`, so that the steps in between can win nothing.
+std::size_t step_after(std::size_t s, std::size_t n, double rise_at_last, double negligible);
 
 }  // namespace shellmatch

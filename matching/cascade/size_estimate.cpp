@@ -43,19 +43,12 @@ double cells_at(double measure, int min_level, int max_level) {
   return cells;
 }
 
-template <int Dim>
-double measure(const Surface<Dim>& s) {
-  double sum = 0;
-  for (std::size_t f = 0; f < s.facets.size(); ++f) sum += facet_measure(s, static_cast<Index>(f));
-  return sum;
-}
-
 }  // namespace
 
 template <int Dim>
 RefinedMeasures refined_measures(const Surface<Dim>& reference, const Surface<Dim>& template_shape,
                                  const ExperimentOptions& options) {
-  const double first = measure(reference), both = first + measure(template_shape);
+  const double first = surface_measure(reference), both = first + surface_measure(template_shape);
   const bool smooth = options.coefficients.interpolation == FieldInterpolation::smooth;
   return {.phi = refines_at_template(options) ? both : first, .fields = smooth ? both : 0};
 }
@@ -85,8 +78,8 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
   const bool countable = size.n_nodes < 1e9;
   if (memory_fits && countable && fits(size.disk_bytes, disk)) return;
   int largest = max_level - 1;
-  while (largest > min_level) {
-    const SizeEstimate s = estimate_size<Dim>(measures, min_level, largest);
+  while (largest > 1) {
+    const SizeEstimate s = estimate_size<Dim>(measures, std::min(min_level, largest), largest);
     if (fits(s.memory_bytes, memory) && fits(s.disk_bytes, disk) && s.n_nodes < 1e9) break;
     --largest;
   }

@@ -33,7 +33,7 @@ class ElementComparison {
       : context_(context), oracle_(context.oracle), elements_(context.level.unknowns.elements()),
         differences_(context, term.weights), term_(term), check_(check) {}
 
-  void go() {
+  void run() {
     differentiate();
     compare_sums();
     if (acting_.empty()) return;
@@ -216,7 +216,7 @@ class ElementComparison {
 
 template <int Dim>
 void check_elements(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check) {
-  ElementComparison<Dim>(context, term, check).go();
+  ElementComparison<Dim>(context, term, check).run();
 }
 
 template void check_elements<2>(const CheckContext<2>&, const AssembledTerm&, TermCheck&);

@@ -112,7 +112,7 @@ struct StartOptions {
   int level = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("map", self.map, {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not fit the run begins as without, and says so; relative to the YAML file"});
+    visit("map", self.map, {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not fit the run begins as without, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
     visit("level", self.level, {.unit = "level", .min = 0, .max = finest_level, .meaning = "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
   }
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What can be chosen of landmarks and of coverage. Lengths are in diagonals of the template's bounding box.
+/// What can be chosen of landmarks and of coverage. Each option names its unit.
 
 #include "base/options.h"
 #include "energies/pairs/robust_loss.h"
@@ -52,9 +52,9 @@ struct CoverageOptions {
     visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper. Never on cascade.min_level, which begins with the identity"});
     visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
     visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
-    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a vertex of the template that is farther from the deformed reference pulls it towards itself, a nearer one along its normal only"});
+    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a sample of the template that is farther from the deformed reference pulls it towards itself, a nearer one along its normal only"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
-    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "at most so many vertices of each shape are paired"});
+    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that are large against cells and samples"});
     visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }
 };

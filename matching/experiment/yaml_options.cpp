@@ -89,6 +89,8 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   if (cascade.max_level < cascade.min_level)
     return Conflict{"cascade.max_level", fmt::format("{} is below cascade.min_level = {}; expected at least that",
                                                      cascade.max_level, cascade.min_level)};
+  if (options.start.level != 0 && options.start.map.empty())
+    return Conflict{"start.level", "is the level that a map of an earlier run begins at, and start.map names none"};
   if (const int level = options.start.level; level != 0 && (level < cascade.min_level || level > cascade.max_level))
     return Conflict{"start.level", fmt::format("{} is not from cascade.min_level = {} to cascade.max_level = {}", level, cascade.min_level, cascade.max_level)};
   if (options.energy.terms.factor("match"_term) == 0)

@@ -16,7 +16,7 @@ namespace shellmatch {
 template <int Dim>
 struct ShapePair {
   Shape<Dim> reference, template_shape;
-  /// The frame of the reference's file, where the shapes name one; in that of the template (`original.space`) both are.
+  /// The frame of the reference's file, where the shapes name one; both shapes are then given in the template's, `original.space`.
   Space reference_file_space = Space::unsaid;
 
   /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns the

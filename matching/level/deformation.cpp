@@ -17,6 +17,13 @@ std::vector<Vec<Dim>> sampled_map(const Deformation<Dim>& map, const Octree<Dim>
 }
 
 template <int Dim>
+Surface<Dim> deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+  Surface<Dim> deformed = surface;
+  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = evaluate(grid, phi, surface.vertices[i]); });
+  return deformed;
+}
+
+template <int Dim>
 Vec<Dim> Deformation<Dim>::apply_in_unit_domain(const Vec<Dim>& x) const {
   const Vec<Dim> inside = x.cwiseMax(0.0).cwiseMin(1.0);
   return evaluate(grid, phi, inside) + (x - inside);
@@ -40,6 +47,8 @@ std::optional<Mat<Dim>> PointMap<Dim>::jacobian(const Vec<Dim>& x) const {
   return Mat<Dim>(forward.inverse());
 }
 
+template Surface<2> deformed_surface(const Surface<2>&, const Octree<2>&, const std::vector<Vec<2>>&);
+template Surface<3> deformed_surface(const Surface<3>&, const Octree<3>&, const std::vector<Vec<3>>&);
 template struct Deformation<2>;
 template struct Deformation<3>;
 template class PointMap<2>;

@@ -5,6 +5,7 @@
 
 #include "geometry/surface/placement.h"
 #include "geometry/surface/space.h"
+#include "geometry/surface/surface.h"
 #include "grid/inverse/inverse_map.h"
 #include "grid/octree/octree.h"
 
@@ -69,6 +70,10 @@ class InverseDeformation {
   const Deformation<Dim>* map_;
   InverseMap<Dim> inverse_;
 };
+
+/// The surface with its vertices moved by phi; unit domain.
+template <int Dim>
+Surface<Dim> deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
 /// A map at the nodes of another grid; hanging nodes are set. \pre both lie in one unit domain
 template <int Dim>

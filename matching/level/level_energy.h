@@ -5,6 +5,7 @@
 #include "energies/hessian/energy_hessian.h"
 #include "energies/assembly/matching_energy.h"
 #include "energies/pairs/point_pairs.h"
+#include "grid/fields/mass.h"
 #include "matching/experiment/options.h"
 
 #include <cmath>
@@ -60,6 +61,15 @@ struct LevelEnergy {
     for (std::size_t i = 0; i < pair_weights.size(); ++i) all[first + i] = pair_weights[i];
     if (coverage && is_covered(options)) all[*coverage] = options.coverage.weight / nu;
     return all;
+  }
+
+  /// Lumped mass of each unknown node, in the order of unknowns.nodes().
+  std::vector<double> unknown_mass() const {
+    const std::vector<double> all = lumped_mass(grid);
+    std::vector<double> mass;
+    mass.reserve(unknowns.nodes().size());
+    for (const Index node : unknowns.nodes()) mass.push_back(all[grid.free_index(node)]);
+    return mass;
   }
 
   /// Does coverage act on this level?

@@ -5,10 +5,10 @@
 #include "geometry/surface/facet_point.h"
 #include "geometry/surface/subdivision.h"
 #include "grid/fields/interpolation.h"
-
-#include <Eigen/LU>
+#include "matching/level/deformation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shellmatch {
@@ -17,38 +17,17 @@ namespace {
 
 /// The point of the undeformed facet with the barycentric coordinates that x has in the deformed one.
 template <int Dim>
-Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, Index f, const Vec<Dim>& x) {
-  const auto& facet = reference.facets[f];
-  const auto at = [&](const Surface<Dim>& s, int k) -> const Vec<Dim>& { return s.vertices[facet[k]]; };
-  Eigen::Matrix<double, Dim, Dim - 1> edges, edges_before;
-  for (int k = 1; k < Dim; ++k) {
-    edges.col(k - 1) = at(deformed, k) - at(deformed, 0);
-    edges_before.col(k - 1) = at(reference, k) - at(reference, 0);
-  }
-  const Eigen::Matrix<double, Dim - 1, Dim - 1> gram = edges.transpose() * edges;
-  Eigen::Matrix<double, Dim - 1, 1> b = gram.inverse() * (edges.transpose() * (x - at(deformed, 0)));
-  if (!b.allFinite()) b.setZero();  // a facet without area
-  b = b.cwiseMax(0.0).cwiseMin(1.0);
-  if (b.sum() > 1) b /= b.sum();
-  return at(reference, 0) + edges_before * b;
-}
-
-template <int Dim>
-Vec<Dim> image(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const Vec<Dim>& x) {
-  const LocalPoint<Dim> at = locate_local(grid, x);
-  const auto n = shape_values<Dim>(at.xi);
-  const auto& nodes = grid.cell(at.cell).nodes;
-  Vec<Dim> y = Vec<Dim>::Zero();
-  for (int c = 0; c < n_corners<Dim>; ++c) y += n[c] * phi[nodes[c]];
-  return y;
+Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, Index f, const FacetPoint<Dim>& x) {
+  const std::array<double, Dim> b = barycentric_coordinates(deformed, f, x);
+  Vec<Dim> p = Vec<Dim>::Zero();
+  for (int k = 0; k < Dim; ++k) p += b[k] * reference.vertices[reference.facets[f][k]];
+  return p;
 }
 
 /// Facets that are larger than samples are apart have samples within, and bend with phi.
 template <int Dim>
 Surface<Dim> resolved(const Surface<Dim>& surface, double side, const CoverageOptions& options) {
-  double area = 0;
-  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) area += facet_measure(surface, f);
-  return subdivided(surface, 3 * std::max(side, std::pow(area / options.samples, 1.0 / (Dim - 1))));
+  return subdivided(surface, 3 * std::max(side, std::pow(surface_measure(surface) / options.samples, 1.0 / (Dim - 1))));
 }
 
 /// pair(i), of weight 0 where there is none, for i < n, appended in their order.
@@ -76,7 +55,7 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>
 }
 
 template <int Dim>
-void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
                                       std::vector<PointPair<Dim>>& found) const {
   const double far = options_.point_distance * grid.finest_side();
   const FacetTree<Dim> tree(deformed);
@@ -87,10 +66,10 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree
         PointPair<Dim> pair{Vec<Dim>::Zero(), sample.x, 0, sample.normal};
         const Index f = tree.nearest(pair.y);
         if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
-        pair.p = preimage(reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y).point);
+        pair.p = preimage(reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y));
         // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The distance is that of
         // phi(p), which lies beside the facet through the moved vertices where phi bends it.
-        if ((image(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
+        if ((evaluate(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
         pair.weight = sample.area;
         return pair;
       },
@@ -117,9 +96,8 @@ void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector
 }
 
 template <int Dim>
-PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const BandMask<Dim>* mask) const {
-  Surface<Dim> deformed = reference_;
-  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = image(grid, phi, reference_.vertices[i]); });
+PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask) const {
+  const Surface<Dim> deformed = deformed_surface(reference_, grid, phi);
   PointPairs<Dim> result;
   add_from_template(deformed, grid, phi, result.pairs);
   add_from_reference(deformed, result.pairs);
@@ -133,6 +111,14 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, std::span<const Ve
   return result;
 }
 
+template <int Dim>
+void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask, const Coverage<Dim>* coverage) {
+  if (mask) level.energy.set_mask(phi, *mask);
+  if (coverage) level.energy.replace_pairs(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
+}
+
+template void follow(LevelEnergy<2>&, const std::vector<Vec<2>>&, const BandMask<2>*, const Coverage<2>*);
+template void follow(LevelEnergy<3>&, const std::vector<Vec<3>>&, const BandMask<3>*, const Coverage<3>*);
 template class Coverage<2>;
 template class Coverage<3>;
 

@@ -9,10 +9,10 @@
 #include "geometry/surface/surface.h"
 #include "grid/octree/octree.h"
 #include "matching/experiment/pair_options.h"
-#include "matching/level/pair_mask.h"
+#include "matching/level/level_energy.h"
+#include "matching/level/observed_mask.h"
 #include "matching/pairs/surface_samples.h"
 
-#include <span>
 #include <vector>
 
 namespace shellmatch {
@@ -32,10 +32,10 @@ class Coverage {
   /// part of the other shape faces away, which belongs to another limb or to the other side of this one.
   /// \param mask null where both shapes have data everywhere; else another factor on the weights, so that points near the edge of a gap,
   ///   whose counterpart may lie beyond it, weigh little here as in the match term
-  PointPairs<Dim> pairs(const Octree<Dim>& grid, std::span<const Vec<Dim>> phi, const BandMask<Dim>* mask = nullptr) const;
+  PointPairs<Dim> pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask = nullptr) const;
 
  private:
-  void add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+  void add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
                          std::vector<PointPair<Dim>>& found) const;
   void add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const;
 
@@ -45,5 +45,10 @@ class Coverage {
   std::vector<SurfaceSample<Dim>> on_reference_, on_template_;
   double tolerance_;  ///< sides of the domain
 };
+
+/// What is made anew as phi moves becomes that for this phi: the mask of the terms of the band, and the pairs of coverage. Each may be null,
+/// and is where a shape has no gaps, or coverage does not act on this level.
+template <int Dim>
+void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask, const Coverage<Dim>* coverage);
 
 }  // namespace shellmatch

@@ -41,9 +41,7 @@ PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<
                             const LandmarkOptions& options, const Similarity<Dim>& pose, const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
                             const SignedDistance<Dim>& template_shape) {
   const double diagonal = bounding_box(template_shape.surface().vertices).diagonal();
-  double area = 0;
-  for (std::size_t f = 0; f < reference.surface().facets.size(); ++f)
-    area += facet_measure(reference.surface(), static_cast<Index>(f));
+  const double area = surface_measure(reference.surface());
   PairSet<Dim> set;
   set.name = name;
   set.factor = options.weight;

@@ -23,16 +23,6 @@ std::uint64_t morton_number(const Vec<Dim>& x) {
 }  // namespace
 
 template <int Dim>
-std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& surface) {
-  std::vector<Vec<Dim>> normals(surface.vertices.size(), Vec<Dim>::Zero());
-  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) {
-    const Vec<Dim> normal = facet_normal(surface, f);
-    for (const Index v : surface.facets[f]) normals[v] += normal;
-  }
-  return normals;
-}
-
-template <int Dim>
 std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
                                                 const std::function<bool(const Vec<Dim>&)>& contains) {
   const auto n = static_cast<Index>(surface.vertices.size());
@@ -44,13 +34,13 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
   std::vector<Index> order;
   double total = 0;
   for (Index v = 0; v < n; ++v)
-    if (area[v] > 0 && normals[v].norm() > 0 && contains(surface.vertices[v])) {
+    if (area[v] > 0 && !normals[v].isZero(0) && contains(surface.vertices[v])) {
       order.push_back(v);
       total += area[v];
     }
   std::vector<SurfaceSample<Dim>> samples;
   if (order.size() <= most) {
-    for (const Index v : order) samples.push_back({v, surface.vertices[v], normals[v].normalized(), area[v]});
+    for (const Index v : order) samples.push_back({v, surface.vertices[v], normals[v], area[v]});
     return samples;
   }
   std::vector<std::uint64_t> number(surface.vertices.size());
@@ -62,14 +52,12 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
     passed += area[v];
     if (passed < next) continue;
     const double count = std::floor((passed - next) / each) + 1;  // a vertex may stand for several shares
-    samples.push_back({v, surface.vertices[v], normals[v].normalized(), count * each});
+    samples.push_back({v, surface.vertices[v], normals[v], count * each});
     next += count * each;
   }
   return samples;
 }
 
-template std::vector<Vec<2>> vertex_normals(const Surface<2>&);
-template std::vector<Vec<3>> vertex_normals(const Surface<3>&);
 template std::vector<SurfaceSample<2>> sample_vertices(const Surface<2>&, std::size_t, const std::function<bool(const Vec<2>&)>&);
 template std::vector<SurfaceSample<3>> sample_vertices(const Surface<3>&, std::size_t, const std::function<bool(const Vec<3>&)>&);
 

@@ -24,8 +24,4 @@ template <int Dim>
 std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
                                                 const std::function<bool(const Vec<Dim>&)>& contains);
 
-/// Sum of the facets' normals at each vertex, by area (length) and not normalised.
-template <int Dim>
-std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& surface);
-
 }  // namespace shellmatch

@@ -38,6 +38,16 @@ std::vector<double> values_of(const OriginalShape<Dim>& shape, const std::string
   return found == shape.attributes.end() ? std::vector<double>() : found->values;
 }
 
+// Of some vertices; files of results have single precision.
+template <int Dim>
+bool goes_to(const Deformation<Dim>& map, const std::vector<Vec<Dim>>& from, const std::vector<Vec<Dim>>& to) {
+  const PointMap<Dim> moved(map, Toward::template_shape);
+  const double tolerance = 1e-4 * bounding_box(to).diagonal();
+  for (std::size_t v = 0; v < from.size(); v += 1 + from.size() / 100)
+    if (const std::optional<Vec<Dim>> y = moved(from[v]); y && !((*y - to[v]).norm() <= tolerance)) return false;
+  return true;
+}
+
 // Where the other shape has no data nothing is measured.
 void leave_out(std::vector<double>& distances, const std::vector<double>& is_observed) {
   for (std::size_t v = 0; v < std::min(distances.size(), is_observed.size()); ++v)
@@ -66,6 +76,8 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
   if constexpr (Dim == 3) change_space(reference->original.vertices, reference->original.space, map.space);
   for (std::vector<double>* values : {&shapes.distance_to_template, &shapes.measure_ratio}) leave_out(*values, values_of(deformed, "template_observed"));
   leave_out(shapes.distance_to_deformed, values_of(template_shape, "deformed_observed"));
+  if (!goes_to(map, reference->original.vertices, deformed.vertices))
+    throw_input_error("{}: has changed since {} was made: its vertices do not go to those of the deformed reference", options.input.reference, folder);
   for (std::size_t v = 0; v < deformed.vertices.size(); ++v)
     shapes.reference.vertices[v] = map.from_reference_pose(reference->original.vertices[v]);
   return shapes;

@@ -14,7 +14,9 @@ struct GradientReport;
 /// The parameters of one minimisation of the cascade, reported as it begins.
 struct LevelStart {
   int level = 0;
-  int substep = 1, n_substeps = 1;  ///< minimisations on one grid with decreasing nu, counted from 1
+  /// Number of the minimisation on this grid, from 1, and the most that there can be: `rounds` (matching/cascade/level_minimisation.cpp)
+  /// for each step of nu, some of which may be skipped.
+  int substep = 1, n_substeps = 1;
   double nu = 0, volume_weight = 0, sigma = 0;
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0;
 };

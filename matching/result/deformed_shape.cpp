@@ -13,15 +13,6 @@
 
 namespace shellmatch {
 
-template <int Dim>
-Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-  Surface<Dim> deformed = reference;
-  parallel_for(deformed.vertices.size(), [&](std::size_t i) {
-    deformed.vertices[i] = evaluate(grid, phi, reference.vertices[i]);
-  });
-  return deformed;
-}
-
 namespace {
 
 /// Moves the points by the map; one without an image moves as the nearest one that has one.
@@ -98,16 +89,15 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
 }
 
 template <int Dim>
-Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-  Surface<Dim> before = deformed;
-  carry(before.vertices, InverseMap<Dim>(grid, phi));
-  return before;
+Surface<Dim> inversely_deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+  Surface<Dim> deformed = surface;
+  carry(deformed.vertices, InverseMap<Dim>(grid, phi));
+  return deformed;
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
   template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                                             \
-  template Surface<Dim> deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&); \
-  template Surface<Dim> surface_before<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
+  template Surface<Dim> inversely_deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
   template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \
                                                      const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);

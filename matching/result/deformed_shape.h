@@ -10,22 +10,18 @@
 
 namespace shellmatch {
 
-/// The surface with its vertices moved by phi; unit domain.
-template <int Dim>
-Surface<Dim> deformed_surface(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
-
 /// The surface with its vertices moved by the inverse of phi; unit domain. A vertex that is the image of no point moves as the
 /// nearest one that is.
 template <int Dim>
-Surface<Dim> surface_before(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
+Surface<Dim> inversely_deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi);
 
 /// Appends an attribute. Those of the same name go: a result that is used as a reference has those of its own matching.
 template <int Dim>
 void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute);
 
 /// The reference as it was read, carried to the template, with the additional attributes distance_to_template (user's
-/// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names. Without
-/// an image, see surface_before().
+/// unit) and area_ratio (length_ratio in the plane), which replace attributes of these names. A vertex without
+/// an image moves as the nearest vertex that has one.
 template <int Dim>
 OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance);

@@ -159,7 +159,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
     const char* where = summary.reference.invented || summary.template_shape.invented ? " where both have data" : "";
     lines.push_back(fmt::format("distance of the deformed reference from the template{}: {}", where, text(there)));
     lines.push_back(fmt::format("distance of the template from the deformed reference{}: {}", where, text(back)));
-    if (uncovered) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
+    if (uncovered && !std::isnan(*uncovered)) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
   }
   if (!summary.verdict) return lines;
   const Verdict& v = *summary.verdict;

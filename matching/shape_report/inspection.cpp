@@ -89,7 +89,7 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
   result.n_vertices = shape_topology.n_vertices;
   result.n_components = shape_topology.n_components;
   result.genus = shape_topology.genus;
-  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) result.measure += facet_measure(s, f);
+  result.measure = surface_measure(s);
   result.enclosed = enclosed_measure(s);
   const Box<Dim> box = bounding_box(s.vertices);
   result.box_min.assign(box.min.data(), box.min.data() + Dim);

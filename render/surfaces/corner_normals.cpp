@@ -14,23 +14,11 @@ namespace {
 // Normals whose length is twice the area of the facet.
 std::vector<Vec<3>> facet_normals(const Surface<3>& surface) {
   std::vector<Vec<3>> normals(surface.facets.size());
-  parallel_for(normals.size(), [&](std::size_t f) {
-    const auto& [a, b, c] = surface.facets[f];
-    normals[f] = (surface.vertices[b] - surface.vertices[a]).cross(surface.vertices[c] - surface.vertices[a]);
-  });
+  parallel_for(normals.size(), [&](std::size_t f) { normals[f] = facet_normal(surface, static_cast<Index>(f)); });
   return normals;
 }
 
 }  // namespace
-
-std::vector<Vec<3>> vertex_normals(const Surface<3>& surface) {
-  const std::vector<Vec<3>> facet = facet_normals(surface);
-  std::vector<Vec<3>> normals(surface.vertices.size(), Vec<3>::Zero());
-  for (std::size_t f = 0; f < facet.size(); ++f)
-    for (const Index v : surface.facets[f]) normals[v] += facet[f];
-  for (Vec<3>& n : normals) n.normalize();  // keeps zero vectors
-  return normals;
-}
 
 std::vector<std::array<Vec<3>, 3>> corner_normals(const Surface<3>& surface, double crease_angle) {
   const std::vector<Vec<3>> facet = facet_normals(surface);

@@ -15,7 +15,4 @@ namespace shellmatch {
 /// normals.
 std::vector<std::array<Vec<3>, 3>> corner_normals(const Surface<3>& surface, double crease_angle);
 
-/// Area-weighted unit normals at the vertices; zero where undefined.
-std::vector<Vec<3>> vertex_normals(const Surface<3>& surface);
-
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Regularisation of Newton's steps region by region (Levenberg and Marquardt's remedy, locally): where a step leads
+/// Regularisation of Newton's steps region by region (Levenberg-Marquardt damping, locally): where a step leads
 /// beyond what the model of the second derivative knows of, the model is made stiffer there and the step computed again.
 
 #include "solvers/objective.h"

@@ -5,9 +5,10 @@
 #include "base/replace_file.h"
 #include "matching/output/leftovers.h"
 #include "matching/output/output_folder.h"
-#include "matching/progress/process_info.h"
 #include "matching/output/summary.h"
 #include "matching/output/write_file.h"
+#include "matching/progress/exit_code.h"
+#include "matching/progress/process_info.h"
 #include "studies/execution/child_process.h"
 #include "studies/execution/machine.h"
 
@@ -26,9 +27,6 @@ namespace shellmatch {
 namespace fs = std::filesystem;
 
 namespace {
-
-// With which the program says that the machine does not give what is needed (docs/limits.md).
-constexpr int environment_exit_code = 3;
 
 // The last line of a log without the program's name, as "error: not enough memory; ...".
 std::string last_words(const std::string& log) {
@@ -117,7 +115,7 @@ class ActiveRun {
       judge_output(folder_.path_of("output"), result_);
     } else {
       result_.message = last_words(folder_.path_of("log.txt"));
-      if (result_.exit_code == environment_exit_code && is_of_the_disk(result_.message))
+      if (result_.exit_code == exit_code::environment_error && is_of_the_disk(result_.message))
         throw_environment_error("{}: {}; all results so far are kept, and the same command goes on once there is room", run_->name, result_.message);
       const bool memory = result_.message.find("not enough memory") != std::string::npos;
       result_.status = memory ? RunStatus::out_of_memory : RunStatus::failed;

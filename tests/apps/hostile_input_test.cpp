@@ -160,5 +160,40 @@ TEST(HostileInput, OneSignalEndsTheWaitForAPipe) {
   EXPECT_EQ(result.exit_code, 128 + SIGTERM);
 }
 
+TEST(HostileInput, AGridThatCannotFitIsRefusedBeforeStartsAreTriedOnIt) {
+  const TemporaryFolder tmp;
+  const auto begin = std::chrono::steady_clock::now();
+  const ProgramResult result = run_program({"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / "o", "--levels", "12:12"});
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(has(result.err, "level 12 needs about")) << result.err;
+  EXPECT_FALSE(has(result.err, "--levels 11:11")) << "that does not fit either: " << result.err;
+}
+
+TEST(HostileInput, CurvatureClosesWhatMatchCloses) {
+  const TemporaryFolder tmp;
+  run_program({"generate", "sphere", "-o", tmp / "s.obj"});
+  const std::string whole = contents_of(tmp / "s.obj");
+  put(tmp / "open.obj", whole.substr(0, whole.rfind("f ")));
+  const Words words{"curvature", tmp / "open.obj", "-o", tmp / "o", "--levels", "2:3", "--set", "pictures=none"};
+  const ProgramResult closed = run_program(words);
+  EXPECT_EQ(closed.exit_code, 0) << closed.err;
+  EXPECT_TRUE(has(closed.err, "open.obj: ")) << "says what it made up: " << closed.err;
+  Words strict = words;
+  strict.insert(strict.end(), {"--force", "--strict"});
+  const ProgramResult refused = run_program(strict);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(has(refused.err, "the surface is open")) << refused.err;
+}
+
+TEST(HostileInput, APoseByTooFewLandmarksNamesTheKey) {
+  const TemporaryFolder tmp;
+  put(tmp / "points.csv", "vertex1,vertex2\n0,0\n1,1\n");
+  const ProgramResult result =
+      run_program({"match", "generate:sphere", "generate:sphere", "-o", tmp / "o", "--levels", "3:3", "--landmarks", tmp / "points.csv", "--align", "landmarks"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "align.mode: landmarks: a pose needs at least 3")) << result.err;
+}
+
 }  // namespace
 }  // namespace shellmatch

@@ -5,11 +5,13 @@
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/render/decoded_animation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 namespace shellmatch {
 namespace {
@@ -158,10 +160,19 @@ TEST_F(Render, RefusesAnotherReference) {
   run_program({"generate", "circle", "-o", other / "a.csv"});
   run_program({"generate", "ellipse", "-o", other / "b.csv"});
   run_program({"match", other / "a.csv", other / "b.csv", "-o", other / "o", "--levels", "3:3", "--align", "none", "--set", "pictures=none", "-q"});
+  const std::string whole = contents_of(other / "a.csv");
   put(other / "a.csv", "0,0\n1,0\n1,1\n");
   const ProgramResult result = run_program({"render", other / "o", "-o", other / "x.png"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(has(result.err, "is no longer the reference")) << result.err;
+  // The same number of vertices does not suffice.
+  std::istringstream points(whole);
+  std::string turned, x, y;
+  while (std::getline(points, x, ',') && std::getline(points, y)) turned += x.starts_with('#') || x == "x" ? "" : fmt::format("{},{}\n", 2 * std::stod(x), y);
+  put(other / "a.csv", turned);
+  const ProgramResult moved = run_program({"render", other / "o", "-o", other / "x.png"});
+  EXPECT_EQ(moved.exit_code, 2);
+  EXPECT_TRUE(has(moved.err, "a.csv: has changed since")) << moved.err;
 }
 
 }  // namespace

@@ -111,6 +111,20 @@ TEST_F(StartMap, Mistakes) {
   EXPECT_FALSE(fs::exists(folder / "out"));
   o.start.level = 9;
   expect_input_error([&] { check_experiment(o); }, {"start.level", "9 is not from"});
+  o.start.map.clear();
+  o.start.level = 3;
+  expect_input_error([&] { check_experiment(o); }, {"start.level", "start.map names none"});
+}
+
+TEST_F(StartMap, WhatContradictsTheMapIsRefused) {
+  run(options("generate:circle", "generate:ellipse/long", 4), "first");
+  ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 4);
+  o.start.map = folder / "first";
+  o.align.direction = MatchDirection::backward;
+  expect_input_error([&] { run(o, "out"); }, {"start.map", "first", "leave out align.direction"});
+  o.align.direction = MatchDirection::forward;
+  o.input.placement = PlacementKind::as_is;
+  expect_input_error([&] { run(o, "out"); }, {"start.map", "first", "leave out input.placement"});
 }
 
 }  // namespace

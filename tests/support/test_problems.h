@@ -24,7 +24,7 @@ struct UnitModel : SecondOrderObjective {
 };
 
 /// A smooth problem with a published start and minimum. Its model of the second derivative is 2 J^T J, with the
-/// diagonal as preconditioner: Gauss and Newton's for a sum of squares.
+/// diagonal as preconditioner: the Gauss-Newton model for a sum of squares.
 class TestProblem : public SecondOrderObjective {
  public:
   /// The entries of J at x: derivatives of the residuals where the value is the sum of their squares, else such that

@@ -57,14 +57,12 @@ TEST(Schedule, DividesNuByTenAndHalvesTheVolumePerLevel) {
   EXPECT_EQ(third.back().volume_weight, o.volume / 4);
 }
 
-// Lowering nu to a quarter at once triples a match term more: 3 * 1e-5 of 0.1.
 TEST(Schedule, StepsThatCanWinNothingAreLeftOut) {
-  const std::vector<ScheduleStep> steps{{4e-6, 1}, {2e-6, 1}, {1e-6, 1}};
-  EXPECT_EQ(step_after(steps, 0, 1e-5, 0.1, 2.9e-4), 1u);
-  EXPECT_EQ(step_after(steps, 0, 1e-5, 0.1, 3.1e-4), 2u);
-  EXPECT_EQ(step_after(steps, 0, 0, 0.1, 0), 1u) << "with nothing to spare";
-  EXPECT_EQ(step_after(steps, 1, 0, 0.1, 1e-3), 2u);
-  EXPECT_EQ(step_after(steps, 2, 0, 0.1, 1e-3), 3u) << "the last one ends the level";
+  EXPECT_EQ(step_after(0, 3, 3e-5, 2.9e-5), 1u);
+  EXPECT_EQ(step_after(0, 3, 3e-5, 3.1e-5), 2u);
+  EXPECT_EQ(step_after(0, 3, 0, 0), 1u) << "with nothing to spare";
+  EXPECT_EQ(step_after(1, 3, 0, 1e-4), 2u);
+  EXPECT_EQ(step_after(2, 3, 0, 1e-4), 3u) << "the last one ends the level";
 }
 
 TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
@@ -146,7 +144,7 @@ TEST(Cascade, SmallerNuGivesSmallerMismatch) {
     // From the map itself: the term's value would shrink with nu whatever nu did.
     double mismatch = 0;
     for (const Index node : result.grid.free_nodes())
-      if (const double d1 = result.reference.distance[node]; std::abs(d1) < result.grid.finest_side())
+      if (const double d1 = result.moving_fields.distance[node]; std::abs(d1) < result.grid.finest_side())
         mismatch += std::pow(target(result.phi[node]) - d1, 2);
     EXPECT_LT(mismatch, 0.9 * last) << nu;
     last = mismatch;

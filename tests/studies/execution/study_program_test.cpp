@@ -10,6 +10,7 @@
 
 #include "matching/output/file_lock.h"
 #include "tests/studies/execution/study_harness.h"
+#include "tests/support/slowdown.h"
 
 namespace shellmatch {
 namespace {
@@ -177,7 +178,8 @@ set:
 problems: {leaf: {set: {threads: 1}}}
 solvers: [newton]
 )");
-  for (const char* limit : {"limits.seconds=0.8", "limits.seconds=1"}) {
+  for (const double seconds : {0.8, 1.0}) {
+    const std::string limit = fmt::format("limits.seconds={}", seconds * test::slowdown);
     SCOPED_TRACE(limit);
     run_program({"study", study, "-o", path("out"), "-q", "--set", limit});
     ASSERT_EQ(read_table(folder_ / "out").at("leaf-newton-r1").at("status"), "timed_out");

@@ -1,5 +1,5 @@
 // Moments and samples against closed forms.
-#include "alignment/rigid/surface_samples.h"
+#include "alignment/rigid/normalized_surface.h"
 #include "base/error.h"
 #include "geometry/generate/round.h"
 #include "tests/geometry/surface/test_surfaces.h"

@@ -28,11 +28,11 @@ ObservedPair<Dim> observed_pair(const Shape<Dim>& deformed, const Shape<Dim>& ot
 /// 1 where both shapes have data, 0 from the edges of gaps on, and a cubic between, over a given width or that of the
 /// gap, whichever is less.
 template <int Dim>
-class PairMask final : public BandMask<Dim> {
+class ObservedMask final : public BandMask<Dim> {
  public:
   /// \param width > 0; unit domain. Half of the band's, within which coefficients are fitted to data and gap alike: half of that and twice as
   ///   much made errors larger on five pairs of which a third had been cut away
-  PairMask(ObservedPair<Dim> parts, double width) : parts_(std::move(parts)), width_(width) {}
+  ObservedMask(ObservedPair<Dim> parts, double width) : parts_(std::move(parts)), width_(width) {}
   double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override;
   std::optional<double> constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const override;
 

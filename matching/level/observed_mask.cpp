@@ -1,4 +1,4 @@
-#include "matching/level/pair_mask.h"
+#include "matching/level/observed_mask.h"
 
 #include <algorithm>
 
@@ -29,13 +29,13 @@ Side side_of_ball(const ObservedPart<Dim>& part, const Vec<Dim>& centre, double 
 }  // namespace
 
 template <int Dim>
-double PairMask<Dim>::weight(const Vec<Dim>& x, const Vec<Dim>& y) const {
+double ObservedMask<Dim>::weight(const Vec<Dim>& x, const Vec<Dim>& y) const {
   const double of_reference = weight_in(parts_.reference, x, width_);
   return of_reference > 0 ? of_reference * weight_in(parts_.template_shape, y, width_) : 0;
 }
 
 template <int Dim>
-std::optional<double> PairMask<Dim>::constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const {
+std::optional<double> ObservedMask<Dim>::constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const {
   const Side of_reference = side_of_ball(parts_.reference, x, x_radius, width_);
   if (of_reference == Side::without_data) return 0;
   const Side of_template = side_of_ball(parts_.template_shape, y, y_radius, width_);
@@ -44,7 +44,7 @@ std::optional<double> PairMask<Dim>::constant(const Vec<Dim>& x, double x_radius
   return std::nullopt;
 }
 
-template class PairMask<2>;
-template class PairMask<3>;
+template class ObservedMask<2>;
+template class ObservedMask<3>;
 
 }  // namespace shellmatch

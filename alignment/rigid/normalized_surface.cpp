@@ -1,4 +1,4 @@
-#include "alignment/rigid/surface_samples.h"
+#include "alignment/rigid/normalized_surface.h"
 
 #include "base/error.h"
 #include "geometry/surface/facet_point.h"
@@ -13,8 +13,7 @@ namespace shellmatch {
 namespace {
 
 double area_of(const Surface<3>& surface) {
-  double area = 0;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
+  const double area = surface_measure(surface);
   if (!(area > 0) || !std::isfinite(area)) throw_input_error("a surface without area cannot be aligned");
   return area;
 }
