@@ -11,6 +11,7 @@
 #include "base/stop.h"
 #include "cohorts/execution/cohort_cost.h"
 #include "cohorts/execution/run_cohort.h"
+#include "cohorts/output/own_files.h"
 #include "cohorts/output/write_cohort.h"
 #include "geometry/io/read_text.h"
 #include "matching/experiment/option_text.h"
@@ -131,6 +132,14 @@ void list_stages(const Cohort& cohort) {
   std::cout << "last\n";
 }
 
+// Before the first run such a file is somebody's, and replaced by none.
+void refuse_foreign_description(const Cohort& cohort, const std::string& folder) {
+  const std::string path = folder + "/cohort.yaml";
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::equivalent(cohort.name, path, error))
+    throw_input_error("{}: describes another cohort, and none has run there; choose another folder with -o", path);
+}
+
 // A file of the user's own stays as it is, comments and all.
 void keep_description(const Cohort& cohort, const std::string& folder) {
   const std::string path = folder + "/cohort.yaml";
@@ -158,6 +167,8 @@ void execute(const CohortCommand& command) {
       command.output.empty() ? "out/" + std::filesystem::path(cohort.name).stem().string() : command.output;
   CohortPart part;
   if (!choose_part(command, cohort, part)) return;
+  check_inputs_are_kept(cohort, output);
+  if (!std::filesystem::is_directory(output + "/runs")) refuse_foreign_description(cohort, output);
   const RunsFolder folder(output, cohort_folder_kind, part.subjects.empty());
   keep_description(cohort, folder.path());
   keep_memory_of_runs(cohort.options.limits, settings.jobs);

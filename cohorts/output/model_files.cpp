@@ -79,20 +79,12 @@ void add_difference(OriginalShape<Dim>& mean, const GroupDifference& d) {
   set_attribute(mean, VertexAttribute{"q", "double", list_of(d.q)});
 }
 
-// Meshes of an earlier model that had more modes.
-void remove_mode_meshes(const std::string& folder) {
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().filename().string().starts_with("mode_")) fs::remove(entry.path(), error);
-}
-
 }  // namespace
 
 template <int Dim>
 void write_model(const CohortResult<Dim>& result, const Eigen::MatrixXd& points, int n_mode_meshes,
                  const std::string& folder) {
   fs::create_directories(folder);
-  remove_mode_meshes(folder);
   write_points<Dim>(folder + "/points.npy", points);
   write_points<Dim>(folder + "/aligned.npy", result.aligned.coordinates);
   std::vector<std::int32_t> faces;

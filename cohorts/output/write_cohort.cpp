@@ -6,9 +6,8 @@
 #include "cohorts/output/cohort_tables.h"
 #include "cohorts/output/mode_animations.h"
 #include "cohorts/output/model_files.h"
+#include "cohorts/output/own_files.h"
 #include "cohorts/report/cohort_report.h"
-
-#include <filesystem>
 
 namespace shellmatch {
 
@@ -28,14 +27,15 @@ std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> 
     if (is_there)
       replace_file(folder + "/" + name, text);
     else
-      std::filesystem::remove(folder + "/" + name);  // of an earlier table, in which there were some
+      remove_own_table(folder + "/" + name, text.substr(0, text.find('\n')));  // of an earlier run, in which there were some
   };
   write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty());
   write_or_remove("landmarks_on_atlas.csv", returned_landmarks_csv<Dim>(result.subjects, returned),
                   !returned.empty());
   if (result.rows.empty()) {
-    std::filesystem::remove_all(folder + "/model");
+    remove_model_files(folder + "/model", StaleFiles::all);
   } else {
+    remove_model_files(folder + "/model", result.model ? StaleFiles::mode_shapes : StaleFiles::statistics);
     write_model(result, points, cohort.options.statistics.mode_meshes, folder + "/model");
     if (result.model) {
       replace_file(folder + "/model/scores.csv", scores_csv(*result.model, result.subjects, result.rows));

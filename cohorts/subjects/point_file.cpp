@@ -9,7 +9,7 @@ namespace shellmatch {
 
 template <int Dim>
 void write_named_points(const std::string& path, const std::vector<NamedPoint<Dim>>& points) {
-  std::string text = Dim == 3 ? "name,x,y,z\n" : "name,x,y\n";
+  std::string text = fmt::format("{}\n", named_points_header<Dim>);
   for (const NamedPoint<Dim>& point : points) {
     text += csv_field(point.name);
     for (int k = 0; k < Dim; ++k) text += fmt::format(",{}", point.point[k]);
