@@ -1,7 +1,6 @@
 #include "cohorts/execution/atlas.h"
 
 #include "base/error.h"
-#include "cohorts/output/own_files.h"
 #include "cohorts/subjects/point_file.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
@@ -63,10 +62,7 @@ Atlas<Dim> make_atlas(OriginalShape<Dim> shape, std::vector<NamedPoint<Dim>> lan
     write_ply(atlas.files.shape, shape);
   else
     write_outline_csv(atlas.files.shape, shape);
-  if (!landmarks.empty())
-    write_named_points(atlas.files.landmarks = landmark_file(folder, name), landmarks);
-  else
-    remove_own_table(landmark_file(folder, name), named_points_header<Dim>);
+  if (!landmarks.empty()) write_named_points(atlas.files.landmarks = landmark_file(folder, name), landmarks);
   atlas.shape = std::move(shape);
   atlas.landmarks = std::move(landmarks);
   return complete(std::move(atlas));

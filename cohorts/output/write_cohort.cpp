@@ -8,6 +8,7 @@
 #include "cohorts/output/model_files.h"
 #include "cohorts/output/own_files.h"
 #include "cohorts/report/cohort_report.h"
+#include "cohorts/subjects/point_file.h"
 
 namespace shellmatch {
 
@@ -32,6 +33,7 @@ std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> 
   write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty());
   write_or_remove("landmarks_on_atlas.csv", returned_landmarks_csv<Dim>(result.subjects, returned),
                   !returned.empty());
+  if (landmarks.empty()) remove_own_table(folder + "/atlas_landmarks.csv", named_points_header<Dim>);
   if (result.rows.empty()) {
     remove_model_files(folder + "/model", StaleFiles::all);
   } else {
