@@ -132,11 +132,12 @@ void list_stages(const Cohort& cohort) {
   std::cout << "last\n";
 }
 
-// Before the first run such a file is somebody's, and replaced by none.
+// Before the first run such a file is somebody's, and replaced by none. A cohort makes `runs` before it: looked for in this order, shards
+// that begin together do not refuse each other's.
 void refuse_foreign_description(const Cohort& cohort, const std::string& folder) {
   const std::string path = folder + "/cohort.yaml";
   std::error_code error;
-  if (std::filesystem::exists(path, error) && !std::filesystem::equivalent(cohort.name, path, error))
+  if (std::filesystem::exists(path, error) && !std::filesystem::equivalent(cohort.name, path, error) && !std::filesystem::is_directory(folder + "/runs", error))
     throw_input_error("{}: describes another cohort, and none has run there; choose another folder with -o", path);
 }
 
@@ -168,7 +169,7 @@ void execute(const CohortCommand& command) {
   CohortPart part;
   if (!choose_part(command, cohort, part)) return;
   check_inputs_are_kept(cohort, output);
-  if (!std::filesystem::is_directory(output + "/runs")) refuse_foreign_description(cohort, output);
+  refuse_foreign_description(cohort, output);
   const RunsFolder folder(output, cohort_folder_kind, part.subjects.empty());
   keep_description(cohort, folder.path());
   keep_memory_of_runs(cohort.options.limits, settings.jobs);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "cohorts/execution/atlas.h"
+#include "cohorts/execution/kept_results.h"
 #include "cohorts/execution/mean_atlas.h"
 #include "cohorts/execution/round_record.h"
 #include "cohorts/execution/stage_tasks.h"
@@ -183,6 +184,23 @@ class CohortRun {
   std::vector<AtlasRound> rounds_;
 };
 
+CohortOutcome run(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,
+                  const CohortPart& part, CohortObserver& observer) {
+  const StageTasks sources(cohort, folder.path() + "/mirrored");
+  const AtlasOptions& atlas = cohort.options.atlas;
+  const InputOptions& input = cohort.experiment.input;
+  const Subject* subject = find_subject(cohort, atlas.shape);
+  const AnyShape shape = open_shape(subject != nullptr ? sources.source_of(*subject) : atlas.shape,
+                                    input.close, volume_space(input));
+  const std::string landmarks =
+      atlas.landmarks.empty() && subject != nullptr ? sources.landmarks_of(*subject) : atlas.landmarks;
+  return std::visit(
+      [&]<int Dim>(const Shape<Dim>& s) {
+        return CohortRun<Dim>(cohort, folder, settings, part, observer).go(s.original, landmarks);
+      },
+      shape);
+}
+
 }  // namespace
 
 int n_rounds(const Cohort& cohort) {
@@ -199,19 +217,7 @@ const RunsFolderKind cohort_folder_kind{
 
 CohortOutcome run_cohort(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,
                          const CohortPart& part, CohortObserver& observer) {
-  const StageTasks sources(cohort, folder.path() + "/mirrored");
-  const AtlasOptions& atlas = cohort.options.atlas;
-  const InputOptions& input = cohort.experiment.input;
-  const Subject* subject = find_subject(cohort, atlas.shape);
-  const AnyShape shape = open_shape(subject != nullptr ? sources.source_of(*subject) : atlas.shape,
-                                    input.close, volume_space(input));
-  const std::string landmarks =
-      atlas.landmarks.empty() && subject != nullptr ? sources.landmarks_of(*subject) : atlas.landmarks;
-  return std::visit(
-      [&]<int Dim>(const Shape<Dim>& s) {
-        return CohortRun<Dim>(cohort, folder, settings, part, observer).go(s.original, landmarks);
-      },
-      shape);
+  return saying_what_is_kept(folder.path(), [&] { return run(cohort, folder, settings, part, observer); });
 }
 
 }  // namespace shellmatch

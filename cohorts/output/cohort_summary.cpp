@@ -80,7 +80,9 @@ std::vector<std::string> cohort_summary_lines(const CohortSummary& s) {
   if (s.landmarks)
     lines.push_back(fmt::format("{} landmarks: median {:.3g}{} from the known ones, 95 % within {:.3g}",
                                 s.landmarks->n, s.landmarks->median, unit, s.landmarks->p95));
-  if (s.standard_deviation) {
+  if (s.standard_deviation && s.compactness.empty()) {
+    lines.push_back("the subjects do not differ: there are no modes");
+  } else if (s.standard_deviation) {
     std::string shares;
     for (std::size_t k = 0; k < std::min<std::size_t>(5, s.compactness.size()); ++k)
       shares += fmt::format("{}{:.0f}", k == 0 ? "" : ", ", 100 * s.compactness[k]);

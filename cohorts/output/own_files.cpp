@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array statistics_files{"mean.ply", "mean.csv", "mean.vtp", "modes.npy", "modes.csv", "scores.csv"};
+constexpr std::array mean_files{"mean.ply", "mean.csv", "mean.vtp"};
+constexpr std::array statistics_files{"modes.npy", "modes.csv", "scores.csv"};
 constexpr std::array point_files{"points.npy", "aligned.npy", "faces.npy"};
 
 /// mode_K_minus.ply, mode_K_plus.csv, mode_K.webp
@@ -29,12 +30,35 @@ bool is_of_a_mode(std::string_view name) {
   return digits > 0 && (end == ".webp" || end == "_minus.ply" || end == "_plus.ply" || end == "_minus.csv" || end == "_plus.csv");
 }
 
+bool is_in(const auto& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+
+bool is_of_a_model(const std::string& name) {
+  return is_of_a_mode(name) || is_in(mean_files, name) || is_in(statistics_files, name) || is_in(point_files, name);
+}
+
 /// Of a path within the folder of a cohort; files of runs are protected by their own checksums, but are made anew as well.
 bool is_written(const fs::path& inside) {
   const std::string first = inside.begin()->string();
-  constexpr std::array folders{"model", "runs", "atlas", "mirrored"};
-  constexpr std::array files{"atlas.ply", "atlas.csv", "atlas_landmarks.csv", "subjects.csv", "times.csv", "landmarks.csv", "landmarks_on_atlas.csv"};
-  return std::ranges::find(folders, first) != folders.end() || std::ranges::find(files, inside.string()) != files.end();
+  constexpr std::array folders{"runs", "atlas", "mirrored"};
+  constexpr std::array files{"atlas.ply", "atlas.csv", "atlas_landmarks.csv", "subjects.csv", "times.csv", "landmarks.csv", "landmarks_on_atlas.csv",
+                             "summary.json", "report.html"};
+  if (first == "model") return inside.parent_path() == "model" && is_of_a_model(inside.filename().string());
+  return is_in(folders, first) || is_in(files, inside.string());
+}
+
+/// The path within a folder; empty where it is not in there.
+fs::path path_within(const fs::path& folder, const fs::path& path) {
+  fs::path inside = path.lexically_relative(folder);
+  return !inside.empty() && *inside.begin() == ".." ? fs::path() : inside;
+}
+
+/// Whether the cohort is going to write the file, under its own name or under that to which a link leads.
+bool is_written_in(const fs::path& folder, const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file);
+  for (const fs::path& name : {fs::weakly_canonical(file, error), fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename()})
+    if (const fs::path inside = path_within(folder, name); !inside.empty() && is_written(inside)) return true;
+  return false;
 }
 
 }  // namespace
@@ -48,34 +72,33 @@ void remove_own_table(const std::string& path, std::string_view first_line) {
   fs::remove(path, error);
 }
 
-void remove_model_files(const std::string& folder, StaleFiles what) {
+void remove_model_files(const std::string& folder, StaleFiles what, int dimension) {
   std::error_code error;
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const bool is_statistic = std::ranges::find(statistics_files, name) != statistics_files.end(),
-               is_of_points = std::ranges::find(point_files, name) != point_files.end();
-    if (is_of_a_mode(name) || (what != StaleFiles::mode_shapes && is_statistic) || (what == StaleFiles::all && is_of_points))
-      found.push_back(entry.path());
+    if (!fs::is_regular_file(entry.symlink_status(error))) continue;  // the program makes neither links nor folders there
+    const bool is_mean_of_this = is_in(mean_files, name) && name.ends_with(".csv") == (dimension == 2);
+    const bool has_one_now = (what == StaleFiles::mode_shapes && (is_mean_of_this || is_in(statistics_files, name))) ||
+                             (what != StaleFiles::all && is_in(point_files, name));
+    if (is_of_a_model(name) && !has_one_now) found.push_back(entry.path());
   }
   for (const fs::path& path : found) fs::remove(path, error);
-  if (what == StaleFiles::all) fs::remove(folder, error);  // fails where it holds something else
+  // Fails where it holds something else; a link would go even then.
+  if (what == StaleFiles::all && fs::is_directory(fs::symlink_status(folder, error))) fs::remove(folder, error);
 }
 
 void check_inputs_are_kept(const Cohort& cohort, const std::string& folder) {
-  std::vector<std::string> inputs{cohort.options.atlas.shape, cohort.options.atlas.landmarks};
+  std::vector<std::string> files{cohort.options.table, cohort.options.atlas.shape, cohort.options.atlas.landmarks};
   for (const Subject& subject : cohort.subjects) {
-    inputs.push_back(subject.source);
-    inputs.push_back(subject.landmarks);
+    files.push_back(subject.source);
+    files.push_back(subject.landmarks);
   }
   std::error_code error;
   const fs::path place = fs::weakly_canonical(folder, error);
-  for (const std::string& input : inputs) {
-    if (input.empty() || !fs::exists(input, error)) continue;
-    const fs::path inside = fs::weakly_canonical(input, error).lexically_relative(place);
-    if (!inside.empty() && *inside.begin() != ".." && is_written(inside))
-      throw_input_error("{}: the cohort in {} writes this file itself; copy it elsewhere, or choose another folder with -o", input, folder);
-  }
+  for (const std::string& file : files)
+    if (!file.empty() && fs::exists(file, error) && is_written_in(place, file))
+      throw_input_error("{}: the cohort in {} writes this file itself; copy it elsewhere, or choose another folder with -o", file, folder);
 }
 
 }  // namespace shellmatch

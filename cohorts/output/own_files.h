@@ -15,11 +15,11 @@ void remove_own_table(const std::string& path, std::string_view first_line);
 /// What of the folder `model` the present model lacks.
 enum class StaleFiles { mode_shapes, statistics, all };
 
-/// Removes files of an earlier model by their names: shapes and animations of single modes; with `statistics` also mean, modes and scores; with
-/// `all` points and the folder itself, if it is empty then. Other files belong to the user.
-void remove_model_files(const std::string& folder, StaleFiles what);
+/// Removes files of an earlier model by their names: shapes and animations of single modes, and a mean of another dimension; with `statistics`
+/// also mean, modes and scores; with `all` points and the folder itself, if it is empty then. Other files belong to the user.
+void remove_model_files(const std::string& folder, StaleFiles what, int dimension);
 
-/// \throws InputError if a shape, an atlas or a file of landmarks is one that the cohort is going to write in this folder
+/// \throws InputError if a table, a shape, an atlas or a file of landmarks is one that the cohort is going to write in this folder
 void check_inputs_are_kept(const Cohort& cohort, const std::string& folder);
 
 }  // namespace shellmatch

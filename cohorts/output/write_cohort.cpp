@@ -1,6 +1,7 @@
 #include "cohorts/output/write_cohort.h"
 
 #include "base/replace_file.h"
+#include "cohorts/execution/kept_results.h"
 #include "cohorts/output/cohort_statistics.h"
 #include "cohorts/output/cohort_summary.h"
 #include "cohorts/output/cohort_tables.h"
@@ -12,8 +13,10 @@
 
 namespace shellmatch {
 
+namespace {
+
 template <int Dim>
-std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished,
+std::vector<std::string> write_files(const Cohort& cohort, FinishedCohort<Dim> finished,
                                       const std::string& folder, std::vector<std::string>& notes) {
   const Eigen::MatrixXd points = finished.stage.points.coordinates.topRows(
       Dim * static_cast<Eigen::Index>(finished.atlas.shape.vertices.size()));
@@ -24,20 +27,23 @@ std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> 
 
   replace_file(folder + "/subjects.csv", subjects_csv(cohort, result.subjects, result.rows));
   replace_file(folder + "/times.csv", times_csv(result.subjects));
-  const auto write_or_remove = [&](const std::string& name, const std::string& text, bool is_there) {
+  const auto write_or_remove = [&](const std::string& name, const std::string& text, bool is_there, const std::vector<std::string>& empty_tables) {
     if (is_there)
       replace_file(folder + "/" + name, text);
     else
-      remove_own_table(folder + "/" + name, text.substr(0, text.find('\n')));  // of an earlier run, in which there were some
+      for (const std::string& empty : empty_tables)
+        remove_own_table(folder + "/" + name, empty.substr(0, empty.find('\n')));  // of an earlier run, in which there were some
   };
-  write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty());
+  write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty(),
+                  {landmarks_csv<2>({}, {}, {}), landmarks_csv<3>({}, {}, {})});
   write_or_remove("landmarks_on_atlas.csv", returned_landmarks_csv<Dim>(result.subjects, returned),
-                  !returned.empty());
-  if (landmarks.empty()) remove_own_table(folder + "/atlas_landmarks.csv", named_points_header<Dim>);
+                  !returned.empty(), {returned_landmarks_csv<2>({}, {}), returned_landmarks_csv<3>({}, {})});
+  if (landmarks.empty())
+    for (const char* header : {named_points_header<2>, named_points_header<3>}) remove_own_table(folder + "/atlas_landmarks.csv", header);
   if (result.rows.empty()) {
-    remove_model_files(folder + "/model", StaleFiles::all);
+    remove_model_files(folder + "/model", StaleFiles::all, Dim);
   } else {
-    remove_model_files(folder + "/model", result.model ? StaleFiles::mode_shapes : StaleFiles::statistics);
+    remove_model_files(folder + "/model", result.model ? StaleFiles::mode_shapes : StaleFiles::statistics, Dim);
     write_model(result, points, cohort.options.statistics.mode_meshes, folder + "/model");
     if (result.model) {
       replace_file(folder + "/model/scores.csv", scores_csv(*result.model, result.subjects, result.rows));
@@ -49,6 +55,14 @@ std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> 
   replace_file(folder + "/summary.json", cohort_summary_json(summary));
   replace_file(folder + "/report.html", cohort_report_html(result));
   return cohort_summary_lines(summary);
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished,
+                                      const std::string& folder, std::vector<std::string>& notes) {
+  return saying_what_is_kept(folder, [&] { return write_files<Dim>(cohort, std::move(finished), folder, notes); });
 }
 
 template std::vector<std::string> write_cohort<2>(const Cohort&, FinishedCohort<2>, const std::string&,

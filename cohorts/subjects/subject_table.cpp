@@ -113,13 +113,15 @@ std::vector<Subject> read_subject_table(const std::string& path) {
   const std::vector<std::string> columns = read_head(reader);
   const fs::path folder = fs::absolute(path).parent_path();
   std::vector<Subject> subjects;
+  std::vector<std::size_t> lines;
   while (reader.next()) {
     std::vector<std::string> fields;
     for (const std::string_view field : csv_fields(reader.line())) fields.push_back(csv_text(field));
     subjects.push_back(subject_of(columns, fields, reader, folder));
+    lines.push_back(reader.number());
   }
   if (subjects.empty()) throw_input_error("{}: has no subject below its head line", path);
-  check_subjects(subjects, path);
+  check_subjects(subjects, path, lines);
   return subjects;
 }
 
@@ -146,18 +148,25 @@ std::vector<Subject> subjects_of(const std::vector<std::string>& names, const st
   return subjects;
 }
 
-void check_subjects(const std::vector<Subject>& subjects, const std::string& where) {
-  std::map<std::string, std::string> source_of;
-  for (const Subject& subject : subjects) {
+void check_subjects(const std::vector<Subject>& subjects, const std::string& where, const std::vector<std::size_t>& lines) {
+  std::map<std::string, std::size_t> number_of;
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    const Subject& subject = subjects[k];
     if (subject.id.empty() || subject.id.size() > 200 || subject.id != safe_file_name(subject.id) || subject.id.starts_with('.') ||
         subject.id.starts_with('-'))
       throw_input_error(
           "{}: the id '{}' cannot be the name of a folder; expected 1 to 200 letters, digits and ._+-=, "
           "not . or - first",
           where, subject.id.substr(0, 220));
-    if (const auto [at, is_new] = source_of.emplace(subject.id, subject.source); !is_new)
+    const auto [at, is_new] = number_of.emplace(subject.id, k);
+    if (is_new) continue;
+    const std::string& other = subjects[at->second].source;
+    if (lines.empty())
       throw_input_error("{}: two subjects have the id {}: {} and {}; give them ids in a table", where,
-                        subject.id, at->second, subject.source);
+                        subject.id, other, subject.source);
+    throw_input_error("{}, lines {} and {}: two subjects have the id {}: {} and {}; ids must differ: change the "
+                      "column id (where that is missing or empty, the file's name is the id)",
+                      where, lines[at->second], lines[k], subject.id, other, subject.source);
   }
 }
 

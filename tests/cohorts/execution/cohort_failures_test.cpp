@@ -43,6 +43,16 @@ TEST_F(CohortProgram, OneSubjectHasNoModes) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/model/points.npy"));
 }
 
+TEST_F(CohortProgram, SubjectsThatDoNotDifferHaveNoModes) {
+  write_ellipse("a.csv", 1, 0.8);
+  write_ellipse("b.csv", 1, 0.8);
+  const ProgramResult result = cohort({"a.csv", "b.csv", "--atlas", "a.csv", "-o", "out", "--levels", "2:3", "--set", "align.mode=none", "--set", "pictures=none",
+                                       "--set", "report=false"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "the subjects do not differ")) << result.err;
+  EXPECT_FALSE(has(result.err, "% of the variance")) << result.err;
+}
+
 TEST_F(CohortProgram, GroupsThatAreTooSmallAreNotComparedAndNothingIsLost) {
   write("table.csv",
         "id,file,group\na,generate:sphere/large,x\nb,generate:sphere/small,x\nc,generate:sphere/large,y\nd,generate:sphere/small,y\n");

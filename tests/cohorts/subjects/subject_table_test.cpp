@@ -56,7 +56,11 @@ TEST_F(SubjectTable, MistakesAreSaidWithTheirLine) {
   EXPECT_NE(refusal("file,file\na,b\n").find("two columns"), std::string::npos);
   EXPECT_NE(refusal("file,id\n,a\n").find("line 2: the name of the file is empty"), std::string::npos);
   EXPECT_NE(refusal("file\n").find("no subject"), std::string::npos);
-  EXPECT_NE(refusal("file\na/s.ply\nb/s.ply\n").find("two subjects have the id s"), std::string::npos);
+  EXPECT_NE(refusal("file\na/s.ply\nb/s.ply\n").find("lines 2 and 3: two subjects have the id s"), std::string::npos);
+  const std::string equal = refusal("id,file\nx,a.ply\ny,b.ply\n\nx,c.ply\n");
+  EXPECT_NE(equal.find("lines 2 and 5: two subjects have the id x"), std::string::npos) << equal;
+  EXPECT_NE(equal.find("ids must differ"), std::string::npos) << equal;
+  EXPECT_EQ(equal.find("give them ids in a table"), std::string::npos) << equal;
   EXPECT_NE(refusal("file,id\na.ply,../up\n").find("cannot be the name of a folder"), std::string::npos);
   EXPECT_NE(refusal("file\na/hand/\n").find("the id '' cannot be the name of a folder"), std::string::npos);
   EXPECT_NE(refusal("file,id\na.ply,.hidden\n").find("cannot be the name of a folder"), std::string::npos);

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// What a cohort that is stopped between its matchings says.
+
+#include "base/stop.h"
+
+#include <string>
+
+namespace shellmatch {
+
+/// Calls `work`. Loops that are stopped there say that nothing was written (base/stop.h), which is not so in a cohort's folder.
+/// \throws Stopped with what is kept, and whatever else `work` throws
+template <class Work>
+auto saying_what_is_kept(const std::string& folder, Work&& work) {
+  try {
+    return work();
+  } catch (const Stopped& stopped) {
+    throw Stopped("stopped; the matchings that have finished are kept in " + folder + ", and the same command goes on from there",
+                  stopped.cause());
+  }
+}
+
+}  // namespace shellmatch
