@@ -1,5 +1,7 @@
 #include "apps/process/interrupt.h"
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 
 namespace shellmatch {
@@ -8,7 +10,9 @@ namespace {
 
 constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t requested = 0;  // number of the signal received; 0: none
+// Number of the signal received; 0: none. Atomic, since all threads ask; without locks, as a signal handler has to be.
+std::atomic<int> requested = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void set_handlers(void (*handler)(int)) {
   struct sigaction action {};
@@ -23,8 +27,10 @@ void set_handlers(void (*handler)(int)) {
 }
 
 extern "C" void note_interrupt(int signal) {
+  const int interrupted_errno = errno;
   requested = signal;
   set_handlers(SIG_DFL);  // the next one ends the program
+  errno = interrupted_errno;
 }
 
 }  // namespace
@@ -33,6 +39,9 @@ void catch_interrupts() { set_handlers(note_interrupt); }
 
 bool interrupt_requested() { return requested != 0; }
 
-int interrupt_exit_code() { return 128 + (interrupt_requested() ? requested : SIGINT); }
+int interrupt_exit_code() {
+  const int signal = requested;
+  return 128 + (signal != 0 ? signal : SIGINT);
+}
 
 }  // namespace shellmatch

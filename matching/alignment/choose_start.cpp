@@ -47,10 +47,11 @@ class Choosing {
   }
 
   void among(const std::vector<std::size_t>& close, StartChoice& choice) {
-    std::vector<double> merit(starts_.size());  // the least is best
-    for (const std::size_t i : close) merit[i] = std::sqrt(starts_[i].score * trial(i).with_pairs);
+    // The least is best. Scores are relative distances, energies squares of such, of which a coarse grid may err by a fifth.
+    std::vector<double> merit(starts_.size());
+    for (const std::size_t i : close) merit[i] = starts_[i].score * std::sqrt(trial(i).with_pairs);
     const auto preferred = [&](std::size_t i) {
-      return starts_[i].is_identity ? merit[i] / std::sqrt(options_.search.identity_preference) : merit[i];
+      return starts_[i].is_identity ? merit[i] / options_.search.identity_preference : merit[i];
     };
     const std::size_t best =
         *std::min_element(close.begin(), close.end(), [&](auto a, auto b) { return preferred(a) < preferred(b); });

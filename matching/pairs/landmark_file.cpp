@@ -169,38 +169,43 @@ std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const st
 
 namespace {
 
+/// Landmarks, and their standard deviations where the file has these instead of weights.
+template <int Dim>
+struct FileLandmarks {
+  std::vector<Landmark<Dim>> landmarks;
+  std::map<std::string, double> deviations = {};  ///< by name: of all, or of none
+};
+
 /// The landmarks of a file that holds the points of both shapes.
 template <int Dim>
-std::vector<Landmark<Dim>> landmarks_of_both(const std::string& path, const std::vector<Vec<Dim>>& reference,
-                                             const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
-                                             bool& has_deviations) {
+FileLandmarks<Dim> landmarks_of_both(const std::string& path, const std::vector<Vec<Dim>>& reference,
+                                     const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces) {
   if (is_slicer_file(path))
     throw_input_error("{}: holds points of one shape; give those of the template, too (--template-landmarks)", path);
-  std::vector<Landmark<Dim>> landmarks;
+  FileLandmarks<Dim> read;
   for_each_row<Dim>(path, {"1", "2"}, false, [&](const Row& row, const std::string& name) {
     Landmark<Dim> landmark{name, row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes),
                           row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes)};
-    has_deviations = row.find("sd") != nullptr;
-    if (has_deviations) landmark.weight = row.positive("sd");
+    if (row.find("sd")) read.deviations[name] = row.positive("sd");
     if (row.find("weight")) landmark.weight = row.positive("weight");
     landmark.reference_origin = landmark.template_origin = row.place();
-    landmarks.push_back(std::move(landmark));
+    read.landmarks.push_back(std::move(landmark));
   });
-  return landmarks;
+  return read;
 }
 
 /// The landmarks of two files, which belong together by name.
 template <int Dim>
-std::vector<Landmark<Dim>> landmarks_of_each(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
-                                             const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
-                                             bool& has_deviations, std::vector<std::string>& notes) {
+FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
+                                     const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces, std::vector<std::string>& notes) {
   std::map<std::string, Landmark<Dim>*> landmark_of;
   const std::vector<NamedPoint<Dim>> here = read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes);
-  std::vector<Landmark<Dim>> landmarks;
+  FileLandmarks<Dim> read;
+  std::vector<Landmark<Dim>>& landmarks = read.landmarks;
   landmarks.reserve(here.size());  // the map keeps addresses
   for (const NamedPoint<Dim>& point : here) {
-    has_deviations = point.deviation.has_value();
-    landmarks.push_back({point.name, point.point, {}, point.deviation.value_or(point.weight.value_or(1)), point.place, {}});
+    if (point.deviation) read.deviations[point.name] = *point.deviation;
+    landmarks.push_back({point.name, point.point, {}, point.weight.value_or(1), point.place, {}});
     landmark_of[point.name] = &landmarks.back();
   }
   for (const NamedPoint<Dim>& point : read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes)) {
@@ -220,15 +225,20 @@ std::vector<Landmark<Dim>> landmarks_of_each(const LandmarkOptions& options, con
       throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name, options.template_file);
   if (landmarks.empty())
     throw_input_error("{}: has no name in common with {}; leave the landmarks out, or name them alike", options.template_file, options.file);
-  return landmarks;
+  return read;
 }
 
 /// Standard deviations become weights 1 / sd^2, scaled to a mean of 1.
 template <int Dim>
-void weigh_by_deviations(std::vector<Landmark<Dim>>& landmarks) {
+std::vector<Landmark<Dim>> weighted(FileLandmarks<Dim> read) {
+  if (read.deviations.empty()) return std::move(read.landmarks);
   double sum = 0;
-  for (auto& landmark : landmarks) sum += landmark.weight = 1 / (landmark.weight * landmark.weight);
-  for (auto& landmark : landmarks) landmark.weight *= static_cast<double>(landmarks.size()) / sum;
+  for (Landmark<Dim>& landmark : read.landmarks) {
+    const double deviation = read.deviations.at(landmark.name);
+    sum += landmark.weight = 1 / (deviation * deviation);
+  }
+  for (Landmark<Dim>& landmark : read.landmarks) landmark.weight *= static_cast<double>(read.landmarks.size()) / sum;
+  return std::move(read.landmarks);
 }
 
 }  // namespace
@@ -242,14 +252,10 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
       throw_input_error("landmarks.template_file: {}: landmarks.file, the points of the reference, is missing", options.template_file);
     return {};
   }
-  bool has_deviations = false;
   std::vector<std::string> own_notes;
-  std::vector<Landmark<Dim>> landmarks =
-      options.template_file.empty()
-          ? landmarks_of_both<Dim>(options.file, reference, template_shape, spaces, has_deviations)
-          : landmarks_of_each<Dim>(options, reference, template_shape, spaces, has_deviations, notes ? *notes : own_notes);
-  if (has_deviations) weigh_by_deviations(landmarks);
-  return landmarks;
+  return weighted(options.template_file.empty()
+                      ? landmarks_of_both<Dim>(options.file, reference, template_shape, spaces)
+                      : landmarks_of_each<Dim>(options, reference, template_shape, spaces, notes ? *notes : own_notes));
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \

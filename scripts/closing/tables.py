@@ -5,8 +5,8 @@ import re
 import subprocess
 import time
 
-from closing import meshes
-from verdicts.shapes import write_mesh
+from closing import cuts
+from lib import meshes
 
 LEVELS = ["--levels", "3:6", "--align", "none", "--set", "pictures=none", "--force"]
 
@@ -39,8 +39,8 @@ def dirty_row(program, path, folder):
     end = ["", "", "", ""]
     try:
         points, faces = meshes.read(path)
-        truth = meshes.bent(points)
-        write_mesh(folder / "bent.off", truth, faces)
+        truth = cuts.bent(points)
+        meshes.write_off(folder / "bent.off", truth, faces)
         done, seconds = run(program, "match", path, folder / "bent.off", "-o", folder / "run", *LEVELS)
         if done.returncode == 0:
             summary, ends = result_of(folder / "run")
@@ -79,9 +79,9 @@ def pair_row(program, pair, data, folder):
     truth = shapes[1][0]
     parts, kept = [], []
     for k, (points, faces) in enumerate(shapes):
-        points, faces, before = meshes.cut(points, faces, direction, 1 / 3)
+        points, faces, before = cuts.cut(points, faces, direction, 1 / 3)
         parts.append(folder / f"part-{k}.off")
-        write_mesh(parts[k], points, faces)
+        meshes.write_off(parts[k], points, faces)
         kept.append(before)
     there, gone = set(kept[1]), set(range(len(truth))) - set(kept[1])
 

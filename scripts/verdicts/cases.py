@@ -3,7 +3,7 @@ import dataclasses
 import pathlib
 from collections.abc import Callable
 
-from . import shapes
+from lib import transforms
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,23 +24,23 @@ class Case:
 
 
 def turn(degrees, axis):
-    return lambda points, faces: (shapes.turned(points, degrees, axis), faces)
+    return lambda points, faces: (transforms.turned(points, degrees, axis), faces)
 
 
 def mirror(axis):
-    return lambda points, faces: shapes.mirrored(points, faces, axis)
+    return lambda points, faces: transforms.mirrored(points, faces, axis)
 
 
 def scale(factor):
-    return lambda points, faces: (shapes.scaled(points, factor), faces)
+    return lambda points, faces: (transforms.scaled(points, factor), faces)
 
 
 def move(diagonals, axis):
-    return lambda points, faces: (shapes.moved(points, diagonals, axis), faces)
+    return lambda points, faces: (transforms.moved(points, diagonals, axis), faces)
 
 
 def double(points, faces):
-    return shapes.joined((points, faces), (shapes.moved(points, 0.8, "x"), faces))
+    return transforms.joined((points, faces), (transforms.moved(points, 0.8, "x"), faces))
 
 
 def generated():

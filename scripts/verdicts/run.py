@@ -5,7 +5,8 @@ import pathlib
 import re
 import subprocess
 
-from . import shapes
+from lib import meshes
+
 from .cases import Case
 
 
@@ -43,11 +44,11 @@ def inputs(case, program, folder, name):
     """Words for `shellmatch match`; a shape that is changed before becomes a file."""
     if case.change is None:
         words = [shape if pathlib.Path(shape).suffix else f"generate:{shape}" for shape in (case.reference, case.template)]
-        points = shapes.read_mesh(case.template)[0] if case.has_known_errors else []
+        points = meshes.read(case.template)[0] if case.has_known_errors else []
     else:
         template = folder / f"{name}.off"
-        points, faces = case.change(*shapes.read_mesh(as_file(program, case.template, folder, f"{name}-template")))
-        shapes.write_mesh(template, points, faces)
+        points, faces = case.change(*meshes.read(as_file(program, case.template, folder, f"{name}-template")))
+        meshes.write_off(template, points, faces)
         words = [as_file(program, case.reference, folder, f"{name}-reference"), str(template)]
     return words + (list(known_points(points, folder / f"{name}.txt")) if case.has_known_errors else [])
 

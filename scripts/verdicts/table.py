@@ -33,10 +33,3 @@ def counts_text(results):
     lines = [["maps", *OUTCOMES], ["---"] * 4]
     lines += [[f"{sum(n[right, o] for o in OUTCOMES)} {name}", *(str(n[right, o]) for o in OUTCOMES)] for right, name in ((True, "right"), (False, "wrong"))]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
-def put_into_page(path, text):
-    page = path.read_text()
-    if BEGIN not in page or END not in page:
-        raise SystemExit(f"{path}: the marks of the table are missing")
-    path.write_text(page[:page.index(BEGIN)] + BEGIN + "\n" + text + page[page.index(END):])

@@ -125,6 +125,7 @@ TEST(ChooseStart, ThePreferredFirstIsTriedWithThoseThatScoreAsWell) {
   const StartChoice choice = choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, quick());
   EXPECT_EQ(choice.index, 0u);
   EXPECT_EQ(choice.n_tried, 2u);
+  EXPECT_NEAR(choice.margin, 0.50 / 0.51, 1e-12);  // they reach the same energy
   ExperimentOptions o = quick();
   o.align.clear_margin = 1;  // the score alone
   EXPECT_EQ(choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, o).n_tried, 0u);

@@ -1,33 +1,5 @@
-"""Meshes and contours that are turned, moved, mirrored, scaled or joined before they are matched. OFF, OBJ and CSV as text."""
+"""Points and polygons that are turned, moved, mirrored, scaled or joined before they are matched."""
 import math
-import pathlib
-
-
-def read_mesh(path):
-    """Points and polygons of an OFF or OBJ file."""
-    lines = [line.split("#")[0].split() for line in pathlib.Path(path).read_text().splitlines()]
-    lines = [words for words in lines if words]
-    if lines[0][0] == "OFF":
-        numbers = [word for words in lines for word in words][1:]
-        n_points, n_faces = int(numbers[0]), int(numbers[1])
-        values = numbers[3:]
-        points = [tuple(map(float, values[3 * i:3 * i + 3])) for i in range(n_points)]
-        faces, at = [], 3 * n_points
-        for _ in range(n_faces):
-            n = int(values[at])
-            faces.append([int(v) for v in values[at + 1:at + 1 + n]])
-            at += 1 + n
-        return points, faces
-    points = [tuple(map(float, words[1:4])) for words in lines if words[0] == "v"]
-    faces = [[int(word.split("/")[0]) - 1 for word in words[1:]] for words in lines if words[0] == "f"]
-    return points, faces
-
-
-def write_mesh(path, points, faces):
-    text = [f"OFF\n{len(points)} {len(faces)} 0"]
-    text += [" ".join(map(repr, p)) for p in points]
-    text += [f"{len(f)} " + " ".join(map(str, f)) for f in faces]
-    pathlib.Path(path).write_text("\n".join(text) + "\n")
 
 
 def middle(points):
@@ -67,3 +39,19 @@ def joined(first, second):
     points, faces = first
     more_points, more_faces = second
     return points + more_points, faces + [[v + len(points) for v in f] for f in more_faces]
+
+
+def random_rotation(random):
+    """A matrix with determinant 1, uniform among all, from a unit quaternion."""
+    w, x, y, z = (random.gauss(0, 1) for _ in range(4))
+    s = 2 / (w * w + x * x + y * y + z * z)
+    return [[1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)],
+            [s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)],
+            [s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)]]
+
+
+def rotated(points, matrix):
+    """About the middle of the bounding box."""
+    centre = middle(points)
+    offsets = [[p[k] - centre[k] for k in range(3)] for p in points]
+    return [tuple(centre[i] + sum(matrix[i][k] * q[k] for k in range(3)) for i in range(3)) for q in offsets]
