@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace shellmatch {
 
@@ -15,6 +16,15 @@ void set_verbosity(Verbosity& present, Verbosity verbosity) {
   if (present != Verbosity::normal && present != verbosity)
     throw_input_error("--quiet and --verbose exclude each other");
   present = verbosity;
+}
+
+/// Of an option at the top of an experiment's YAML file.
+std::string meaning_of(const std::string& option) {
+  ExperimentOptions options;
+  const OptionNode all = option_tree(options);
+  const auto it = std::ranges::find(all.children, option, &OptionNode::name);
+  if (it == all.children.end()) throw std::logic_error("there is no option " + option);
+  return std::string(it->info.meaning);
 }
 
 }  // namespace
@@ -63,13 +73,6 @@ void add_limits(CLI::App& command, Limits& limits) {
   command.add_option("--max-seconds", limits.seconds, "stop in order after this time (exit code 4)")->type_name("SECONDS");
   command.add_option("--max-memory", limits.memory, "stop in order before more is used (exit code 4); runs of a study or cohort together")
       ->type_name("800MB|4GB");
-}
-
-std::string meaning_of(const std::string& option) {
-  ExperimentOptions options;
-  const OptionNode all = option_tree(options);
-  const auto it = std::ranges::find(all.children, option, &OptionNode::name);
-  return std::string(it->info.meaning);
 }
 
 }  // namespace shellmatch

@@ -28,7 +28,4 @@ void add_output_settings(CLI::App& command, RunSettings& settings, const std::st
 /// The limits that every command has.
 void add_limits(CLI::App& command, Limits& limits);
 
-/// The meaning of an option of experiments, at the top of their YAML files. \pre it exists
-std::string meaning_of(const std::string& option);
-
 }  // namespace shellmatch

@@ -64,11 +64,12 @@ bool is_written_in(const fs::path& folder, const fs::path& file) {
 }  // namespace
 
 void remove_own_table(const std::string& path, std::string_view first_line) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) return;  // a link is somebody's
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) || line != first_line) return;
   file.close();
-  std::error_code error;
   fs::remove(path, error);
 }
 

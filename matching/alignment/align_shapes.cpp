@@ -69,7 +69,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const AlignOptions& options,
   s.doubtful = choice.is_doubtful;
   s.as_it_lies = choice.as_it_lies;
   std::string why;
-  if (choice.n_tried > 0) why += fmt::format(", chosen among {} by the energy reached", choice.n_tried);
+  if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",

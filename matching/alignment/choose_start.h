@@ -32,7 +32,7 @@ struct StartSearch {
 
 struct StartChoice {
   std::size_t index = 0;
-  /// By which factor the others are worse, at least: sqrt(ratio of scores * ratio of energies) for those tried, the ratio of
+  /// By which factor the others are worse, at least: ratio of scores times root of the ratio of energies for those tried, ratio of
   /// scores for the others; infinite without others. Others of the other handedness do not count: on a shape that is its own
   /// mirror image they are as good, and right as well.
   double margin = 0;

@@ -1,5 +1,7 @@
 #include "matching/alignment/known_pairs.h"
 
+#include "matching/alignment/correct_pairs.h"
+
 namespace shellmatch {
 
 template <int Dim>
@@ -17,8 +19,11 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
   found.loss = RobustLoss::trivial;
   add("alignment", alignment.pairs, found);
-  if (!alignment.pairs.empty())
-    sets.back().pairs.tolerance = options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
+  if (alignment.pairs.empty()) return sets;
+  // Pairs of nearly isometric shapes are as exact as landmarks set by hand, whose errors would spoil them.
+  const double share = 1 - 1 / (alignment.spread * alignment.spread);
+  if (!landmarks.empty()) correct_pairs(sets.back().pairs.pairs, sets.front().pairs.pairs, share, reference, template_shape);
+  sets.back().pairs.tolerance = options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
   return sets;
 }
 

@@ -1,6 +1,7 @@
 """Matchings on few levels, how far their vertices end from where they belong, and what was said of their alignment."""
 import concurrent.futures
 import dataclasses
+import hashlib
 import json
 import pathlib
 import random
@@ -9,6 +10,13 @@ import subprocess
 from lib import meshes, transforms
 
 from .cases import MIRRORED, TURNED
+
+
+def fingerprint(words, files):
+    value = hashlib.sha256("\0".join(map(str, words)).encode())
+    for path in files:
+        value.update(pathlib.Path(path).read_bytes())
+    return value.hexdigest() + "\n"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,7 +29,7 @@ class Study:
     def call(self, *words):
         done = subprocess.run([self.program, *map(str, words)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise RuntimeError(f"exit code {done.returncode}: {done.stderr.strip()}")
+            raise RuntimeError(f"{' '.join(map(str, words))}: exit code {done.returncode}: {done.stderr.strip()}")
 
     def file(self, shape):
         """Built-in shapes become files of the output folder."""
@@ -33,15 +41,19 @@ class Study:
         return path
 
     def summary(self, reference, template, levels, folder, truth=None, options=()):
-        """`truth`: pairs of the number of a reference's vertex and the point where it belongs. A run that has finished is kept."""
-        if not (folder / "summary.json").exists():
-            folder.parent.mkdir(parents=True, exist_ok=True)
-            known = folder.with_suffix(".txt")
-            if truth is not None:
-                known.write_text("".join(f"{i} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in truth))
-                options = (*options, "--set", f"input.correspondence={known}")
-            self.call("match", reference, template, "-o", folder, "--levels", levels, "--align", "auto", "--threads", 1, "-q", "--force",
-                      "--set", "pictures=none", "--set", "report=false", *options)
+        """`truth`: pairs of the number of a reference's vertex and the point where it belongs. A run is kept while its words, its files and
+        the program are the same."""
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        known, made_by = folder.with_suffix(".txt"), folder.with_suffix(".made-by")
+        if truth is not None:
+            known.write_text("".join(f"{i} {x!r} {y!r} {z!r}\n" for i, (x, y, z) in truth))
+            options = (*options, "--set", f"input.correspondence={known}")
+        words = ["match", reference, template, "-o", folder, "--levels", levels, "--align", "auto", "--threads", 1, "-q", "--force",
+                 "--set", "pictures=none", "--set", "report=false", *options]
+        made = fingerprint(words, [self.program, *(w for w in (reference, template, known, *options) if pathlib.Path(w).is_file())])
+        if not (folder / "summary.json").exists() or not made_by.exists() or made_by.read_text() != made:
+            self.call(*words)
+            made_by.write_text(made)
         return json.loads((folder / "summary.json").read_text())
 
     def map(self, function, items):

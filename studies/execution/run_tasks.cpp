@@ -159,9 +159,10 @@ std::string prepared(const std::string& path, const RunsFolderKind& kind) {
   if (fs::exists(absolute, error) && !fs::is_directory(absolute, error))
     throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
                       path);
-  const bool has_runs = fs::is_directory(fs::path(absolute) / "runs", error);
+  // Asked for each entry: another shard may begin meanwhile, which makes `runs` before all else.
+  const auto has_runs = [&] { return fs::is_directory(fs::path(absolute) / "runs", error); };
   for (const fs::directory_entry& entry : fs::directory_iterator(absolute, error))
-    if (const std::string name = entry.path().filename().string(); !is_known_entry(kind, name, has_runs))
+    if (const std::string name = entry.path().filename().string(); !is_known_entry(kind, name, has_runs()))
       throw_input_error("{}: holds {}, which no {} has written; choose another folder with -o", path,
                         name, kind.owner);
   fs::create_directories(fs::path(absolute) / "runs", error);
