@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -76,14 +77,21 @@ class Programs:
 def run_and_measure(command, log):
     """Runs a command and returns its wall seconds, CPU seconds and peak memory. Raises BenchError if it fails."""
     begin = time.monotonic()
+    # Held back until the program is known, which must not outlive this process.
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
     with open(log, "w") as out:
-        process = subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT)
         try:
-            _, status, usage = os.wait4(process.pid, 0)
-        except BaseException:  # also on interruption: the program must not outlive this process
-            process.kill()
-            process.wait()
-            raise
+            process = subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT,
+                                       preexec_fn=lambda: signal.pthread_sigmask(signal.SIG_SETMASK, mask))
+            try:
+                signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+                _, status, usage = os.wait4(process.pid, 0)
+            except BaseException:
+                process.kill()
+                process.wait()
+                raise
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
         last = "\n".join(pathlib.Path(log).read_text().splitlines()[-5:])
