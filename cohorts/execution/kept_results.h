@@ -8,7 +8,7 @@
 
 namespace shellmatch {
 
-/// Calls `work`. Loops that are stopped there say that nothing was written (base/stop.h), which is not so in a cohort's folder.
+/// Calls `work`. A parallel loop that is stopped in it says that nothing was written (base/stop.h), which is not so in a cohort's folder.
 /// \throws Stopped with what is kept, and whatever else `work` throws
 template <class Work>
 auto saying_what_is_kept(const std::string& folder, Work&& work) {

@@ -56,7 +56,7 @@ struct CohortOutcome {
 
 /// What there is already is not done again; `settings` as run_tasks().
 /// \throws InputError for an atlas that cannot be read, for a round of which no subject can be used, and for
-/// a stage that waits for an earlier one; EnvironmentError
+/// a stage that waits for an earlier one; EnvironmentError; Stopped between matchings
 CohortOutcome run_cohort(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,
                          const CohortPart& part, CohortObserver& observer);
 

@@ -155,9 +155,9 @@ void check_subjects(const std::vector<Subject>& subjects, const std::string& whe
     if (subject.id.empty() || subject.id.size() > 200 || subject.id != safe_file_name(subject.id) || subject.id.starts_with('.') ||
         subject.id.starts_with('-'))
       throw_input_error(
-          "{}: the id '{}' cannot be the name of a folder; expected 1 to 200 letters, digits and ._+-=, "
+          "{}{}: the id '{}' cannot be the name of a folder; expected 1 to 200 letters, digits and ._+-=, "
           "not . or - first",
-          where, subject.id.substr(0, 220));
+          where, lines.empty() ? "" : fmt::format(", line {}", lines[k]), subject.id.substr(0, 220));
     const auto [at, is_new] = number_of.emplace(subject.id, k);
     if (is_new) continue;
     const std::string& other = subjects[at->second].source;

@@ -13,11 +13,11 @@ namespace shellmatch {
 namespace {
 
 constexpr double largest_difference = 0.1;  // diagonals of the template
-// A linear function of Dim variables, with as many pairs again against their scatter.
+// Twice as many as a linear function of Dim variables has coefficients.
 template <int Dim>
 constexpr std::size_t n_neighbours = 2 * (Dim + 1);
-constexpr double ridge = 0.01;  // in squares of the neighbours' distance; they lie in a plane
-constexpr double far_weight = 0.1;  // of no difference at all, beside that of a landmark next to a pair
+constexpr double ridge = 0.01;  // on the gradient, over the sum of squared distances: neighbours nearly lie in a plane
+constexpr double far_weight = 0.1;  // of no correction, beside 1 for that of a landmark at the pair itself
 
 /// Where the map of the pairs takes x: the displacements of its nearest pairs, fitted by a linear function.
 template <int Dim>
@@ -46,7 +46,7 @@ Vec<Dim> mapped(const std::vector<PointPair<Dim>>& pairs, const Vec<Dim>& x) {
 
 template <int Dim>
 struct Difference {
-  Vec<Dim> p, mapped, value;  ///< a landmark's point of the reference, where the pairs take it, and what lacks to where it belongs
+  Vec<Dim> p, mapped, value;  ///< a landmark's point of the reference, where the pairs map it, and the vector from there to where it belongs
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Meshes of any format as points and polygons: OBJ, OFF, PLY, STL."""
+"""Meshes as points and polygons: OBJ, OFF, PLY and STL are read, OFF is written."""
 import pathlib
 import re
 import struct

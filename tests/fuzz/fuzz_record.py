@@ -34,7 +34,7 @@ READERS = {
             "matching/output/file_checksum.cpp"],
     "history": ["matching/output/history_file.cpp"], "summary": ["matching/output/json_summary.cpp"],
     "manifest": ["matching/checkpoint/json_checkpoint_manifest.cpp"], "levels": ["matching/checkpoint/level_vertices.cpp"], "files": ["matching/output/json_written_files.cpp"],
-    "run_result": ["studies/execution/json_run_result.cpp"], "landmarks": ["matching/pairs/landmark_file.cpp"],
+    "run_result": ["studies/execution/json_run_result.cpp"], "landmarks": ["matching/pairs/landmark_file.cpp", "matching/pairs/landmark_rows.cpp"],
     "fcsv": ["matching/pairs/fcsv_points.cpp"], "markups": ["matching/pairs/json_markups.cpp"],
     "correspondence": ["matching/result/correspondence.cpp"],
 }

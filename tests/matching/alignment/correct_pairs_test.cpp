@@ -3,6 +3,7 @@
 #include "matching/alignment/correct_pairs.h"
 
 #include "geometry/generate/round.h"
+#include "matching/alignment/known_pairs.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -78,6 +79,21 @@ TEST_F(CorrectPairs, LandmarksFarFromWhereThePairsHaveThemChangeNone) {
 TEST_F(CorrectPairs, WhatIsNearOnOneShapeOnlyIsNotMoved) {
   pairs_.push_back({landmarks_[5].p, 2 * centre - landmarks_[5].p});
   EXPECT_LT((corrected(1).back().y - pairs_.back().y).norm(), 0.02 * radius);
+}
+
+TEST_F(CorrectPairs, AreThoseOfShapesFarFromIsometric) {
+  Alignment<3> alignment;
+  for (const PointPair<3>& pair : pairs_) alignment.pairs.push_back({"", pair.p, pair.y});
+  std::vector<Landmark<3>> landmarks;
+  for (const PointPair<3>& pair : landmarks_) landmarks.push_back({"", pair.p, pair.y});
+  const auto error_with = [&](double spread) {
+    alignment.spread = spread;
+    return mean_error(known_pairs<3>(landmarks, alignment, ExperimentOptions(), {}, sphere_, sphere_).back().pairs.pairs);
+  };
+  EXPECT_EQ(error_with(1), mean_error(pairs_));
+  EXPECT_NEAR(error_with(2), mean_error(corrected(0.75)), 1e-12);
+  landmarks.clear();
+  EXPECT_EQ(error_with(2), mean_error(pairs_));
 }
 
 }  // namespace
