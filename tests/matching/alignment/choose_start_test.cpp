@@ -131,6 +131,18 @@ TEST(ChooseStart, ThePreferredFirstIsTriedWithThoseThatScoreAsWell) {
   EXPECT_EQ(choice_of<2>(circles, {scored(0.51), other, scored(0.8)}, 0.98, o).n_tried, 0u);
 }
 
+TEST(ChooseStart, ThePreferredFirstIsTriedHoweverMuchLargerItsScoreIs) {
+  const ShapePair<2> circles = generated<2>("circle", "ellipse");
+  Start<2> other = scored(0.50);
+  other.is_identity = false;
+  const StartChoice choice = choice_of<2>(circles, {scored(0.70), other}, 0.7, quick());
+  EXPECT_EQ(choice.n_tried, 2u);
+  EXPECT_EQ(choice.index, 1u);
+  ExperimentOptions o = quick();
+  o.align.search.identity_preference = 2;
+  EXPECT_EQ(choice_of<2>(circles, {scored(0.70), other}, 0.7, o).index, 0u);
+}
+
 TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
   const ShapePair<2> circles = generated<2>("circle", "ellipse");
   Start<2> other = scored(0.50);
