@@ -51,7 +51,7 @@ Sampling chosen_sampling(const ApplyCommand& command, const Volume& volume) {
   return is_label ? Sampling::label : Sampling::linear;
 }
 
-void carry(const ApplyCommand& command, const Deformation<3>& deformation) {
+PendingFile carried(const ApplyCommand& command, const Deformation<3>& deformation) {
   const Volume volume = read_volume(command.file);
   const VolumeSampler sampler(volume, chosen_sampling(command, volume));
   Volume result{command.like.empty() ? volume.grid : read_voxel_grid(command.like), volume.type, {}};
@@ -67,10 +67,10 @@ void carry(const ApplyCommand& command, const Deformation<3>& deformation) {
   if (n_inside == 0)
     throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?", command.like.empty() ? command.file : command.like,
                       command.inverse ? "reference" : "template", command.like.empty() ? "; --like gives the voxels of another volume" : "");
-  write_volume(command.output, result, existing(command));
+  return volume_file(command.output, result, existing(command));
 }
 
-void write_displacement(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid) {
+PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid) {
   const UserMap<3> map(deformation, command.inverse ? Toward::reference : Toward::template_shape, command.keep_pose);
   std::vector<float> values(3 * grid.n_voxels(), 0.0f);
   std::atomic<std::size_t> n_lost{0};
@@ -84,10 +84,10 @@ void write_displacement(const ApplyCommand& command, const Deformation<3>& defor
     for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
   });
   if (n_lost > 0) say(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
-  write_vector_volume(command.displacement, grid, values, existing(command));
+  return vector_volume_file(command.displacement, grid, values, existing(command));
 }
 
-void write_determinant(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid, const std::string& path, bool logarithm) {
+PendingFile determinant_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid, const std::string& path, bool logarithm) {
   const UserMap<3> map(deformation, command.inverse ? Toward::reference : Toward::template_shape, command.keep_pose);
   Volume result{grid, VoxelType::float32, std::vector<float>(grid.n_voxels(), logarithm ? 0.0f : 1.0f)};
   std::atomic<std::size_t> n_folded{0};
@@ -98,7 +98,7 @@ void write_determinant(const ApplyCommand& command, const Deformation<3>& deform
     result.values[voxel] = static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
   });
   if (n_folded > 0) say(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
-  write_volume(path, result, existing(command));
+  return volume_file(path, result, existing(command));
 }
 
 bool has_fields(const ApplyCommand& command) {
@@ -130,12 +130,15 @@ void apply_to_volumes(const ApplyCommand& command) {
   if (!carries && !command.sampling.empty()) throw_input_error("apply: --sampling {} is for a volume that is carried, and there is none", command.sampling);
   if (has_fields(command) && command.like.empty() && !carries) throw_input_error("apply: say on which voxels: --like VOLUME");
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
-  if (carries) carry(command, deformation);
-  if (!has_fields(command)) return;
-  const VoxelGrid grid = read_voxel_grid(command.like.empty() ? command.file : command.like);
-  if (!command.displacement.empty()) write_displacement(command, deformation, grid);
-  if (!command.jacobian.empty()) write_determinant(command, deformation, grid, command.jacobian, false);
-  if (!command.log_jacobian.empty()) write_determinant(command, deformation, grid, command.log_jacobian, true);
+  std::vector<PendingFile> results;
+  if (carries) results.push_back(carried(command, deformation));
+  if (has_fields(command)) {
+    const VoxelGrid grid = read_voxel_grid(command.like.empty() ? command.file : command.like);
+    if (!command.displacement.empty()) results.push_back(displacement_file(command, deformation, grid));
+    if (!command.jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.jacobian, false));
+    if (!command.log_jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.log_jacobian, true));
+  }
+  publish_together(results);
 }
 
 }  // namespace shellmatch

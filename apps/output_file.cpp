@@ -16,6 +16,8 @@ namespace shellmatch {
 void check_report_file(const std::string& path, bool force) {
   namespace fs = std::filesystem;
   if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
+  // A pipe or device is no file that could be replaced as a whole.
+  if (fs::exists(path) && !fs::is_regular_file(path)) throw_input_error("{}: is a pipe or device; expected the name of a file", path);
   // A link that leads nowhere is a name that is taken, too.
   if (fs::exists(fs::symlink_status(path)) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
   const fs::path folder = fs::absolute(path).parent_path();

@@ -9,7 +9,7 @@
 namespace shellmatch {
 
 /// Checks before any work is done that the file can be written. \throws InputError if it exists and `force` is false,
-/// if it is a folder or lies in none, or if its extension stands for no format of that dimension
+/// if it is a folder, a pipe or a device or lies in no folder, or if its extension stands for no format of that dimension
 void check_output_file(const std::string& path, int dimension, bool force);
 
 /// The same for control points of 3D Slicer, which are written in the format they were read in. \throws InputError

@@ -149,28 +149,50 @@ PartialFile::~PartialFile() {
   ::close(file_);
 }
 
-void publish_file(const std::string& path, Existing existing, const std::function<void(const std::string&)>& write) {
-  PartialFile partial(path);
-  write(partial.name());
+PendingFile::PendingFile(std::string path, Existing existing, const std::function<void(const std::string&)>& write)
+    : path_(std::move(path)), existing_(existing), partial_(std::make_unique<PartialFile>(path_)) {
+  write(partial_->name());
   // Otherwise the new name could be on the disk before the contents are.
-  if (const int error = synchronise(partial.name()); error != 0) fail(path, error);
-  const int error = existing == Existing::is_kept ? rename_to_new(partial.name(), path)
-                                                  : error_of([&] { return ::rename(partial.name().c_str(), path.c_str()); });
-  if (error == EEXIST && existing == Existing::is_kept)
-    throw_input_error("{}: exists by now, made by another program, and is not replaced; choose another name or give --force", path);
-  if (error != 0) fail(path, error);
-  partial.keep();
+  if (const int error = synchronise(partial_->name()); error != 0) fail(path_, error);
 }
 
-void publish_file(const std::string& path, Existing existing, std::string_view bytes) {
-  publish_file(path, existing, [&](const std::string& partial) {
-    int file = -1;
-    int error = error_of([&] { return file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC); });
-    if (error == 0) error = write_bytes(file, bytes);
-    // Where a signal interrupts it, the file is closed all the same.
-    if (file >= 0 && ::close(file) != 0 && errno != EINTR && error == 0) error = errno;
-    if (error != 0) fail(path, error);
-  });
+PendingFile::PendingFile(std::string path, Existing existing, std::string_view bytes)
+    : PendingFile(path, existing, [&](const std::string& partial) {
+        int file = -1;
+        int error = error_of([&] { return file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC); });
+        if (error == 0) error = write_bytes(file, bytes);
+        // Where a signal interrupts it, the file is closed all the same.
+        if (file >= 0 && ::close(file) != 0 && errno != EINTR && error == 0) error = errno;
+        if (error != 0) fail(path, error);
+      }) {}
+
+void PendingFile::publish() {
+  const std::string& from = partial_->name();
+  const int error = existing_ == Existing::is_kept ? rename_to_new(from, path_) : error_of([&] { return ::rename(from.c_str(), path_.c_str()); });
+  if (error == EEXIST && existing_ == Existing::is_kept)
+    throw_input_error("{}: exists by now, made by another program, and is not replaced; choose another name or give --force", path_);
+  if (error != 0) fail(path_, error);
+  partial_->keep();
+  is_published_ = true;
 }
+
+void PendingFile::withdraw() noexcept {
+  if (is_published_ && existing_ == Existing::is_kept) ::unlink(path_.c_str());
+}
+
+void publish_together(std::span<PendingFile> files) {
+  try {
+    for (PendingFile& file : files) file.publish();
+  } catch (...) {
+    for (PendingFile& file : files) file.withdraw();
+    throw;
+  }
+}
+
+void publish_file(const std::string& path, Existing existing, const std::function<void(const std::string&)>& write) {
+  PendingFile(path, existing, write).publish();
+}
+
+void publish_file(const std::string& path, Existing existing, std::string_view bytes) { PendingFile(path, existing, bytes).publish(); }
 
 }  // namespace shellmatch

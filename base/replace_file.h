@@ -3,6 +3,8 @@
 /// Writes files so that a reader sees the old contents or the new, never a part, also after a power cut.
 
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -48,6 +50,32 @@ class PartialFile {
 
 /// What becomes of a file that has the name.
 enum class Existing { is_replaced, is_kept };
+
+/// A file that is whole and on the disk, but has not got its name yet. It is removed at the end of this object unless it is published.
+class PendingFile {
+ public:
+  /// Calls `write` with the name of a file beside `path` (PartialFile).
+  /// \throws EnvironmentError if the file cannot be created, and whatever `write` throws; nothing is left then
+  PendingFile(std::string path, Existing existing, const std::function<void(const std::string&)>& write);
+
+  /// The same with these contents. \throws EnvironmentError naming `path`: disk full, no permission
+  PendingFile(std::string path, Existing existing, std::string_view bytes);
+
+  /// Renames it to its path. \throws InputError if the name is taken and what has it is kept, EnvironmentError if it cannot be renamed
+  void publish();
+
+  /// Removes it again if it has been published under a name that was free.
+  void withdraw() noexcept;
+
+ private:
+  std::string path_;
+  Existing existing_;
+  std::unique_ptr<PartialFile> partial_;
+  bool is_published_ = false;
+};
+
+/// Publishes all or, as far as names were free, none: what was published before the first failure is withdrawn. \throws as PendingFile::publish
+void publish_together(std::span<PendingFile> files);
 
 /// Calls `write` with the name of a file beside `path` (PartialFile) and renames it to `path`.
 /// \throws InputError if the name is taken and what has it is kept, EnvironmentError if the file cannot be created or renamed, and

@@ -35,6 +35,9 @@ void check_experiment_options(const Cohort& cohort) {
   if (!o.landmarks.file.empty()) refuse("landmarks.file", "atlas.landmarks");
   if (!o.landmarks.template_file.empty())
     refuse("landmarks.template_file", "the column landmarks of a table");
+  if (!o.start.map.empty())
+    throw_input_error("{}: set.start.map: is the map of one subject alone, and the rounds of a mean begin with those of the round before; leave it out",
+                      cohort.name);
 }
 
 void check_levels(Cohort& cohort) {

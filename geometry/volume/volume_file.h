@@ -27,12 +27,15 @@ Volume read_volume(const std::string& path);
 /// What can be written. \throws InputError naming the formats where the name's ending is none of .nii .nii.gz .nrrd .mha .vti
 void check_volume_output(const std::string& path);
 
-/// Writes a volume given in RAS in its own type of values, rounded and limited to the range of the type; compressed, but for .nii.
-/// \throws EnvironmentError where it cannot be written, InputError as check_volume_output and publish_file
-void write_volume(const std::string& path, const Volume& volume, Existing existing);
+/// A volume given in RAS as a file that is still to be published, in its own type of values, rounded and limited to the range of the
+/// type; compressed, but for .nii. \throws EnvironmentError where it cannot be written, InputError as check_volume_output
+PendingFile volume_file(const std::string& path, const Volume& volume, Existing existing);
 
-/// Writes vectors of single precision, one for each voxel, whose components are along the axes of LPS: as ANTs and ITK read a field
-/// of displacements; in .vti along those of RAS. \param values 3 n_voxels, voxel by voxel. \throws as write_volume
-void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing);
+/// volume_file(), published. \throws as that and PendingFile::publish
+inline void write_volume(const std::string& path, const Volume& volume, Existing existing) { volume_file(path, volume, existing).publish(); }
+
+/// The same of vectors of single precision, one for each voxel, whose components are along the axes of LPS: as ANTs and ITK read a
+/// field of displacements; in .vti along those of RAS. \param values 3 n_voxels, voxel by voxel. \throws as volume_file
+PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing);
 
 }  // namespace shellmatch

@@ -133,7 +133,7 @@ std::string vti_file(const VoxelGrid& grid, VoxelType type, bool is_vector, cons
 }
 
 // \param bytes the values, voxel by voxel; for vectors in a NIfTI, component by component
-void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool is_vector, std::string bytes, Existing existing) {
+PendingFile pending(const std::string& path, const VoxelGrid& grid, VoxelType type, bool is_vector, std::string bytes, Existing existing) {
   check_volume_output(path);
   const bool is_compressed = file_extension(path) != ".nii";
   switch (volume_format(path)) {
@@ -150,7 +150,7 @@ void write(const std::string& path, const VoxelGrid& grid, VoxelType type, bool 
       break;
     case VolumeFormat::vti: bytes = vti_file(grid, type, is_vector, bytes); break;
   }
-  publish_file(path, existing, bytes);
+  return PendingFile(path, existing, bytes);
 }
 
 }  // namespace
@@ -161,15 +161,15 @@ void check_volume_output(const std::string& path) {
     throw_input_error("{}: volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti", path);
 }
 
-void write_volume(const std::string& path, const Volume& volume, Existing existing) {
+PendingFile volume_file(const std::string& path, const Volume& volume, Existing existing) {
   SHELLMATCH_CHECK(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
   std::string bytes;
   bytes.reserve(volume.values.size() * bytes_of(volume.type));
   for (const float value : volume.values) append(volume.type, value, bytes);
-  write(path, volume.grid, volume.type, false, std::move(bytes), existing);
+  return pending(path, volume.grid, volume.type, false, std::move(bytes), existing);
 }
 
-void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing) {
+PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, std::span<const float> values, Existing existing) {
   const std::size_t n = grid.n_voxels();
   SHELLMATCH_CHECK(values.size() == 3 * n, "every voxel has three components");
   const bool by_component = is_volume_file(path) && volume_format(path) == VolumeFormat::nifti;
@@ -181,7 +181,7 @@ void write_vector_volume(const std::string& path, const VoxelGrid& grid, std::sp
     const float value = values[by_component ? 3 * (i % n) + i / n : i];
     append_as<float>(is_in_ras && i % 3 < 2 ? -value : value, bytes);
   }
-  write(path, grid, VoxelType::float32, true, std::move(bytes), existing);
+  return pending(path, grid, VoxelType::float32, true, std::move(bytes), existing);
 }
 
 }  // namespace shellmatch

@@ -72,6 +72,9 @@ std::string inflated_beginning(const std::string& path, std::size_t n_bytes) {
   if (!file) throw_input_error("{}: cannot be opened", path);
   std::string bytes(n_bytes, '\0');
   const int n = gzread(file.get(), bytes.data(), static_cast<unsigned>(n_bytes));
+  int status = Z_OK;
+  gzerror(file.get(), &status);
+  if (status == Z_DATA_ERROR) throw_input_error("{}: its compressed data are damaged; copy or export the file again", path);
   bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
   return bytes;
 }

@@ -9,7 +9,8 @@
 
 namespace shellmatch {
 
-/// The beginning of a file, inflated where gzip has compressed it, of at most this many bytes; fewer where the file ends or is damaged.
+/// The beginning of a file, inflated where gzip has compressed it, of at most this many bytes; fewer where the file ends.
+/// \throws InputError where it cannot be opened, or what gzip has compressed is damaged
 std::string inflated_beginning(const std::string& path, std::size_t n_bytes);
 
 /// Passes on what the file holds from `offset` on, inflated if `deflated` (zlib's or gzip's form), without its first `skipped` bytes: in pieces

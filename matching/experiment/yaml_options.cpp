@@ -93,8 +93,8 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
     return Conflict{"start.level", "is the level that a map of an earlier run begins at, and start.map names none"};
   if (const int level = options.start.level; level != 0 && (level < cascade.min_level || level > cascade.max_level))
     return Conflict{"start.level", fmt::format("{} is not from cascade.min_level = {} to cascade.max_level = {}", level, cascade.min_level, cascade.max_level)};
-  if (options.energy.terms.factor("match"_term) == 0)
-    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0"};
+  if (options.energy.terms.factor("match"_term) == 0 && options.landmarks.file.empty())
+    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0, or landmarks"};
   if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
   for (const LevelOverrides::Entry& e : options.solver.levels.entries)
     if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), "solver.levels." + e.key()))

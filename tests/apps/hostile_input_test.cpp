@@ -144,6 +144,7 @@ TEST(HostileInput, PipesAreRefusedAndNotWaitedFor) {
   EXPECT_TRUE(has(refusal(match(tmp / "pipe.csv", tmp / "o"), brief), "pipe"));
   EXPECT_TRUE(has(refusal(match("generate:circle", tmp / "o", {"--set", "input.correspondence=" + tmp / "pipe.txt"}), brief), "pipe"));
   EXPECT_TRUE(has(refusal({"apply", tmp / "pipe.vtu", tmp / "pipe.csv", "-o", tmp / "b.csv"}, brief), "no file"));
+  EXPECT_TRUE(has(refusal({"generate", "sphere", "-o", tmp / "pipe.ply", "--force"}, brief), "pipe"));
   put(tmp / "study.yaml", "version: 1\nproblems: {a: {set: {input: {reference: pipe.csv, template: 'generate:ellipse'}}}}\nsolvers: [newton]\n");
   EXPECT_TRUE(has(refusal({"study", tmp / "study.yaml", "-o", tmp / "s"}, brief), "no file"));
 }

@@ -282,6 +282,11 @@ TEST_F(Volumes, Refusals) {
   says({"match", a, "generate:circle", "-o", *tmp / "plane"}, "both shapes must have the same dimension");
   write(*tmp / "far.nii", nifti(volume_of(grid_over({500, 0, 0}, {1, 1, 1}, {4, 4, 4}), [](const Vec<3>&) { return 1; })));
   says({"apply", out, a, "-o", to, "--like", *tmp / "far.nii"}, "none of its voxels lies where the map is defined");
+  // The second of two results has no place: the first one is not left alone.
+  const ProgramResult half = run_program({"apply", out, a, "-o", to, "--jacobian", "/proc/new.nii"});
+  EXPECT_NE(half.exit_code, 0);
+  EXPECT_NE(half.err.find("/proc/new.nii"), std::string::npos) << half.err;
+  EXPECT_FALSE(std::ifstream(to).good());
 }
 
 }  // namespace

@@ -74,6 +74,28 @@ TEST_F(ReplaceFile, WhatCameIntoBeingMeanwhileIsKept) {
   EXPECT_EQ(names(), std::set<std::string>{"a"});
 }
 
+TEST_F(ReplaceFile, AllArePublishedOrNone) {
+  put("old", "another's");
+  const auto pending = [&](Existing existing) {
+    std::vector<PendingFile> files;
+    for (const char* name : {"a", "old", "b"}) files.emplace_back(path(name), existing, std::string_view("mine"));
+    return files;
+  };
+  std::vector<PendingFile> files = pending(Existing::is_kept);
+  EXPECT_EQ(names().size(), 4u) << "nothing has its name yet";
+  EXPECT_THROW(publish_together(files), InputError);
+  EXPECT_FALSE(fs::exists(path("a")));
+  EXPECT_FALSE(fs::exists(path("b")));
+  files.clear();
+  EXPECT_EQ(names(), std::set<std::string>{"old"});
+  EXPECT_EQ(contents("old"), "another's");
+  files = pending(Existing::is_replaced);
+  publish_together(files);
+  files.clear();
+  EXPECT_EQ(names(), (std::set<std::string>{"a", "b", "old"}));
+  EXPECT_EQ(contents("old"), "mine");
+}
+
 TEST_F(ReplaceFile, FoldersAreRenamedToFreeNamesAlone) {
   fs::create_directory(path("from"));
   fs::create_directory(path("taken"));

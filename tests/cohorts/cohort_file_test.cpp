@@ -88,6 +88,7 @@ TEST_F(CohortFile, MistakesAreSaidWithTheirPlace) {
   expect_refused(two + "atlas: {shape: elipse}\n", {"atlas.shape: elipse: no such file", "did you mean ellipse?"});
   expect_refused(two + "set: {cascade: {max_levels: 5}}\n", {"max_level"});
   expect_refused(two + "set: {input: {reference: a.ply}}\n", {"input.reference", "use atlas.shape"});
+  expect_refused(two + "set: {start: {map: out/earlier}}\n", {"set.start.map", "leave it out"});
   expect_refused(two + "atlas: {max_level: 9}\nset: {cascade: {max_level: 5}}\n", {"atlas.max_level", "is 9"});
   expect_refused(two + "statistics: {groups: [a]}\n", {"two groups"});
   expect_refused(two + "statistics: {groups: [a, b]}\n", {"no subject is of the group 'a'"});

@@ -138,6 +138,14 @@ TEST_F(RefusedVolume, ShortData) {
   EXPECT_TRUE(contains(input_error_of([&] { read_volume(folder.path("none.mha")); }), "no such file"));
 }
 
+TEST_F(RefusedVolume, DamagedCompression) {
+  write_volume(folder.path("whole.nii.gz"), volume_of(straight, number_of_place), Existing::is_replaced);
+  std::ifstream file(folder.path("whole.nii.gz"), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  bytes.replace(10, 20, std::string(20, '\xff'));  // behind the header of gzip
+  EXPECT_TRUE(contains(refusal("a.nii.gz", bytes), "its compressed data are damaged"));
+}
+
 TEST_F(RefusedVolume, HugeHeaders) {
   std::string huge = nii;
   for (std::size_t k = 0; k < 3; ++k) put<std::int16_t>(huge, 42 + 2 * k, 600);

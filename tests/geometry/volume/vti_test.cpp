@@ -118,7 +118,7 @@ TEST_F(VtiFiles, VectorsAreInTheFramesAxes) {
   const VoxelGrid grid = grid_over({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   std::vector<float> in_lps;
   for (int i = 0; i < 8; ++i) in_lps.insert(in_lps.end(), {1, 2, 3});
-  write_vector_volume(folder.path("a.vti"), grid, in_lps, Existing::is_replaced);
+  vector_volume_file(folder.path("a.vti"), grid, in_lps, Existing::is_replaced).publish();
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(folder.path("a.vti").c_str());
   reader->Update();

@@ -109,6 +109,7 @@ TEST_F(Experiment, DemandsBetweenOptionsNameTheLine) {
   expect_refused("cascade:\n  max_level: 4\n", {"cascade.min_level=5"}, {"experiment.yaml:2: cascade.max_level"});
   expect_refused("threads: 1", {"cascade.max_level=2"}, {"--set cascade.max_level=2: cascade.max_level"});
   expect_refused("energy:\n  match_weight: 0\n", {}, {"experiment.yaml:2: energy.match_weight"});
+  EXPECT_NO_THROW(read("energy: {match_weight: 0}\nlandmarks: {file: points.csv}"));
   expect_refused("solver:\n  name: newtn\n", {}, {"experiment.yaml:2: solver.name", "newtn", "fletcher_reeves"});
   EXPECT_NO_THROW(read("cascade: {min_level: 4, max_level: 4}"));
   EXPECT_NO_THROW(read("energy: {membrane: cauchy_green, bending: quadratic}\nsolver: {name: newton}"));
