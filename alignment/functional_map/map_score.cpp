@@ -1,6 +1,7 @@
 #include "alignment/functional_map/map_score.h"
 
 #include "base/svd.h"
+#include "geometry/distance/surface_distance.h"
 
 #include <Eigen/LU>
 
@@ -10,6 +11,11 @@
 namespace shellmatch {
 
 namespace {
+
+// Up to this score maps are as exact as 5000 vertices let them be; gorilla to man scores 0.8, with twice the errors.
+constexpr double isometric_score = 0.6;
+// Exact landmarks and such maps: 0.01 to 0.016 measured; landmarks with noise of 2 % of a diagonal: from 0.033 on.
+constexpr double explained_noise = 0.025;
 
 /// Smoothed coordinates of all pairs' points on surface s, as columns.
 Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s, int k) {
@@ -31,6 +37,13 @@ Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to
 }
 
 }  // namespace
+
+double error_growth(double total_score) { return std::max(1.0, std::pow(total_score / isometric_score, 3)); }
+
+double landmark_trust(double total_score, double landmark_noise) {
+  const double ratio = landmark_noise / (explained_noise * error_growth(total_score));
+  return std::exp(-4 * std::max(0.0, ratio * ratio - 1));
+}
 
 Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto pairs = pairs_of(matches);
@@ -65,6 +78,9 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   from.colwise() -= from.rowwise().mean().eval();
   to.colwise() -= to.rowwise().mean().eval();
   score.pose = std::sqrt((rotation_between(from, to) * from - to).squaredNorm() / n);
+  if (pair.landmarks.empty()) return score;
+  score.landmarks = quantile(landmark_distances(pair, matches), 0.5);
+  score.landmark_noise = quantile(landmark_noise(pair, matches), 0.5);
   return score;
 }
 

@@ -12,9 +12,18 @@ struct MapScore {
   double signature = 0;    ///< mean relative difference of the wave kernel signatures
   double orientation = 0;  ///< mean of (1 - n . n') / 2 over normals and pulled back normals
   double pose = 0;         ///< root mean square distance after a proper rotation, in roots of the area
+  double landmarks = 0;    ///< median of landmark_distances(), 0 without landmarks; no part of the total
+  double landmark_noise = 0;   ///< median of landmark_noise(); no part of the total
 
   double total() const { return functions + signature + orientation + pose; }
 };
+
+/// The errors of a map with this total score over those of maps between nearly isometric surfaces; at least 1.
+double error_growth(double total_score);
+
+/// How far landmarks may be trusted, 0 to 1: less, the noisier they are than a map of this total score explains. Noise of a few per cent
+/// would spoil a map that is more exact. \param landmark_noise as in MapScore
+double landmark_trust(double total_score, double landmark_noise);
 
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c);
 

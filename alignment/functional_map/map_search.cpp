@@ -2,6 +2,7 @@
 
 #include "alignment/functional_map/starts.h"
 #include "base/parallel.h"
+#include "geometry/distance/surface_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +11,20 @@ namespace shellmatch {
 
 namespace {
 
+// Samples, beside landmarks.
 constexpr std::size_t n_queries = 250;
 constexpr std::size_t n_refined_queries = 1000;
 constexpr int n_merged = 9;      // functions at which starts are compared
 constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
 constexpr int n_scored = 40;     // functions at which candidates are compared
+constexpr double least_landmark_scale = 0.05;  // distance at which a landmark has half its weight at least, in roots of the area
 
 /// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
 void upsample(const ShapePairSpectra& pair, const VertexSet (&sets)[2], std::size_t queries,
               const std::vector<int>& steps, double normal_weight, MapCandidate& candidate) {
   for (const int k : steps) {
     if (k > candidate.c.rows()) candidate.c = orthogonal_map(pair, candidate.matches, std::min(k, pair.n_functions));
-    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight), queries);
+    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight), pair.landmarks.size() + queries);
   }
 }
 
@@ -33,15 +36,20 @@ double difference(const ShapePairSpectra& pair, const VertexMatches& a, const Ve
   return sum / static_cast<double>(std::max<std::size_t>(1, a.to[0].size()));
 }
 
-/// Leaves out candidates that nearly equal an earlier one, which then counts as that of the surfaces as they lie if either does.
-std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<MapCandidate> candidates, double tolerance) {
+/// Leaves out candidates that nearly equal an earlier one, which then counts as that of the surfaces as they lie if either does. That by
+/// landmarks, which may be noisy, has to equal it more nearly.
+std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<MapCandidate> candidates) {
   std::vector<MapCandidate> kept;
   for (MapCandidate& candidate : candidates) {
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const MapCandidate& other) {
+      const double tolerance = candidate.is_by_landmarks != other.is_by_landmarks ? 0.01 : 0.05;
       return difference(pair, candidate.matches, other.matches) < tolerance;
     });
     if (same == kept.end()) kept.push_back(std::move(candidate));
-    else same->is_identity |= candidate.is_identity;
+    else {
+      same->is_identity |= candidate.is_identity;
+      same->is_by_landmarks |= candidate.is_by_landmarks;
+    }
   }
   return kept;
 }
@@ -69,7 +77,7 @@ VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd&
   const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
   for (int s = 0; s < 2; ++s)
     append_rotated(*pair.shapes[s], pair.coarse[s], rotations[s], std::min(n_smooth, pair.n_functions), embedding.on[s]);
-  return match_vertices(pair.coarse, embedding, n_queries);
+  return match_vertices(pair.coarse, embedding, pair.landmarks.size() + n_queries);
 }
 
 template <class Key>
@@ -83,6 +91,17 @@ void keep_best(std::vector<MapCandidate>& candidates, std::size_t n) {
   for (std::size_t i = n; i < candidates.size(); ++i)
     if (candidates[i].is_identity) std::swap(candidates[n++], candidates[i]);
   candidates.resize(std::min(candidates.size(), n));
+}
+
+/// The first map that landmarks suggest.
+void start_by_landmarks(const ShapePairSpectra& pair, MapCandidate& candidate) {
+  for (const auto& [p, q] : pair.landmarks) {
+    candidate.matches.from[0].push_back(p);
+    candidate.matches.to[0].push_back(q);
+  }
+  const int k = std::clamp(static_cast<int>(pair.landmarks.size() / 2), 2, n_merged);
+  candidate.c = orthogonal_map(pair, candidate.matches, k);
+  upsample(pair, pair.coarse, n_queries, {k, n_merged}, 0, candidate);
 }
 
 /// From a first map on n_merged functions to one on n_scored, with the rotated surfaces, and its score.
@@ -99,10 +118,33 @@ void start_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCand
   upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
 }
 
+/// The weights of landmarks, at most `trust` all together; the less, the farther one is from where the map takes it in comparison with
+/// others.
+std::vector<double> landmark_weights(const ShapePairSpectra& pair, const VertexMatches& matches, double trust) {
+  if (trust == 0 || pair.landmarks.empty()) return {};
+  std::vector<double> weights = landmark_distances(pair, matches);
+  const double scale = std::max(least_landmark_scale, 2 * quantile(weights, 0.5)), n = static_cast<double>(weights.size());
+  for (double& w : weights) w = trust / (n * (1 + w * w / (scale * scale)));
+  return weights;
+}
+
+/// From a map on n_scored functions to one of all vertices on all functions. Least squares allow what orthogonal maps do not, and begin
+/// with fewer functions again to make use of it.
+void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, MapCandidate& candidate) {
+  std::vector<int> steps = {24, 32, n_scored};
+  for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
+  for (const int k : steps) {
+    candidate.c = functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
+    const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
+    const bool is_last = k == pair.n_functions;
+    candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_vertices() : pair.landmarks.size() + n_refined_queries);
+  }
+}
+
 /// The best distinct ones by their coarse scores.
 void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
-  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total(); });
-  candidates = distinct(pair, std::move(candidates), 0.05);
+  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
+  candidates = distinct(pair, std::move(candidates));
   keep_best(candidates, static_cast<std::size_t>(n));
 }
 
@@ -111,17 +153,20 @@ void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candid
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   const std::vector<Eigen::MatrixXd> starts =
       start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
-  std::vector<MapCandidate> candidates(1 + starts.size());
+  const bool by_landmarks = !pair.landmarks.empty();
+  std::vector<MapCandidate> candidates(1 + starts.size() + by_landmarks);
+  candidates.back().is_by_landmarks = by_landmarks;
   candidates[0].is_identity = true;
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     if (candidate.is_identity) return start_rotated(pair, Mat<3>::Identity(), candidate);
+    if (candidate.is_by_landmarks) return start_by_landmarks(pair, candidate);
     candidate.c = starts[i - 1];
     std::vector<int> steps;
     for (int k = static_cast<int>(candidate.c.rows()); k <= n_merged; ++k) steps.push_back(k);
     upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
   }, 1);
-  candidates = distinct(pair, std::move(candidates), 0.05);
+  candidates = distinct(pair, std::move(candidates));
   const int n_smoothed = std::min(n_smooth, pair.n_functions);
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
@@ -140,19 +185,17 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   }, 1);
   choose_best(pair, candidates, options.refined);
   parallel_for(candidates.size(), [&](std::size_t i) {
-    MapCandidate& candidate = candidates[i];
-    // Least squares allow what orthogonal maps do not, and begin with fewer functions again to make use of it.
-    std::vector<int> steps = {24, 32, n_scored};
-    for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
-    for (const int k : steps) {
-      candidate.c = functional_map(pair, candidate.matches, k);
-      const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
-      const bool is_last = k == pair.n_functions;
-      candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_vertices() : n_refined_queries);
-    }
-    candidate.score = score_map(pair, candidate.matches, candidate.c);
+    refine_densely(pair, 0, candidates[i]);
+    candidates[i].score = score_map(pair, candidates[i].matches, candidates[i].c);
   }, 1);
-  sort_by(candidates, [](const MapCandidate& c) { return c.total(); });
+  sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
+  if (pair.landmarks.empty()) return candidates;
+  // Scores, whose limits are known, are those of maps by spectra alone. How exact landmarks are, the best map tells.
+  const double trust = landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise);
+  parallel_for(candidates.size(), [&](std::size_t i) {
+    candidates[i].landmark_trust = trust;
+    refine_densely(pair, trust, candidates[i]);
+  }, 1);
   return candidates;
 }
 

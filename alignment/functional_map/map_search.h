@@ -11,14 +11,20 @@ struct MapCandidate {
   Eigen::MatrixXd c;      ///< functional map
   VertexMatches matches;  ///< of samples; of all vertices after refine_candidates()
   MapScore coarse_score;  ///< at 40 eigenfunctions
-  MapScore score;         ///< at all
+  MapScore score;         ///< at all, before the landmarks were among the pairs
+
+  double landmark_trust = 1;  ///< of the best map, with which landmarks were among the pairs
 
   bool is_identity = false;  ///< began with the surfaces as they lie
+  bool is_by_landmarks = false;  ///< began with landmarks
 
   double total() const { return 0.5 * (coarse_score.total() + score.total()); }
+  /// The lower, the better.
+  double order() const { return total() + score.landmarks; }
 };
 
-/// The best distinct maps, ascending by their score.
+/// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are known, which are
+/// those of maps by spectra alone, maps are refined again with landmarks among the pairs.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
 
 }  // namespace shellmatch

@@ -1,10 +1,12 @@
 #include "alignment/functional_map/two_way_map.h"
 
 #include "base/svd.h"
+#include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace shellmatch {
@@ -28,19 +30,28 @@ void put_rows(const Rows3& rows, const VertexSet& set, double weight, Eigen::Ind
 
 }  // namespace
 
-ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2) {
+ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
+                                 const std::vector<std::pair<Index, Index>>& landmarks) {
   ShapePairSpectra pair;
+  for (const auto& landmark : landmarks)
+    if (std::ranges::none_of(pair.landmarks, [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
+      pair.landmarks.push_back(landmark);
+  if (pair.landmarks.size() < n_least_landmarks) pair.landmarks.clear();
   pair.shapes[0] = &shape_1;
   pair.shapes[1] = &shape_2;
   pair.n_functions = static_cast<int>(std::min(shape_1.values.size(), shape_2.values.size()));
   for (int s = 0; s < 2; ++s) {
     pair.functions[s] = pair.shapes[s]->functions.leftCols(pair.n_functions).transpose().cast<float>();
-    std::vector<Index> all = pair.shapes[s]->samples;
-    std::vector<bool> is_sample(pair.shapes[s]->n_vertices(), false);
-    for (const Index v : all) is_sample[v] = true;
-    for (std::size_t v = 0; v < is_sample.size(); ++v)
-      if (!is_sample[v]) all.push_back(static_cast<Index>(v));
-    pair.coarse[s] = vertex_set(*pair.shapes[s], pair.shapes[s]->samples, pair.n_functions);
+    std::vector<Index> all;
+    std::vector<bool> is_in(pair.shapes[s]->n_vertices(), false);
+    const auto add = [&](Index v) {
+      if (!is_in[v]) all.push_back(v);
+      is_in[v] = true;
+    };
+    for (const auto& [v_1, v_2] : pair.landmarks) add(s == 0 ? v_1 : v_2);
+    for (const Index v : pair.shapes[s]->samples) add(v);
+    pair.coarse[s] = vertex_set(*pair.shapes[s], all, pair.n_functions);
+    for (std::size_t v = 0; v < is_in.size(); ++v) add(static_cast<Index>(v));
     pair.dense[s] = vertex_set(*pair.shapes[s], std::move(all), pair.n_functions);
   }
   return pair;
@@ -80,14 +91,59 @@ Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches
   return svd.u * svd.v.transpose();
 }
 
-Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
+std::vector<double> landmark_distances(const ShapePairSpectra& pair, const VertexMatches& matches) {
+  std::vector<double> distances;
+  for (std::size_t j = 0; j < pair.landmarks.size(); ++j) {
+    const auto& [p, q] = pair.landmarks[j];
+    distances.push_back(std::max((pair.shapes[1]->surface.vertices[matches.to[0][j]] - pair.shapes[1]->surface.vertices[q]).norm(),
+                                 (pair.shapes[0]->surface.vertices[matches.to[1][j]] - pair.shapes[0]->surface.vertices[p]).norm()));
+  }
+  return distances;
+}
+
+std::vector<double> landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches) {
+  const std::size_t n = pair.landmarks.size(), n_neighbours = std::min<std::size_t>(5, n - 1);
+  const auto place = [&](std::size_t j) { return pair.shapes[0]->surface.vertices[pair.landmarks[j].first]; };
+  const auto error = [&](std::size_t j) -> Vec<3> {
+    return pair.shapes[1]->surface.vertices[pair.landmarks[j].second] - pair.shapes[1]->surface.vertices[matches.to[0][j]];
+  };
+  std::vector<double> noise(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < n; ++i)
+      if (i != j) others.push_back(i);
+    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours), others.end(), [&](std::size_t a, std::size_t b) {
+      return (place(a) - place(j)).squaredNorm() < (place(b) - place(j)).squaredNorm();
+    });
+    Vec<3> shared;
+    for (int k = 0; k < 3; ++k) {
+      std::vector<double> components;
+      for (std::size_t i = 0; i < n_neighbours; ++i) components.push_back(error(others[i])[k]);
+      shared[k] = quantile(std::move(components), 0.5);
+    }
+    // The variance of a median of n normal values is about pi / (2 n) of theirs.
+    noise[j] = (error(j) - shared).norm() / std::sqrt(1 + M_PI / (2 * static_cast<double>(n_neighbours)));
+  }
+  return noise;
+}
+
+Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k,
+                               std::span<const double> landmark_weights) {
   const auto [rows, n] = paired_functions(pair, matches, k);
   // Scaled functions have mean square 1, so that the Gram matrices are about n times the identity; the ridge keeps maps that
   // collapse many points into one solvable.
-  const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
+  Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
   const Eigen::MatrixXd ridge = 1e-6 * n * Eigen::MatrixXd::Identity(k, k);
-  const Eigen::MatrixXd gram_1 = (rows[0] * rows[0].transpose()).cast<double>() + ridge;
-  const Eigen::MatrixXd gram_2 = (rows[1] * rows[1].transpose()).cast<double>() + ridge;
+  Eigen::MatrixXd gram_1 = (rows[0] * rows[0].transpose()).cast<double>() + ridge;
+  Eigen::MatrixXd gram_2 = (rows[1] * rows[1].transpose()).cast<double>() + ridge;
+  for (std::size_t j = 0; j < landmark_weights.size(); ++j) {
+    const auto [p, q] = pair.landmarks[j];
+    const double weight = n * landmark_weights[j];
+    const Eigen::VectorXd a = pair.functions[0].col(p).head(k).cast<double>(), b = pair.functions[1].col(q).head(k).cast<double>();
+    products += weight * a * b.transpose();
+    gram_1 += weight * a * a.transpose();
+    gram_2 += weight * b * b.transpose();
+  }
   const Eigen::MatrixXd from_2 = gram_1.llt().solve(products), from_1 = gram_2.llt().solve(products.transpose());
   return 0.5 * (from_2 + from_1.transpose());
 }

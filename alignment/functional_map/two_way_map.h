@@ -11,6 +11,7 @@
 #include "alignment/spectrum/spectral_shape.h"
 
 #include <algorithm>
+#include <span>
 
 namespace shellmatch {
 
@@ -22,20 +23,27 @@ struct VertexSet {
   std::size_t size() const { return vertices.size(); }
 };
 
+/// Fewer landmarks do not tell a map.
+inline constexpr std::size_t n_least_landmarks = 4;
+
 /// Both surfaces at two resolutions.
 struct ShapePairSpectra {
   const SpectralShape* shapes[2];
   Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
-  VertexSet coarse[2];    ///< the samples
-  VertexSet dense[2];     ///< all vertices: the samples, then the others
+  VertexSet coarse[2];    ///< the vertices of landmarks, then the other samples
+  VertexSet dense[2];     ///< all vertices: those of `coarse`, then the others
   int n_functions;      ///< of both
+  std::vector<std::pair<Index, Index>> landmarks;  ///< pairs of vertices; the first of both sets, in this order
 
   /// Of the larger of both.
   std::size_t n_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
 };
 
+/// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are left out, and
+///   all where fewer than n_least_landmarks remain
 /// \pre the shapes outlive the result
-ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2);
+ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
+                                 const std::vector<std::pair<Index, Index>>& landmarks = {});
 
 /// Weight of the normals in the embeddings of a search, where a function has mean square 1.
 inline constexpr double embedded_normal_weight = 2;
@@ -54,7 +62,18 @@ Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches
 /// |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q), and of that of |functions_1(p) - functions_2(q) C^T|^2. Where
 /// the surfaces are far from isometric it is far from orthogonal, and refinement with it is much more exact
 /// (docs/alignment.md).
-Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
+/// \param landmark_weights of each landmark, where all pairs together have weight 1; empty: landmarks do not count
+Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k,
+                               std::span<const double> landmark_weights = {});
+
+/// Of each landmark, the larger of the distances, on either surface, between where the map takes its point and where it belongs, in
+/// roots of the area. \pre `matches` are those of a set of `pair`, from its beginning
+std::vector<double> landmark_distances(const ShapePairSpectra& pair, const VertexMatches& matches);
+
+/// How much each landmark's vector on surface 2, from where the map takes it to where it belongs, differs from the median of those of
+/// the five nearest, by components, in roots of the area: errors of maps are shared by neighbours, those of landmarks are not. Where all
+/// is noise, the mean square is that of the noise. \pre as landmark_distances(); there are landmarks
+std::vector<double> landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches);
 
 /// Vectors that nearly agree at corresponding points, a column for each vertex of a set on either surface.
 struct Embedding {

@@ -15,10 +15,14 @@ namespace shellmatch {
 
 namespace {
 
+constexpr std::size_t n_most_landmarks = 200;
+constexpr double most_vertex_distance = 0.05;  // of a landmark from the nearest vertex, in roots of the area
+
 /// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
 std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
-                                         const AlignmentOptions& options, bool is_mirrored) {
-  const ShapePairSpectra pair = make_shape_pair(reference, template_shape);
+                                         const std::vector<std::pair<Index, Index>>& landmarks, const AlignmentOptions& options,
+                                         bool is_mirrored) {
+  const ShapePairSpectra pair = make_shape_pair(reference, template_shape, landmarks);
   const std::vector<MapCandidate> maps = search_maps(pair, options);
   std::vector<PairCandidate> candidates(maps.size());
   parallel_for(maps.size(), [&](std::size_t i) {
@@ -26,6 +30,10 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     candidate.score = maps[i].total();
     candidate.coarse_score = maps[i].coarse_score;
     candidate.score_parts = maps[i].score;
+    if (!pair.landmarks.empty()) {
+      candidate.landmark_distance = maps[i].score.landmarks;
+      candidate.landmark_trust = maps[i].landmark_trust;
+    }
     candidate.is_identity = maps[i].is_identity;
     candidate.is_mirrored = is_mirrored;
     candidate.map = dense_map(pair, maps[i]);
@@ -37,6 +45,26 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     }
   }, 1);
   return candidates;
+}
+
+/// The vertex nearest to x; no_index where x lies on a component that was left out.
+Index nearest_vertex(const Surface<3>& surface, const Vec<3>& x) {
+  const auto square = [&](const Vec<3>& v) { return (v - x).squaredNorm(); };
+  const auto nearest = std::ranges::min_element(surface.vertices, {}, square);
+  const bool is_far = square(*nearest) > most_vertex_distance * most_vertex_distance * surface_measure(surface);
+  return is_far ? no_index : static_cast<Index>(nearest - surface.vertices.begin());
+}
+
+/// The vertices of the prepared surfaces that are nearest to landmarks; of many landmarks some, evenly through the list.
+std::vector<std::pair<Index, Index>> vertex_pairs(std::span<const CorrespondingPoints> landmarks, const AutomaticPairs& prepared) {
+  const std::size_t n = std::min(landmarks.size(), n_most_landmarks);
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t i = 0; i < n; ++i) {
+    const CorrespondingPoints& l = landmarks[i * landmarks.size() / n];
+    const Index p = nearest_vertex(prepared.reference.surface, l.on_reference), q = nearest_vertex(prepared.template_surface.surface, l.on_template);
+    if (p != no_index && q != no_index) pairs.emplace_back(p, q);
+  }
+  return pairs;
 }
 
 /// Moves points of the pairs onto the surface that was given, where it was simplified.
@@ -59,7 +87,7 @@ Index AutomaticPairs::image(Index reference_vertex) const {
 }
 
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
-                          const AlignmentOptions& options) {
+                          const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   AutomaticPairs result;
   std::optional<SpectralShape> shapes[2];
   for_both([&](int s) {
@@ -67,16 +95,19 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
     prepared = prepare_surface(s == 0 ? reference : template_surface, options);
     shapes[s] = make_spectral_shape(prepared.surface, options);
   });
-  result.candidates = candidates_of(*shapes[0], *shapes[1], options, false);
+  const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, result);
+  result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false);
   if (options.mirror) {
     const SpectralShape mirrored = mirrored_shape(*shapes[0]);
-    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], options, true)) {
+    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true)) {
       // Shapes that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
       candidate.score *= options.identity_preference;
       result.candidates.push_back(std::move(candidate));
     }
   }
-  const auto key = [&](const PairCandidate& c) { return c.is_identity && !c.is_mirrored ? c.score / options.identity_preference : c.score; };
+  const auto key = [&](const PairCandidate& c) {
+    return (c.is_identity && !c.is_mirrored ? c.score / options.identity_preference : c.score) + c.landmark_distance.value_or(0);
+  };
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
   double runner_up = std::numeric_limits<double>::infinity();

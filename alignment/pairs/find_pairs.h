@@ -6,6 +6,7 @@
 #include "alignment/pairs/corresponding_points.h"
 #include "alignment/spectrum/prepared_surface.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,6 +16,9 @@ namespace shellmatch {
 struct PairCandidate {
   double score = 0;               ///< MapScore::total(), the mean of both resolutions; 0 is best
   MapScore coarse_score, score_parts;
+  /// Where landmarks tell: the median of landmark_distances() before they were among the pairs, in roots of the area.
+  std::optional<double> landmark_distance;
+  double landmark_trust = 1;      ///< landmark_trust() of the best candidate; 1 where landmarks do not tell
   bool is_identity = false;       ///< began with the surfaces as they lie
   bool is_mirrored = false;       ///< found for the mirrored reference
   std::vector<CorrespondingPoints> pairs;   ///< confident ones
@@ -35,8 +39,10 @@ struct AutomaticPairs {
 /// Pairs of points between a reference and a template. docs/alignment.md describes the steps. The result depends on
 /// neither the number of threads nor the position of the surfaces up to rounding, except that the map which begins with the
 /// surfaces as they lie comes first unless another scores clearly better (options.identity_preference).
+/// \param landmarks known pairs, in the coordinates of the surfaces; four or more give a start of their own, take part in the order
+///   of candidates, and make their pairs more exact. Those that contradict most others count little.
 /// \throws InputError for surfaces without area or with coordinates that are not finite
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
-                          const AlignmentOptions& options = {});
+                          const AlignmentOptions& options = {}, std::span<const CorrespondingPoints> landmarks = {});
 
 }  // namespace shellmatch

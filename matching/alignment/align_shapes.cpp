@@ -40,8 +40,9 @@ Outcome<Dim> choice_among(StartSearch<Dim> search, const AlignOptions& options, 
 }
 
 template <int Dim>
-Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const AlignOptions& options, Trials<Dim>& trials) {
-  Outcome<Dim> outcome = choice_among(search_starts(shapes, options), options, trials);
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
+                               Trials<Dim>& trials) {
+  Outcome<Dim> outcome = choice_among(search_starts(shapes, landmarks, options), options, trials);
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
     if (outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
@@ -53,8 +54,9 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const AlignOptions&
 }
 
 template <int Dim>
-Alignment<Dim> search(const ShapePair<Dim>& shapes, const AlignOptions& options, Trials<Dim> trials, Observer& observer) {
-  Outcome<Dim> outcome = search_and_choose(shapes, options, trials);
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
+                      Trials<Dim> trials, Observer& observer) {
+  Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
   const bool is_trusted = options.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
@@ -63,6 +65,8 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const AlignOptions& options,
   if (is_used) result = std::move(best.alignment);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
+  s.landmark_distance = best.landmark_distance;
+  if (is_used) s.landmark_trust = result.landmark_trust;
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(best.n_pairs) : 0;
@@ -70,6 +74,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const AlignOptions& options,
   s.as_it_lies = choice.as_it_lies;
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
+  if (best.landmark_distance) why += fmt::format(", landmarks {:.3f} roots of the area from where these take them", *best.landmark_distance);
+  if (is_used && result.landmark_trust.value_or(1) < 0.5)
+    why += fmt::format(", which is more than such pairs err by, so that landmarks count for {:.2g} of their weight", *result.landmark_trust);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
@@ -129,7 +136,7 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   Alignment<Dim> result = mode == AlignMode::automatic && has_large_gaps(shapes) ? as_it_lies_for_its_gaps(shapes, observer)
                           : mode == AlignMode::landmarks
                               ? by_landmarks(landmarks, options.align, observer)
-                              : search(shapes, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
+                              : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
   result.summary->mode = enum_name(mode);
   return result;
 }

@@ -13,6 +13,9 @@ namespace {
 // better by this factor, in energy or in distance.
 constexpr double clearly_better = 1.5;
 
+// Landmarks say better than scores whether pairs are right; in roots of the area.
+constexpr double most_landmark_distance = 0.15;
+
 template <int Dim>
 class Choosing {
  public:
@@ -30,7 +33,8 @@ class Choosing {
     const std::vector<std::size_t> close = close_ones();
     if (close.size() > 1) among(close, choice);
     const Start<Dim>& best = starts_[choice.index];
-    choice.is_doubtful = best.score > options_.doubtful_score || choice.margin < options_.doubtful_margin;
+    choice.is_doubtful = best.landmark_distance ? *best.landmark_distance > most_landmark_distance
+                                                : best.score > options_.doubtful_score || choice.margin < options_.doubtful_margin;
     if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity)
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
@@ -49,7 +53,7 @@ class Choosing {
   void among(const std::vector<std::size_t>& close, StartChoice& choice) {
     // The least is best. Scores are relative distances, energies squares of such, of which a coarse grid may err by a fifth.
     std::vector<double> merit(starts_.size());
-    for (const std::size_t i : close) merit[i] = starts_[i].score * std::sqrt(trial(i).with_pairs);
+    for (const std::size_t i : close) merit[i] = (starts_[i].score + starts_[i].landmark_distance.value_or(0)) * std::sqrt(trial(i).with_pairs);
     const auto preferred = [&](std::size_t i) {
       return starts_[i].is_identity ? merit[i] / options_.search.identity_preference : merit[i];
     };

@@ -6,6 +6,7 @@
 #include "matching/alignment/trial.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace shellmatch {
@@ -15,6 +16,8 @@ struct Start {
   Alignment<Dim> alignment;   ///< without a summary
   std::size_t n_pairs = 0;    ///< found, though they may have no weight
   double score = 0;           ///< of the pairs, 0 is best; comparable within one search
+  /// Where landmarks tell: the median distance from where the pairs map them, in roots of the area.
+  std::optional<double> landmark_distance = {};
   bool is_identity = false;   ///< began with the shapes as they lie
   bool is_mirrored = false;   ///< found for the mirrored reference
 
@@ -32,12 +35,13 @@ struct StartSearch {
 
 struct StartChoice {
   std::size_t index = 0;
-  /// By which factor the others are worse, at least: ratio of scores times root of the ratio of energies for those tried, ratio of
+  /// By which factor the others are worse, at least: ratio of scores (with distances of landmarks added) times root of the ratio of energies for those tried, ratio of
   /// scores for the others; infinite without others. Others of the other handedness do not count: on a shape that is its own
   /// mirror image they are as good, and right as well.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
-  bool is_doubtful = true;  ///< not usable, options.align.doubtful_score or doubtful_margin
+  /// Not usable; by landmarks, where these tell; else by options.align.doubtful_score or doubtful_margin.
+  bool is_doubtful = true;
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 

@@ -13,7 +13,9 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
     if (!points.empty())
       sets.push_back(landmark_pairs(name, points, weights, alignment.pose, placement, reference, template_shape));
   };
-  add("landmarks", landmarks, options.landmarks);
+  LandmarkOptions known = options.landmarks;
+  known.weight *= alignment.landmark_trust.value_or(1);
+  add("landmarks", landmarks, known);
   LandmarkOptions found;
   found.weight = options.align.weight;
   // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
@@ -22,7 +24,7 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   if (alignment.pairs.empty()) return sets;
   // Pairs of nearly isometric shapes are as exact as landmarks set by hand, whose errors would spoil them.
   const double share = 1 - 1 / (alignment.spread * alignment.spread);
-  if (!landmarks.empty()) correct_pairs(sets.back().pairs.pairs, sets.front().pairs.pairs, share, reference, template_shape);
+  if (!landmarks.empty() && !alignment.landmark_trust) correct_pairs(sets.back().pairs.pairs, sets.front().pairs.pairs, share, reference, template_shape);
   sets.back().pairs.tolerance = options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
   return sets;
 }

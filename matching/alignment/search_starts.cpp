@@ -14,12 +14,15 @@ namespace shellmatch {
 
 namespace {
 
-// Up to this score pairs are as exact as 5000 vertices let them be; gorilla to man scores 0.8, with twice the errors.
-constexpr double isometric_score = 0.6;
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
-double spread_at(double score) { return std::max(1.0, std::pow(score / isometric_score, 3)); }
+// So many landmarks halve what pairs err by beyond those of isometric shapes.
+constexpr double halving_landmarks = 10;
+
+double spread_at(double score, double n_landmarks) {
+  return 1 + (error_growth(score) - 1) / (1 + n_landmarks / halving_landmarks);
+}
 
 template <int Dim>
 std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
@@ -45,14 +48,21 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
 
 }  // namespace
 
-StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options) {
-  const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
+  std::vector<CorrespondingPoints> known;
+  for (const Landmark<3>& l : landmarks) known.push_back({l.on_reference, l.on_template, 1});
+  const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
   StartSearch<3> search{{}, found.margin};
-  for (const PairCandidate& candidate : found.candidates) search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score), options, true));
+  for (const PairCandidate& candidate : found.candidates) {
+    const double n_telling = candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(landmarks.size()) : 0;
+    search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
+    search.starts.back().landmark_distance = candidate.landmark_distance;
+    if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
+  }
   return search;
 }
 
-StartSearch<2> search_starts(const ShapePair<2>& shapes, const AlignOptions& options) {
+StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>&, const AlignOptions& options) {
   const OutlinePairs found = find_outline_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
   StartSearch<2> search{{}, found.margin};
   for (const OutlineCandidate& candidate : found.candidates) {

@@ -8,9 +8,10 @@
 
 namespace shellmatch {
 
-/// By spectra for surfaces, by elastic paths for outlines: starts with pairs. \throws InputError as find_pairs(), find_outline_pairs()
-StartSearch<3> search_starts(const ShapePair<3>& shapes, const AlignOptions& options);
-StartSearch<2> search_starts(const ShapePair<2>& shapes, const AlignOptions& options);
+/// By spectra for surfaces, by elastic paths for outlines: starts with pairs. \param landmarks for find_pairs(); outlines need none
+/// \throws InputError as find_pairs(), find_outline_pairs()
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options);
+StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>& landmarks, const AlignOptions& options);
 
 /// By distance, for surfaces without features: the best pose alone, as others differ from it by what symmetry there is, which the
 /// energy cannot judge. \throws InputError as find_rigid_pairs()

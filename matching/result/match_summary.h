@@ -75,6 +75,8 @@ struct AlignmentSummary {
   double angle = 0, scale = 1;  ///< of the pose taken out of the reference; degrees, at most 180
   bool mirrored = false;
   std::optional<double> score, margin;  ///< of the map found (docs/alignment.md); no margin without a second map
+  /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor on their weight.
+  std::optional<double> landmark_distance = {}, landmark_trust = {};
   int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
   int n_pairs = 0;              ///< used in the energy or for the pose
   bool doubtful = false;        ///< with align.mode auto nothing is used then

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -102,6 +103,87 @@ TEST_F(KnownMap, AMapThatReversesOrientationScoresOneThere) {
   EXPECT_GT(score.orientation, 0.99);
   EXPECT_GT(score.pose, 0.05);
   EXPECT_NEAR(proper_rotation(pair, truth_, 24).determinant(), 1, 1e-12);
+}
+
+TEST_F(KnownMap, LandmarksAreTheFirstOfAllSets) {
+  const std::vector<std::pair<Index, Index>> four{{7, 7}, {900, 900}, {3, 3}, {55, 55}};
+  std::vector<std::pair<Index, Index>> with_doubles = four;
+  with_doubles.insert(with_doubles.begin() + 2, {{7, 8}, {9, 900}});
+  const ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, with_doubles);
+  EXPECT_EQ(pair.landmarks, four);
+  for (int s = 0; s < 2; ++s)
+    for (const VertexSet* set : {&pair.coarse[s], &pair.dense[s]}) {
+      EXPECT_EQ(std::vector<Index>(set->vertices.begin(), set->vertices.begin() + 4), (std::vector<Index>{7, 900, 3, 55}));
+      std::vector<Index> sorted = set->vertices;
+      std::ranges::sort(sorted);
+      EXPECT_EQ(std::ranges::adjacent_find(sorted), sorted.end());
+    }
+  EXPECT_EQ(pair.dense[0].size(), shape_1_->n_vertices());
+  EXPECT_TRUE(make_shape_pair(*shape_1_, *shape_2_, {four.begin(), four.end() - 1}).landmarks.empty());
+}
+
+TEST_F(KnownMap, LandmarksWeighAsPairsDo) {
+  ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, {{0, 10}, {20, 30}, {40, 50}, {60, 70}});
+  // A landmark that weighs as much as one of the pairs is one more pair.
+  VertexMatches more = truth_;
+  for (const auto& [p, q] : pair.landmarks) {
+    more.from[0].push_back(p);
+    more.to[0].push_back(q);
+  }
+  const std::vector<double> weights(4, 1.0 / static_cast<double>(pairs_of(truth_).size()));
+  const Eigen::MatrixXd plain = functional_map(pair, truth_, 12), c = functional_map(pair, truth_, 12, weights);
+  EXPECT_GT((c - plain).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((c - functional_map(pair, more, 12)).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST_F(KnownMap, LandmarksTellTheMedianOfTheirDistances) {
+  ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, {{0, 0}, {20, 20}, {40, 40}, {60, 700}, {80, 80}});
+  VertexMatches matches;
+  for (int s = 0; s < 2; ++s) matches.from[s] = matches.to[s] = pair.dense[s].vertices;
+  // The fourth belongs elsewhere: its vertex of surface 2 is not the image of its own.
+  const Eigen::MatrixXd c = functional_map(pair, matches, 40);
+  EXPECT_EQ(score_map(pair, matches, c).landmarks, 0);
+  std::vector<double> distances = landmark_distances(pair, matches);
+  EXPECT_NEAR(distances[3], (shape_2_->surface.vertices[60] - shape_2_->surface.vertices[700]).norm(), 1e-12);
+  for (int i : {0, 1, 2, 4}) EXPECT_EQ(distances[static_cast<std::size_t>(i)], 0);
+  for (std::size_t j = 0; j < 3; ++j) matches.to[1][j] = 700;
+  EXPECT_GT(score_map(pair, matches, c).landmarks, 0.05) << "on either surface";
+}
+
+TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
+  std::vector<std::pair<Index, Index>> landmarks;
+  for (Index v = 0; v < 60; ++v) landmarks.emplace_back(20 * v, 20 * v);
+  const ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, landmarks);
+  VertexMatches matches;
+  for (int s = 0; s < 2; ++s) matches.from[s] = matches.to[s] = pair.dense[s].vertices;
+  const Eigen::MatrixXd c = functional_map(pair, matches, 40);
+  EXPECT_EQ(score_map(pair, matches, c).landmark_noise, 0);
+  // All images are those of a neighbour in one direction: an error that is shared.
+  const auto& vertices = shape_2_->surface.vertices;
+  const auto nearest = [&](const Vec<3>& x) {
+    return static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) - vertices.begin());
+  };
+  for (std::size_t j = 0; j < 60; ++j) matches.to[0][j] = nearest(vertices[matches.to[0][j]] + Vec<3>(0.06, 0, 0));
+  const MapScore shared = score_map(pair, matches, c);
+  EXPECT_GT(shared.landmarks, 0.03);
+  EXPECT_LT(shared.landmark_noise, 0.6 * shared.landmarks);
+  // Now each in a direction of its own.
+  for (std::size_t j = 0; j < 60; ++j) {
+    const Vec<3> step = Eigen::AngleAxisd(static_cast<double>(j * j), Vec<3>(1, 2, 3).normalized()) * Vec<3>(0.06, 0, 0);
+    matches.to[0][j] = nearest(vertices[pair.landmarks[j].second] + step);
+  }
+  const MapScore noisy = score_map(pair, matches, c);
+  EXPECT_GT(noisy.landmark_noise, 0.8 * noisy.landmarks);
+}
+
+TEST(LandmarkTrust, IsFullForWhatTheMapsErrorsExplain) {
+  EXPECT_EQ(landmark_trust(0.5, 0.02), 1);
+  EXPECT_EQ(landmark_trust(0.85, 0.05), 1);
+  EXPECT_LT(landmark_trust(0.5, 0.037), 0.01);
+  EXPECT_LT(landmark_trust(0.5, 0.1), 1e-6);
+  EXPECT_GT(landmark_trust(0.5, 0.026), 0.7);
+  EXPECT_EQ(error_growth(0.5), 1);
+  EXPECT_NEAR(error_growth(1.2), 8, 1e-12);
 }
 
 TEST_F(KnownMap, EveryPartOfTheScoreRisesForAWrongMap) {

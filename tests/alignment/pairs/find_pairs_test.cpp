@@ -183,6 +183,64 @@ TEST(FindPairs, ABentHandIsFoundInAnyPosition) {
   EXPECT_GE(found.margin, 1.1);
 }
 
+std::vector<CorrespondingPoints> some(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to, std::size_t n) {
+  std::vector<CorrespondingPoints> pairs;
+  for (std::size_t i = 0; i < n; ++i) pairs.push_back({from[i * from.size() / n], to[i * from.size() / n], 1});
+  return pairs;
+}
+
+TEST(FindPairs, LandmarksTellWhatSpectraCannot) {
+  // Half a turn about the third axis carries the box onto itself.
+  const Surface<3> box = test::box({0, 0, 0}, {1, 1.5, 2.2});
+  std::vector<Vec<3>> belongs;
+  for (const Vec<3>& x : box.vertices) belongs.push_back({1 - x[0], 1.5 - x[1], x[2]});
+  std::vector<CorrespondingPoints> landmarks = some(box.vertices, belongs, 6);
+  landmarks[2].on_template = box.vertices[5];  // a wrong one does no harm
+  const AutomaticPairs found = find_pairs(box, box, quick(), landmarks);
+  EXPECT_FALSE(found.candidates[0].is_identity);
+  EXPECT_LT(share_beyond(0.01, found, belongs), 0.01);
+  EXPECT_LT(found.candidates[0].landmark_distance.value(), 0.01);
+  EXPECT_EQ(found.candidates[0].landmark_trust, 1);
+  landmarks.resize(3);
+  EXPECT_TRUE(find_pairs(box, box, quick(), landmarks).candidates[0].is_identity) << "too few";
+}
+
+TEST(FindPairs, LandmarksMakePairsOfUnlikeShapesMoreExact) {
+  const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.018));
+  const Surface<3> reference = as_surface(pair.reference);
+  // Fingers grow, and the palm becomes narrow.
+  const auto grown = [](const Vec<3>& x) { return Vec<3>(0.5 + (x[0] - 0.5) * (0.75 + x[1]), x[1] + 0.8 * x[1] * x[1], x[2]); };
+  const Surface<3> other = test::mapped<3>(as_surface(pair.template_shape), grown);
+  std::vector<Vec<3>> from, to;
+  for (const auto& known : pair.truth) {
+    from.push_back(reference.vertices[known.vertex]);
+    to.push_back(grown(known.position));
+  }
+  const auto error = [&](const std::vector<CorrespondingPoints>& landmarks) {
+    const AutomaticPairs found = find_pairs(reference, other, quick(), landmarks);
+    double sum = 0;
+    for (std::size_t i = 0; i < to.size(); ++i) sum += (other.vertices[found.image(pair.truth[i].vertex)] - to[i]).norm();
+    return sum / static_cast<double>(to.size());
+  };
+  const std::vector<CorrespondingPoints> exact = some(from, to, 80);
+  const double without = error({}), with = error(exact);
+  EXPECT_LT(with, 0.8 * without);
+  std::vector<CorrespondingPoints> some_wrong = exact;
+  for (std::size_t i = 0; i < some_wrong.size(); i += 10) some_wrong[i].on_template = to[(i * 37 + 100) % to.size()];
+  EXPECT_LT(error(some_wrong), 1.3 * with);
+}
+
+TEST(FindPairs, NoisyLandmarksDoNotSpoilExactPairs) {
+  const Surface<3> other = turned(hand());
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, 0.03 * 30);
+  std::vector<CorrespondingPoints> landmarks = some(hand().vertices, other.vertices, 40);
+  for (CorrespondingPoints& l : landmarks) l.on_template += Vec<3>(normal(random), normal(random), normal(random));
+  const AutomaticPairs found = find_pairs(hand(), other, quick(), landmarks);
+  EXPECT_LT(found.candidates[0].landmark_trust, 0.01);
+  EXPECT_LT(share_beyond(0.01, found, other.vertices), 0.02);
+}
+
 TEST(FindPairs, SurfacesThatCannotBeMatchedAreRefused) {
   EXPECT_THROW(find_pairs({}, hand(), quick()), InputError);
   Surface<3> broken = hand();

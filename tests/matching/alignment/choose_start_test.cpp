@@ -143,6 +143,18 @@ TEST(ChooseStart, ThePreferredFirstIsTriedHoweverMuchLargerItsScoreIs) {
   EXPECT_EQ(choice_of<2>(circles, {scored(0.70), other}, 0.7, o).index, 0u);
 }
 
+TEST(ChooseStart, LandmarksTellWhetherPairsAreRight) {
+  const ShapePair<2> circles = generated<2>("circle", "ellipse");
+  const double clear = 5;
+  Start<2> unlike = scored(1.5), like = scored(0.3);
+  EXPECT_TRUE(choice_of<2>(circles, {unlike}, clear, quick()).is_doubtful);
+  unlike.landmark_distance = 0.05;
+  EXPECT_FALSE(choice_of<2>(circles, {unlike}, clear, quick()).is_doubtful);
+  EXPECT_FALSE(choice_of<2>(circles, {like}, clear, quick()).is_doubtful);
+  like.landmark_distance = 0.4;
+  EXPECT_TRUE(choice_of<2>(circles, {like}, clear, quick()).is_doubtful);
+}
+
 TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
   const ShapePair<2> circles = generated<2>("circle", "ellipse");
   Start<2> other = scored(0.50);

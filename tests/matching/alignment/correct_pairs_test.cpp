@@ -92,6 +92,12 @@ TEST_F(CorrectPairs, AreThoseOfShapesFarFromIsometric) {
   };
   EXPECT_EQ(error_with(1), mean_error(pairs_));
   EXPECT_NEAR(error_with(2), mean_error(corrected(0.75)), 1e-12);
+  // Pairs that were found with landmarks know them.
+  alignment.landmark_trust = 0.5;
+  EXPECT_EQ(error_with(2), mean_error(pairs_));
+  const ExperimentOptions options;
+  EXPECT_EQ(known_pairs<3>(landmarks, alignment, options, {}, sphere_, sphere_).front().factor, 0.5 * options.landmarks.weight);
+  alignment.landmark_trust.reset();
   landmarks.clear();
   EXPECT_EQ(error_with(2), mean_error(pairs_));
 }

@@ -1,6 +1,8 @@
 #include "matching/alignment/search_starts.h"
 
 #include "matching/input/shape_source.h"
+#include "tests/geometry/generate/generated_surface.h"
+#include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +13,33 @@ TEST(SearchStarts, ATurnedSurfaceFindsTheSameMapAsTheOneThatLiesAsItBelongs) {
   const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
   const AlignOptions options;
   const Shape<3> bent = shape("generate:dolphin/bent");
-  const StartSearch<3> straight = search_starts(ShapePair<3>{shape("generate:dolphin/straight"), bent}, options),
-                       reversed = search_starts(ShapePair<3>{shape("generate:dolphin/reversed"), bent}, options);
+  const StartSearch<3> straight = search_starts(ShapePair<3>{shape("generate:dolphin/straight"), bent}, {}, options),
+                       reversed = search_starts(ShapePair<3>{shape("generate:dolphin/reversed"), bent}, {}, options);
   EXPECT_NEAR(reversed.starts[0].score, straight.starts[0].score, 1e-3);
   EXPECT_GT(straight.margin, 1.5);
   EXPECT_GT(reversed.margin, 1.5);
+}
+
+TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
+  const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.02));
+  // Fingers are longer, and the palm is narrower.
+  const auto grown = [](const Vec<3>& x) { return Vec<3>(0.5 + (x[0] - 0.5) * (0.6 + x[1]), x[1] + 1.2 * x[1] * x[1], x[2]); };
+  ShapePair<3> shapes;
+  shapes.reference.surface = as_surface(pair.reference);
+  shapes.template_shape.surface = test::mapped<3>(as_surface(pair.template_shape), grown);
+  std::vector<Landmark<3>> landmarks;
+  for (std::size_t i = 0; i < pair.truth.size(); i += pair.truth.size() / 80)
+    landmarks.push_back({"", shapes.reference.surface.vertices[pair.truth[i].vertex], grown(pair.truth[i].position)});
+  AlignOptions options;
+  options.search.functions = 60;
+  options.search.refined = 2;
+  const StartSearch<3> without = search_starts(shapes, {}, options), with = search_starts(shapes, landmarks, options);
+  EXPECT_FALSE(without.starts[0].landmark_distance);
+  EXPECT_FALSE(without.starts[0].alignment.landmark_trust);
+  EXPECT_LT(with.starts[0].landmark_distance.value(), 0.15);
+  EXPECT_GT(with.starts[0].alignment.landmark_trust.value(), 0.5);
+  ASSERT_GT(without.starts[0].alignment.spread, 1.05) << "far from isometric";
+  EXPECT_LT(with.starts[0].alignment.spread - 1, 0.3 * (without.starts[0].alignment.spread - 1));
 }
 
 }  // namespace
