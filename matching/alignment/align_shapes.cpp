@@ -76,7 +76,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
   if (best.landmark_distance) why += fmt::format(", landmarks {:.3f} roots of the area from where these take them", *best.landmark_distance);
   if (is_used && result.landmark_trust.value_or(1) < 0.5)
-    why += fmt::format(", which is more than such pairs err by, so that landmarks count for {:.2g} of their weight", *result.landmark_trust);
+    why += fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)", 100 * *result.landmark_trust);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
