@@ -22,7 +22,7 @@ struct AlignmentOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("max_vertices", self.max_vertices,
-          {.unit = "vertices", .min = 500, .max = 20000,
+          {.unit = "vertices", .min = 600, .max = 20000,
            .meaning = "surfaces with more vertices are simplified to about this number first"});
     visit("mollification", self.mollification,
           {.unit = "mean length of the edges", .min = 0, .max = 0.1,
@@ -44,8 +44,8 @@ struct AlignmentOptions {
           {.unit = "pairs", .min = 10, .max = 5000,
            .meaning = "farthest point samples of the reference from which pairs are made"});
     visit("cycle_tolerance", self.cycle_tolerance,
-          {.unit = "square root of the area", .min = 0, .max = 1,
-           .meaning = "a pair is kept if the way there and back ends no farther from its beginning"});
+          {.unit = "square root of the area", .min = 0, .max = 1, .min_excluded = true,
+           .meaning = "a pair is kept if the way there and back ends nearer from its beginning"});
     visit("max_stretch", self.max_stretch,
           {.min = 1, .max = 100,
            .meaning = "a pair is kept if the map changes lengths around it by no larger factor"});

@@ -1,6 +1,7 @@
 #include "apps/apply_volume.h"
 
 #include "apps/output_file.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/volume/sample_volume.h"
@@ -28,8 +29,6 @@ constexpr double least_determinant = 1e-6;  // whose logarithm is written where 
 
 Existing existing(const ApplyCommand& command) { return command.force ? Existing::is_replaced : Existing::is_kept; }
 
-void say(const std::string& text) { std::fputs((text + "\n").c_str(), stderr); }
-
 // Calls body(voxel, its centre in RAS) for all voxels.
 template <class Body>
 void for_each_voxel(const VoxelGrid& grid, Body&& body) {
@@ -46,7 +45,7 @@ Sampling chosen_sampling(const ApplyCommand& command, const Volume& volume) {
   if (command.sampling == "linear") return Sampling::linear;
   if (!command.sampling.empty()) throw_input_error("--sampling {}: expected nearest, label or linear", command.sampling);
   const bool is_label = is_label_volume(volume);
-  say(fmt::format("{}: {}", command.file, is_label ? "whole numbers, of which few differ: carried as labels (--sampling linear for grey values)"
+  say_line(fmt::format("{}: {}", command.file, is_label ? "whole numbers, of which few differ: carried as labels (--sampling linear for grey values)"
                                                     : "grey values: carried by linear interpolation (--sampling label for labels)"));
   return is_label ? Sampling::label : Sampling::linear;
 }
@@ -83,7 +82,7 @@ PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>&
     const Vec<3> displacement = exchange_space(Vec<3>(exchange_with_ras(deformation, *y) - x));
     for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
   });
-  if (n_lost > 0) say(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
+  if (n_lost > 0) say_line(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
   return vector_volume_file(command.displacement, grid, values, existing(command));
 }
 
@@ -97,7 +96,7 @@ PendingFile determinant_file(const ApplyCommand& command, const Deformation<3>& 
     if (*determinant <= 0) ++n_folded;
     result.values[voxel] = static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
   });
-  if (n_folded > 0) say(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
+  if (n_folded > 0) say_line(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
   return volume_file(path, result, existing(command));
 }
 

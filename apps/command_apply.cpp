@@ -4,9 +4,9 @@
 #include "apps/commands.h"
 #include "apps/output_file.h"
 #include "apps/process/interrupt.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/printable.h"
 #include "base/text.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
@@ -77,18 +77,16 @@ void carry(const Deformation<Dim>& deformation, const ApplyCommand& command, std
     for (Vec<Dim>& x : points) x = deformation.to_reference_pose(x);
 }
 
-void say_note(const std::string& note) { std::fputs(fmt::format("{}\n", printable(note, max_message_length)).c_str(), stderr); }
-
 template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
   OriginalShape<Dim> shape = read(command.file, notes, or_default(deformation.space), std::integral_constant<int, Dim>());
-  for (const std::string& note : notes) say_note(note);
+  for (const std::string& note : notes) say_line(note);
   if constexpr (Dim == 3) {
     const Space own = shape.space, common = or_default(deformation.space);
     if (change_space(shape.vertices, own, common))
-      say_note(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
+      say_line(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
     carry(deformation, command, shape.vertices);
     change_space(shape.vertices, common, own);
   } else {
@@ -96,7 +94,7 @@ void apply(const ApplyCommand& command) {
   }
   if constexpr (Dim == 3)
     if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
-      say_note(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
+      say_line(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
   write_output_file(command.output, shape, command.force);
 }
 
@@ -105,12 +103,12 @@ void apply_to_slicer_points(const ApplyCommand& command) {
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   const SlicerPoints file = read_slicer_points(command.file);
   const Space space = or_default(deformation.space);
-  if (const std::string note = space_note(file, space); !note.empty()) say_note(note + "; they are written in their own frame");
+  if (const std::string note = space_note(file, space); !note.empty()) say_line(note + "; they are written in their own frame");
   std::vector<Vec<3>> points;
   for (const SlicerPoint& p : file.points)
     if (p.has_position) points.push_back(in_space(p.position, p.space, space));
   if (points.size() < file.points.size())
-    say_note(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
+    say_line(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
   carry(deformation, command, points);
   std::vector<Vec<3>> positions;
   for (std::size_t i = 0, next = 0; i < file.points.size(); ++i) {

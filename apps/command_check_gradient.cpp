@@ -5,30 +5,18 @@
 #include "apps/process/interrupt.h"
 #include "apps/output_file.h"
 #include "apps/progress.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "matching/run_gradient_check.h"
 
-#include <charconv>
 #include <iostream>
 
 namespace shellmatch {
 
-namespace {
-
-int to_integer(const std::string& option, const std::string& text, int least) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size() || value < least)
-    throw_input_error("{} {}: expected an integer >= {}", option, text, least);
-  return value;
-}
-
-}  // namespace
-
 void execute(const CheckGradientCommand& command) {
   GradientCheckRequest request;
-  if (!command.level.empty()) request.level = to_integer("--level", command.level, 1);
-  if (!command.directions.empty()) request.settings.n_directions = to_integer("--directions", command.directions, 1);
+  if (!command.level.empty()) request.level = whole_number(command.level, "--level", 1);
+  if (!command.directions.empty()) request.settings.n_directions = whole_number(command.directions, "--directions", 1);
   if (!command.state.empty()) request.state = CheckState::parse(command.state);
   if (!command.json.empty()) check_report_file(command.json, command.settings.force);
   const ExperimentOptions options = read_run_options(command.config, command.settings);

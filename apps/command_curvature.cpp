@@ -4,6 +4,7 @@
 #include "apps/experiment_overrides.h"
 #include "apps/process/interrupt.h"
 #include "apps/progress.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
@@ -17,7 +18,6 @@
 #include "matching/cascade/size_estimate.h"
 #include "matching/experiment/yaml_options.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -25,15 +25,6 @@
 namespace shellmatch {
 
 namespace {
-
-int whole_number(const std::string& text, const char* option, int least, int greatest, int default_value) {
-  if (text.empty()) return default_value;
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < least || value > greatest)
-    throw_input_error("{} {}: expected a whole number from {} to {}", option, text, least, greatest);
-  return value;
-}
 
 template <int Dim>
 std::optional<ExactShape<Dim>> formula_of(const std::string& source) {
@@ -81,14 +72,14 @@ void execute(const CurvatureCommand& command) {
   for (Override& change : overrides_of(command.settings)) overrides.push_back(std::move(change));
   const ExperimentOptions options = make_experiment(overrides);
   const MeshFit defaults;
-  const MeshFit fit{whole_number(command.degree, "--degree", 2, 4, defaults.degree),
-                    whole_number(command.rings, "--rings", 1, 10, defaults.n_rings)};
+  const MeshFit fit{command.degree.empty() ? defaults.degree : whole_number(command.degree, "--degree", 2, 4),
+                    command.rings.empty() ? defaults.n_rings : whole_number(command.rings, "--rings", 1, 10)};
   set_n_threads(options.threads);
   const AnyShape shape = open_shape(command.shape, options.input.close);
   std::visit(
       [&](const auto& s) {
         if (command.settings.verbosity != Verbosity::quiet)
-          for (const std::string& note : s.notes) std::cerr << fmt::format("{}: {}\n", s.source, note);
+          for (const std::string& note : s.notes) say_line(fmt::format("{}: {}", s.source, note));
         compare(s, options, command, fit);
       },
       shape);

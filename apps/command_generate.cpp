@@ -3,24 +3,16 @@
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
 #include "apps/output_file.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"
 #include "matching/experiment/generated_source.h"
 
-#include <charconv>
 #include <iostream>
 
 namespace shellmatch {
 
 namespace {
-
-double to_number(const std::string& text, const std::string& option) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size())
-    throw_input_error("{}: \"{}\" is not a number", option, text);
-  return value;
-}
 
 GeneratorParameters parameters_of(const GenerateCommand& command) {
   GeneratorParameters parameters;
@@ -29,7 +21,7 @@ GeneratorParameters parameters_of(const GenerateCommand& command) {
     if (equals == std::string::npos || equals == 0)
       throw_input_error("--set {}: expected parameter=value; `shellmatch generate {} --list` lists the parameters",
                         assignment, command.shape);
-    parameters[assignment.substr(0, equals)] = to_number(assignment.substr(equals + 1), "--set " + assignment);
+    parameters[assignment.substr(0, equals)] = number(assignment.substr(equals + 1), "--set " + assignment + ":");
   }
   return parameters;
 }
@@ -75,7 +67,7 @@ void execute(const GenerateCommand& command) {
   if (command.list) return list_one(info);
   catch_interrupts();
   check_output_file(command.output, info.dimension, command.force);
-  const double edge_length = command.edge_length.empty() ? 0 : to_number(command.edge_length, "--edge-length");
+  const double edge_length = command.edge_length.empty() ? 0 : number(command.edge_length, "--edge-length");
   const auto shape = generate_shape(name, variant, edge_length, parameters_of(command));
   std::visit([&](const auto& s) { write_output_file(command.output, s, command.force); }, shape);
 }

@@ -3,6 +3,7 @@
 #include "apps/commands.h"
 #include "apps/output_file.h"
 #include "apps/process/interrupt.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "base/stop.h"
 #include "matching/map_file/deformation_file.h"
@@ -34,14 +35,9 @@ Enum choice_of(const std::string& text, const char* option, Enum default_value) 
   throw_input_error("{} {}: expected one of {}", option, text, fmt::join(names, ", "));
 }
 
-// A number of a range; none where no text was given.
+// None where no text was given.
 std::optional<double> number_of(const std::string& text, const char* option, double least, double greatest) {
-  if (text.empty()) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() + text.size() || !(value >= least && value <= greatest))
-    throw_input_error("{} {}: expected a number from {} to {}", option, text, least, greatest);
-  return value;
+  return text.empty() ? std::nullopt : std::optional(number(text, option, least, greatest));
 }
 
 enum class Motion { none, morph, turntable };
@@ -60,9 +56,9 @@ bool is_one_file(const RenderCommand& command) { return ending_of(command.output
 constexpr double pictures_per_second = 25;
 
 Frames frames_of(const RenderCommand& command) {
-  const int n = static_cast<int>(std::lround(number_of(command.frames, "--frames", 2, 2000).value_or(60)));
+  const int n = command.frames.empty() ? 60 : whole_number(command.frames, "--frames", 2, 2000);
   const double seconds = number_of(command.seconds, "--seconds", 0.1, 600).value_or(n / pictures_per_second);
-  const int quality = static_cast<int>(std::lround(number_of(command.quality, "--quality", 1, 100).value_or(80)));
+  const int quality = command.quality.empty() ? 80 : whole_number(command.quality, "--quality", 1, 100);
   for (const auto& [option, text] : {std::pair{"--seconds", command.seconds}, std::pair{"--quality", command.quality}})
     if (!text.empty() && (command.motion.empty() || !is_one_file(command)))
       throw_input_error("{} {}: is of an animation in one file: --motion morph or turntable, -o NAME.webp", option, text);
@@ -148,7 +144,7 @@ void execute(const RenderCommand& command) {
   view.azimuth = number_of(command.azimuth, "--azimuth", -360, 360);
   view.elevation = number_of(command.elevation, "--elevation", -90, 90);
   view.time = number_of(command.time, "--time", 0, 1).value_or(1);
-  view.size = static_cast<int>(number_of(command.size, "--size", 50, 8000).value_or(800));
+  view.size = command.size.empty() ? 800 : whole_number(command.size, "--size", 50, 8000);
   const Frames frames = frames_of(command);
   if (deformation_dimension(command.folder) == 2) render<2>(command, view, frames);
   else render<3>(command, view, frames);

@@ -2,23 +2,19 @@
 
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
+#include "apps/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/self_test/self_test.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 
 namespace shellmatch {
 
 void execute(const SelfTestCommand& command) {
   catch_interrupts();
-  int threads = 0;
-  const auto [end, error] = std::from_chars(command.threads.data(), command.threads.data() + command.threads.size(), threads);
-  if (!command.threads.empty() && (error != std::errc() || end != command.threads.data() + command.threads.size() || threads < 0))
-    throw_input_error("--threads {}: expected the number of threads, 0 for all of the machine", command.threads);
-  set_n_threads(threads);
+  set_n_threads(command.threads.empty() ? 0 : whole_number(command.threads, "--threads", 0));
   const auto checks = run_self_test([&](const std::string& group) {
     if (command.verbosity == Verbosity::verbose) std::cerr << fmt::format("{} ...\n", group);
   });

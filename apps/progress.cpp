@@ -1,5 +1,6 @@
 #include "apps/progress.h"
 
+#include "apps/words.h"
 #include "base/printable.h"
 #include "base/stop.h"
 #include "matching/derivative_check/gradient_report.h"
@@ -50,7 +51,7 @@ void Progress::line(const std::string& text) {
 
 void Progress::warn(const std::string& text) {
   clear();
-  std::fputs(fmt::format("{}\n", printable(text, max_message_length)).c_str(), stderr);
+  say_line(text);
 }
 
 void Progress::rewrite(const std::string& text) {

@@ -56,7 +56,8 @@ void remove_leftovers_of(const fs::path& path) {
     if (const std::string name = at->path().filename().string(); name.starts_with(begin) && is_partial_file_name(name))
       found.push_back(at->path().string());
   for (const std::string& name : found) {
-    const int file = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    // Network file systems lock exclusively only what is open for writing.
+    const int file = ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) continue;
     struct stat status {};
     if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && lock(file) == 0) ::unlink(name.c_str());
@@ -174,6 +175,9 @@ void PendingFile::publish() {
   if (error != 0) fail(path_, error);
   partial_->keep();
   is_published_ = true;
+  // The file is whole in any case; that its new name is on the disk, too, is as much as can be done.
+  const fs::path folder = fs::path(path_).parent_path();
+  synchronise(folder.empty() ? "." : folder.string());
 }
 
 void PendingFile::withdraw() noexcept {

@@ -105,6 +105,9 @@ struct CohortOptions {
 };
 
 struct Cohort {
+  /// Finest level of the rounds.
+  int round_level() const { return options.atlas.max_level == 0 ? experiment.cascade.max_level : options.atlas.max_level; }
+
   std::string name;             ///< of the file, or of the command, for messages
   CohortOptions options;        ///< paths are absolute
   std::vector<Subject> subjects;

@@ -40,15 +40,21 @@ void check_experiment_options(const Cohort& cohort) {
                       cohort.name);
 }
 
-void check_levels(Cohort& cohort) {
+void check_levels(const Cohort& cohort) {
   const CascadeOptions& c = cohort.experiment.cascade;
-  int& level = cohort.options.atlas.max_level;
-  if (level == 0) level = c.max_level;
+  const int level = cohort.round_level();
   if (level < c.min_level || level > c.max_level)
     throw_input_error(
         "{}: atlas.max_level: is {}, which is not from set.cascade.min_level ({}) to set.cascade.max_level "
         "({})",
         cohort.name, level, c.min_level, c.max_level);
+}
+
+// Paths of a file are relative to it.
+void resolve_paths(CohortOptions& options, const OptionFile& file) {
+  if (!options.table.empty()) options.table = absolute(file.path_of(options.table));
+  for (std::string& shape : options.shapes) shape = file.source_of(shape);
+  if (!options.atlas.landmarks.empty()) options.atlas.landmarks = absolute(file.path_of(options.atlas.landmarks));
 }
 
 // The atlas names a subject, a built-in shape or a file.
@@ -77,14 +83,8 @@ void resolve_atlas(Cohort& cohort, const OptionFile* file, bool is_relative_to_f
                     near.empty() ? "" : fmt::format("; did you mean {}?", near));
 }
 
-void read_subjects(Cohort& cohort, const OptionFile* file, const CohortWords& words) {
+void read_subjects(Cohort& cohort, const CohortWords& words) {
   CohortOptions& options = cohort.options;
-  if (file != nullptr) {
-    if (!options.table.empty()) options.table = absolute(file->path_of(options.table));
-    for (std::string& shape : options.shapes) shape = file->source_of(shape);
-    if (!options.atlas.landmarks.empty())
-      options.atlas.landmarks = absolute(file->path_of(options.atlas.landmarks));
-  }
   if (!words.table.empty()) options.table = absolute(words.table);
   if (!words.shapes.empty()) options.shapes = words.shapes;
   if (!options.table.empty() && !options.shapes.empty())
@@ -111,6 +111,7 @@ Cohort read_cohort(const std::string& path, const CohortWords& words) {
     file->check_version(known_version, "cohort", "docs/cohorts.md");
     file->fill(root, root, file->document());
     file->require_version(known_version);
+    resolve_paths(cohort.options, *file);
     if (const YamlValue* set = file->find("set")) file->flatten(*set, "set", "", changes);
   }
   bool atlas_of_file = true;
@@ -121,9 +122,10 @@ Cohort read_cohort(const std::string& path, const CohortWords& words) {
       continue;
     }
     option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, change.key)));
+    // Paths of the command line are relative to the folder in which it is given.
     if (change.key == "atlas.shape") atlas_of_file = false;
-    if (change.key == "atlas.landmarks")
-      cohort.options.atlas.landmarks = absolute(cohort.options.atlas.landmarks);
+    if (change.key == "atlas.landmarks") cohort.options.atlas.landmarks = absolute(cohort.options.atlas.landmarks);
+    if (change.key == "table") cohort.options.table = absolute(cohort.options.table);
   }
   if (!words.atlas.empty()) {
     cohort.options.atlas.shape = words.atlas;
@@ -132,7 +134,7 @@ Cohort read_cohort(const std::string& path, const CohortWords& words) {
   cohort.experiment = make_experiment(changes);
   check_experiment_options(cohort);
   check_levels(cohort);
-  read_subjects(cohort, file ? &*file : nullptr, words);
+  read_subjects(cohort, words);
   resolve_atlas(cohort, file ? &*file : nullptr, atlas_of_file);
   if (const auto& groups = cohort.options.statistics.groups;
       !groups.empty() && (groups.size() != 2 || groups[0] == groups[1]))

@@ -40,8 +40,6 @@ std::size_t first_of(std::size_t t) {
 
 }  // namespace
 
-TermValues::TermValues() : TermValues(n_all_terms) {}
-
 const std::vector<std::string_view>& term_names() {
   static const std::vector<std::string_view> names(all_term_names.begin(), all_term_names.end());
   return names;

@@ -118,7 +118,7 @@ class Matching {
 
   // The distances, and where they are greatest. In the plane segments bend within themselves.
   TwoSidedDistance measure_distance(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-    const MeasuredDistance<Dim> distance = [&] {
+    const LocatedDistance<Dim> distance = [&] {
       if constexpr (Dim == 3) return two_sided_distance(deformed, template_distance_, parts_);
       else return two_sided_distance(deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi), template_distance_);
     }();

@@ -6,7 +6,7 @@
 
 namespace shellmatch {
 
-/// Each is 0 for an isometry and its positions.
+/// Each is 0 for a surface and its moved copy.
 struct MapScore {
   double functions = 0;    ///< root of the mean of |functions_1 C - functions_2|^2 over that of |functions_2|^2
   double signature = 0;    ///< mean relative difference of the wave kernel signatures

@@ -54,7 +54,7 @@ std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<Map
   return kept;
 }
 
-/// Adds rows for the vertices of `set`: `weight` times their rotated smooth coordinates, and a sixth of it times their rotated normals.
+/// Adds six rows for the vertices of `set`: their rotated smooth coordinates and their rotated normals, weighted.
 void append_rotated(const SpectralShape& shape, const VertexSet& set, const Mat<3>& rotation, int n_functions,
                     Features& features) {
   constexpr double coordinate_weight = 3, normal_weight = 0.5;
@@ -137,7 +137,7 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
     candidate.c = functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
     const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
     const bool is_last = k == pair.n_functions;
-    candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_vertices() : pair.landmarks.size() + n_refined_queries);
+    candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_most_vertices() : pair.landmarks.size() + n_refined_queries);
   }
 }
 

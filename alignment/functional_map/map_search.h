@@ -9,11 +9,11 @@ namespace shellmatch {
 /// A map with its score.
 struct MapCandidate {
   Eigen::MatrixXd c;      ///< functional map
-  VertexMatches matches;  ///< of samples; of all vertices after refine_candidates()
+  VertexMatches matches;  ///< of samples; of all vertices where the candidate is dense, as search_maps() returns it
   MapScore coarse_score;  ///< at 40 eigenfunctions
   MapScore score;         ///< at all, before the landmarks were among the pairs
 
-  double landmark_trust = 1;  ///< of the best map, with which landmarks were among the pairs
+  double landmark_trust = 1;  ///< landmark_trust() of the best map: the factor on the landmarks' weights in the last refinement of all
 
   bool is_identity = false;  ///< began with the surfaces as they lie
   bool is_by_landmarks = false;  ///< began with landmarks

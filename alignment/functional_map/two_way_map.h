@@ -36,7 +36,7 @@ struct ShapePairSpectra {
   std::vector<std::pair<Index, Index>> landmarks;  ///< pairs of vertices; the first of both sets, in this order
 
   /// Of the larger of both.
-  std::size_t n_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
+  std::size_t n_most_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
 };
 
 /// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are left out, and
@@ -93,7 +93,7 @@ Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c
 /// For the first `n_queries` vertices of each set, the nearest of the other set in the embedding.
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries);
 
-/// For every pair the same vertex pair once, (on surface 1, on surface 2): first those from 1, then those from 2.
+/// All matches as (vertex of surface 1, vertex of surface 2): first those from 1, then those from 2, so that a pair found both ways stands twice.
 std::vector<std::pair<Index, Index>> pairs_of(const VertexMatches& matches);
 
 }  // namespace shellmatch

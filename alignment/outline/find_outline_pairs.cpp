@@ -197,11 +197,7 @@ OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& t
   std::vector<OutlineCandidate>& candidates = result.candidates;
   candidates = candidates_between(reference, template_outline, options, false);
   if (options.mirror)
-    for (OutlineCandidate& candidate : candidates_between(reference, template_outline, options, true)) {
-      // Outlines that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
-      candidate.score = candidate.score * options.identity_preference + score_noise;
-      candidates.push_back(std::move(candidate));
-    }
+    for (OutlineCandidate& candidate : candidates_between(reference, template_outline, options, true)) candidates.push_back(std::move(candidate));
   if (candidates.empty()) candidates.emplace_back().score = infinity;
   order_candidates(candidates, {options.identity_preference, score_noise}, [](const OutlineCandidate& c) { return angle_of(c.pose); });
   const FacetTree<2> tree(template_outline);

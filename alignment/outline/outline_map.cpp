@@ -90,17 +90,16 @@ NormalizedOutline normalized_outline(const Surface<2>& outline, std::size_t n, d
     double length = 0;
   };
   std::vector<Polygon> polygons;
-  double whole = 0;
   for (const std::vector<Index>& vertices : closed_polygons(outline)) {
     Polygon& polygon = polygons.emplace_back();
     for (const Index v : vertices) polygon.points.push_back(outline.vertices[v]);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       polygon.length += (polygon.points[(i + 1) % vertices.size()] - polygon.points[i]).norm();
-    whole += polygon.length;
   }
   // By their lengths before smoothing, so that curves have the same numbers whatever is smoothed.
   std::stable_sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) { return a.length > b.length; });
-  std::erase_if(polygons, [&](const Polygon& polygon) { return !(polygon.length > 0 && polygon.length >= 0.02 * whole); });
+  const double longest = polygons.empty() ? 0 : polygons.front().length;
+  std::erase_if(polygons, [&](const Polygon& polygon) { return !(polygon.length > 0 && polygon.length >= 0.02 * longest); });
   if (polygons.empty()) throw_input_error("an outline has no closed curve");
   if (polygons.size() > n_most_curves) polygons.resize(n_most_curves);
   for (const Polygon& polygon : polygons) result.curves.push_back(smoothed_curve(polygon.points, n, smoothing));

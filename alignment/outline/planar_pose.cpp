@@ -55,7 +55,11 @@ double squared_residual(std::span<const CorrespondingPointsIn<2>> pairs, const S
 Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind, Mirroring mirroring) {
   if (mirroring != Mirroring::allowed) return least_squares(pairs, kind, mirroring == Mirroring::always);
   const Similarity<2> proper = least_squares(pairs, kind, false), mirrored = least_squares(pairs, kind, true);
-  const bool gains = squared_residual(pairs, mirrored) < mirrored_gain * mirrored_gain * squared_residual(pairs, proper);
+  // Two points fit both ways: rounding must not decide.
+  double extent = 0;
+  for (const auto& pair : pairs) extent += pair.weight * (pair.on_template - pairs[0].on_template).squaredNorm();
+  const double residual = squared_residual(pairs, proper);
+  const bool gains = residual > 1e-18 * extent && squared_residual(pairs, mirrored) < mirrored_gain * mirrored_gain * residual;
   return gains ? mirrored : proper;
 }
 

@@ -57,8 +57,8 @@ Vec<3> nearest_barycentric(const Eigen::VectorXf& x, const Eigen::VectorXf (&cor
   return best;
 }
 
-/// Largest factor, or its inverse, by which the map changes distances from vertex i of `samples` to the samples near it:
-/// the median over them, so that one wrong neighbour does no harm.
+/// The factor, or its inverse where that is larger, by which the map changes distances from vertex i of `samples` to the samples near
+/// it: the median of six, so that one wrong neighbour does no harm.
 double local_stretch(const ShapePairSpectra& pair, const std::vector<Index>& samples, const std::vector<Vec<3>>& images_2,
                      std::size_t i) {
   constexpr std::size_t n_neighbours = 6;
@@ -84,8 +84,8 @@ std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& c
   return images(pair, candidate.matches, 0);
 }
 
-std::vector<ConfidentPair> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
-                                           const AlignmentOptions& options) {
+std::vector<CorrespondingPoints> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
+                                                 const AlignmentOptions& options) {
   const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
   const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
   const std::vector<Index> samples =
@@ -112,13 +112,13 @@ std::vector<ConfidentPair> confident_pairs(const ShapePairSpectra& pair, const M
     }
     points.push_back(point);
   }
-  std::vector<ConfidentPair> pairs;
+  std::vector<CorrespondingPoints> pairs;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Index v = samples[i];
     const double cycle = (surface_1.vertices[back[there[v]]] - surface_1.vertices[v]).norm();
     if (cycle >= options.cycle_tolerance || local_stretch(pair, samples, points, i) > options.max_stretch) continue;
     const double share = cycle / options.cycle_tolerance;
-    pairs.push_back({v, {surface_1.vertices[v], points[i], (1 - share * share) * (1 - share * share)}, cycle});
+    pairs.push_back({surface_1.vertices[v], points[i], (1 - share * share) * (1 - share * share)});
   }
   return pairs;
 }

@@ -7,19 +7,13 @@
 
 namespace shellmatch {
 
-/// A pair in the coordinates of SpectralShape.
-struct ConfidentPair {
-  Index vertex;       ///< of surface 1
-  CorrespondingPoints points;   ///< the vertex, and its image anywhere on the facets of surface 2
-  double cycle;       ///< distance between the vertex and the image of its image, in roots of the area
-};
-
-/// Farthest point samples of surface 1 and their images, where the way there and back closes within
+/// Farthest point samples of surface 1, which are vertices, and their images anywhere on the facets of surface 2, where the way there and back closes within
 /// options.cycle_tolerance and the map stretches the surroundings by at most options.max_stretch or its inverse. The weight
 /// falls from 1 where the cycle closes exactly to 0 at the tolerance. Cycles and stretches find local errors; a map that is
-/// wrong as a whole passes. \pre `candidate` is dense, as search_maps() returns it
-std::vector<ConfidentPair> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
-                                           const AlignmentOptions& options);
+/// wrong as a whole passes.
+/// \return pairs in the coordinates of SpectralShape \pre `candidate` is dense, as search_maps() returns it
+std::vector<CorrespondingPoints> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
+                                                 const AlignmentOptions& options);
 
 /// The image of every vertex of surface 1, in their order.
 std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& candidate);

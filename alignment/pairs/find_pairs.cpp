@@ -16,7 +16,6 @@ namespace shellmatch {
 namespace {
 
 constexpr std::size_t n_most_landmarks = 200;
-constexpr double most_vertex_distance = 0.05;  // of a landmark from the nearest vertex, in roots of the area
 
 /// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
 std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
@@ -30,6 +29,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     candidate.score = maps[i].total();
     candidate.coarse_score = maps[i].coarse_score;
     candidate.score_parts = maps[i].score;
+    candidate.n_landmarks = pair.landmarks.size();
     if (!pair.landmarks.empty()) {
       candidate.landmark_distance = maps[i].score.landmarks;
       candidate.landmark_trust = maps[i].landmark_trust;
@@ -37,8 +37,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     candidate.is_identity = maps[i].is_identity;
     candidate.is_mirrored = is_mirrored;
     candidate.map = dense_map(pair, maps[i]);
-    for (const ConfidentPair& confident : confident_pairs(pair, maps[i], options)) {
-      CorrespondingPoints points = confident.points;
+    for (CorrespondingPoints points : confident_pairs(pair, maps[i], options)) {
       points.on_reference = reference.in_input_coordinates(points.on_reference);
       points.on_template = template_shape.in_input_coordinates(points.on_template);
       candidate.pairs.push_back(points);
@@ -47,30 +46,42 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
   return candidates;
 }
 
-/// The vertex nearest to x; no_index where x lies on a component that was left out.
-Index nearest_vertex(const Surface<3>& surface, const Vec<3>& x) {
-  const auto square = [&](const Vec<3>& v) { return (v - x).squaredNorm(); };
-  const auto nearest = std::ranges::min_element(surface.vertices, {}, square);
-  const bool is_far = square(*nearest) > most_vertex_distance * most_vertex_distance * surface_measure(surface);
-  return is_far ? no_index : static_cast<Index>(nearest - surface.vertices.begin());
+/// The vertices of a prepared surface that are nearest to points; no_index for a point on a component that was left out.
+std::vector<Index> nearest_vertices(const Surface<3>& input, const PreparedSurface& prepared, const std::vector<Vec<3>>& points) {
+  const FacetTree<3> tree(input);
+  std::vector<Index> nearest;
+  for (const Vec<3>& x : points) {
+    const bool is_left_out = !x.allFinite() || prepared.nearest[input.facets[tree.nearest(x)][0]] == no_index;
+    const auto& vertices = prepared.surface.vertices;
+    nearest.push_back(is_left_out ? no_index
+                                  : static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
+                                                       vertices.begin()));
+  }
+  return nearest;
 }
 
 /// The vertices of the prepared surfaces that are nearest to landmarks; of many landmarks some, evenly through the list.
-std::vector<std::pair<Index, Index>> vertex_pairs(std::span<const CorrespondingPoints> landmarks, const AutomaticPairs& prepared) {
-  const std::size_t n = std::min(landmarks.size(), n_most_landmarks);
-  std::vector<std::pair<Index, Index>> pairs;
-  for (std::size_t i = 0; i < n; ++i) {
-    const CorrespondingPoints& l = landmarks[i * landmarks.size() / n];
-    const Index p = nearest_vertex(prepared.reference.surface, l.on_reference), q = nearest_vertex(prepared.template_surface.surface, l.on_template);
-    if (p != no_index && q != no_index) pairs.emplace_back(p, q);
+std::vector<std::pair<Index, Index>> vertex_pairs(std::span<const CorrespondingPoints> landmarks, const Surface<3>& reference,
+                                                  const Surface<3>& template_surface, const AutomaticPairs& prepared) {
+  if (landmarks.empty()) return {};
+  std::vector<Vec<3>> points[2];
+  for (std::size_t i = 0, n = std::min(landmarks.size(), n_most_landmarks); i < n; ++i) {
+    points[0].push_back(landmarks[i * landmarks.size() / n].on_reference);
+    points[1].push_back(landmarks[i * landmarks.size() / n].on_template);
   }
+  const std::vector<Index> p = nearest_vertices(reference, prepared.reference, points[0]),
+                           q = nearest_vertices(template_surface, prepared.template_surface, points[1]);
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p[i] != no_index && q[i] != no_index) pairs.emplace_back(p[i], q[i]);
   return pairs;
 }
 
-/// Moves points of the pairs onto the surface that was given, where it was simplified.
-void project(const Surface<3>& input, const PreparedSurface& prepared, Vec<3> CorrespondingPoints::*side,
+/// Moves points of the pairs onto the component that was prepared, as it was given, where it was simplified.
+void project(Surface<3> input, const PreparedSurface& prepared, Vec<3> CorrespondingPoints::*side,
              std::vector<PairCandidate>& candidates) {
   if (prepared.surface.vertices.size() == input.vertices.size()) return;
+  std::erase_if(input.facets, [&](const auto& facet) { return prepared.nearest[facet[0]] == no_index; });
   const FacetTree<3> tree(input);
   for (PairCandidate& candidate : candidates)
     parallel_for(candidate.pairs.size(), [&](std::size_t i) {
@@ -95,18 +106,16 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
     prepared = prepare_surface(s == 0 ? reference : template_surface, options);
     shapes[s] = make_spectral_shape(prepared.surface, options);
   });
-  const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, result);
+  const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, reference, template_surface, result);
   result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false);
   if (options.mirror) {
     const SpectralShape mirrored = mirrored_shape(*shapes[0]);
-    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true)) {
-      // Shapes that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
-      candidate.score *= options.identity_preference;
-      result.candidates.push_back(std::move(candidate));
-    }
+    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true)) result.candidates.push_back(std::move(candidate));
   }
+  // Shapes that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
   const auto key = [&](const PairCandidate& c) {
-    return (c.is_identity && !c.is_mirrored ? c.score / options.identity_preference : c.score) + c.landmark_distance.value_or(0);
+    const double factor = c.is_mirrored ? options.identity_preference : c.is_identity ? 1 / options.identity_preference : 1;
+    return factor * c.score + c.landmark_distance.value_or(0);
   };
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });

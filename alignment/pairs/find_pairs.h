@@ -15,6 +15,7 @@ namespace shellmatch {
 /// One of the best distinct maps.
 struct PairCandidate {
   double score = 0;               ///< MapScore::total(), the mean of both resolutions; 0 is best
+  std::size_t n_landmarks = 0;    ///< that took part: neither double nor on a component left out, and four at least
   MapScore coarse_score, score_parts;
   /// Where landmarks tell: the median of landmark_distances() before they were among the pairs, in roots of the area.
   std::optional<double> landmark_distance;
@@ -27,7 +28,7 @@ struct PairCandidate {
 
 struct AutomaticPairs {
   PreparedSurface reference, template_surface;
-  std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score
+  std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score and distance of landmarks, the mirrored ones behind equals
   double margin = 0;                      ///< score of the best other of the same handedness over that of the first; infinite without
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }

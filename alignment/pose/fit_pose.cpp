@@ -103,6 +103,13 @@ std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
   return improved(pairs, *best, kind, handedness);
 }
 
+/// Distance of the first point of the template from the one farthest from it.
+double extent_of(Pairs pairs) {
+  double largest = 0;
+  for (const CorrespondingPoints& p : pairs) largest = std::max(largest, (p.on_template - pairs[0].on_template).norm());
+  return largest;
+}
+
 }  // namespace
 
 bool Pose::is_mirrored() const { return rotation.determinant() < 0; }
@@ -112,7 +119,8 @@ Pose fit_pose(Pairs pairs, PoseKind kind, Mirroring mirroring) {
   std::optional<Pose> pose, mirrored;
   if (mirroring != Mirroring::always) pose = best_pose(pairs, kind, 1);
   if (mirroring != Mirroring::never) mirrored = best_pose(pairs, kind, -1);
-  if (mirrored && (!pose || mirrored->residual < mirrored_gain * pose->residual)) pose = mirrored;
+  // Where few or coplanar points fit both ways, rounding must not decide.
+  if (mirrored && (!pose || (mirrored->residual < mirrored_gain * pose->residual && pose->residual > 1e-9 * extent_of(pairs)))) pose = mirrored;
   if (!pose) throw_input_error("a pose needs pairs of points that do not lie on one line");
   return *pose;
 }

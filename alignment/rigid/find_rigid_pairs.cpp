@@ -155,11 +155,7 @@ RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& templ
   const NormalizedSurface second(template_surface);
   candidates = rigid_candidates(reference, second, options, false);
   if (options.mirror)
-    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true)) {
-      // Surfaces that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
-      candidate.score = candidate.score * options.identity_preference + score_noise;
-      candidates.push_back(std::move(candidate));
-    }
+    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true)) candidates.push_back(std::move(candidate));
   order_candidates(candidates, {options.identity_preference, score_noise}, [](const RigidCandidate& c) {
     return angle_of(c.is_mirrored ? Mat<3>(-c.pose.rotation) : c.pose.rotation);
   });

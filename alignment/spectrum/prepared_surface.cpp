@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace shellmatch {
@@ -54,8 +55,8 @@ Surface<3> component_of(const Surface<3>& surface, const Components& components,
 }
 
 /// For each vertex of a component the nearest corner of the nearest facet.
-std::vector<Index> nearest_vertices(const Surface<3>& input, const Components& components, Index wanted,
-                                    const Surface<3>& surface) {
+std::vector<Index> nearest_corners(const Surface<3>& input, const Components& components, Index wanted,
+                                   const Surface<3>& surface) {
   const FacetTree<3> tree(surface);
   std::vector<Index> nearest(input.vertices.size(), no_index);
   parallel_for(nearest.size(), [&](std::size_t v) {
@@ -74,13 +75,15 @@ std::vector<Index> nearest_vertices(const Surface<3>& input, const Components& c
 PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options) {
   const Components components = components_of(input);
   const double area = std::accumulate(components.areas.begin(), components.areas.end(), 0.0);
+  if (!std::isfinite(area)) throw_input_error("a surface has coordinates that are not finite");
   if (!(area > 0)) throw_input_error("a surface without area has no correspondence; give it facets");
   const Index wanted = largest_component(components);
-  PreparedSurface prepared{component_of(input, components, wanted), {}, {}};
+  PreparedSurface prepared{component_of(input, components, wanted), {}};
   const auto n_parts = std::count_if(components.areas.begin(), components.areas.end(), [](double a) { return a > 0; });
-  if (n_parts > 1)
-    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts,
-                                         100 * components.areas[wanted] / area));
+  if (n_parts > 1) {
+    prepared.share = components.areas[wanted] / area;
+    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts, 100 * prepared.share));
+  }
   const std::size_t n = prepared.surface.vertices.size();
   const auto most = static_cast<std::size_t>(options.max_vertices);
   // A surface that is a little larger is not worth the change of its vertices.
@@ -95,7 +98,7 @@ PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions&
     prepared.notes.push_back(
         fmt::format("{} vertices {} {}", n, prepared.surface.vertices.size() < n ? "simplified to" : "divided into",
                     prepared.surface.vertices.size()));
-  prepared.nearest = nearest_vertices(input, components, wanted, prepared.surface);
+  prepared.nearest = nearest_corners(input, components, wanted, prepared.surface);
   return prepared;
 }
 

@@ -12,7 +12,8 @@ namespace shellmatch {
 struct PreparedSurface {
   Surface<3> surface;           ///< connected, every vertex with a facet, in the coordinates of the input
   std::vector<Index> nearest;   ///< for each vertex of the input one of `surface`; no_index on components left out
-  std::vector<std::string> notes;  ///< what was changed, in words
+  double share = 1;             ///< of the input's area; below 1 where other components were left out
+  std::vector<std::string> notes = {};  ///< what was changed, in words
 };
 
 /// The connected component of largest area, simplified (geometry/repair/simplify.h) to about options.max_vertices; facets

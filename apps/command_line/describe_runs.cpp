@@ -55,7 +55,7 @@ void describe(CLI::App& app, CohortCommand& cohort) {
   command->add_option("SHAPES", cohort.shapes, "files of subjects or patterns, or the YAML file of a cohort")->type_name("");
   command->add_option("-o,--output", cohort.output, "output folder; without it out/NAME for NAME.yaml")->type_name("DIR");
   command->add_option("--atlas", cohort.atlas, "the shape that is deformed onto all: a file, or the id of a subject")->type_name("SHAPE");
-  command->add_option("--kind", cohort.kind, "what becomes of the atlas; given with --atlas, otherwise mean")->type_name("given|medoid|mean");
+  command->add_option("--kind", cohort.kind, "what becomes of the atlas; given with --atlas and without a file of the cohort, otherwise mean")->type_name("given|medoid|mean");
   command->add_option("--atlas-landmarks", cohort.atlas_landmarks, "points of the atlas, which are carried to all subjects")->type_name("FILE");
   command->add_option("--table", cohort.table, "CSV with the columns file, id, landmarks, group, reflect, instead of SHAPES")->type_name("FILE");
   command->add_option("--levels", cohort.levels, "coarsest and finest level; cells have side 2^-level")->type_name("MIN:MAX");

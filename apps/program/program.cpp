@@ -18,6 +18,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -32,10 +33,19 @@ int fail(int code, const std::string& text) {
   return code;
 }
 
+bool has_levels(const Invocation& invocation) {
+  return std::visit(
+      []<class C>(const C&) {
+        return std::is_same_v<C, MatchCommand> || std::is_same_v<C, RunCommand> || std::is_same_v<C, CurvatureCommand> ||
+               std::is_same_v<C, CohortCommand> || std::is_same_v<C, StudyCommand>;
+      },
+      invocation.command);
+}
+
 // What to do where a limit was reached; the message before it says what has been kept.
-int fail_at_limit(const KeptLimits& limits, StopCause cause, const std::string& text) {
-  return fail(limit_reached, fmt::format("{}: {}{}", limits.text(cause), text,
-                                         cause == StopCause::memory_limit ? "; give more, or match to a lower finest level (--levels)" : ""));
+int fail_at_limit(const Invocation& invocation, const KeptLimits& limits, StopCause cause, const std::string& text) {
+  const char* advice = cause != StopCause::memory_limit ? "" : has_levels(invocation) ? "; give more, or match to a lower finest level (--levels)" : "; give more";
+  return fail(limit_reached, fmt::format("{}: {}{}", limits.text(cause), text, advice));
 }
 
 int perform(const Invocation& invocation) {
@@ -46,15 +56,15 @@ int perform(const Invocation& invocation) {
     if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
     return success;
   } catch (const Stopped& stopped) {
-    if (stopped.cause() != StopCause::request) return fail_at_limit(limits, stopped.cause(), stopped.what());
+    if (stopped.cause() != StopCause::request) return fail_at_limit(invocation, limits, stopped.cause(), stopped.what());
     std::fputs(fmt::format("shellmatch: {}\n", printable(stopped.what(), max_message_length)).c_str(), stderr);
     return interrupt_exit_code();
   } catch (const MemoryError& want) {
     if (invocation.limits.memory.empty()) throw;
-    return fail_at_limit(limits, StopCause::memory_limit, want.what());
+    return fail_at_limit(invocation, limits, StopCause::memory_limit, want.what());
   } catch (const std::bad_alloc&) {
-    if (!invocation.limits.memory.empty()) return fail_at_limit(limits, StopCause::memory_limit, "not enough memory");
-    return fail(environment_error, "not enough memory; a lower finest level (--levels) needs less");
+    if (!invocation.limits.memory.empty()) return fail_at_limit(invocation, limits, StopCause::memory_limit, "not enough memory");
+    return fail(environment_error, has_levels(invocation) ? "not enough memory; a lower finest level (--levels) needs less" : "not enough memory");
   }
 }
 

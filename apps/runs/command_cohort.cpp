@@ -4,12 +4,13 @@
 #include "apps/experiment_overrides.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/limits.h"
+#include "apps/runs/description_copy.h"
 #include "apps/runs/runs.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/replace_file.h"
 #include "base/stop.h"
 #include "cohorts/execution/cohort_cost.h"
+#include "cohorts/execution/kept_results.h"
 #include "cohorts/execution/run_cohort.h"
 #include "cohorts/output/own_files.h"
 #include "cohorts/output/write_cohort.h"
@@ -93,7 +94,8 @@ std::vector<std::size_t> only(const Cohort& cohort, const std::vector<std::strin
       throw_input_error("--only {}: the cohort has no such subject; {}--list lists them", id,
                         near.empty() ? "" : fmt::format("did you mean {}? ", near));
     }
-    subjects.push_back(static_cast<std::size_t>(found - known.begin()));
+    const auto subject = static_cast<std::size_t>(found - known.begin());
+    if (std::ranges::find(subjects, subject) == subjects.end()) subjects.push_back(subject);
   }
   return subjects;
 }
@@ -132,20 +134,10 @@ void list_stages(const Cohort& cohort) {
   std::cout << "last\n";
 }
 
-// Before the first run such a file is somebody's, and replaced by none. A cohort makes `runs` before it: looked for in this order, shards
-// that begin together do not refuse each other's.
-void refuse_foreign_description(const Cohort& cohort, const std::string& folder) {
-  const std::string path = folder + "/cohort.yaml";
+// A file of the user's own, from which the cohort was read, stays as it is, comments and all.
+bool is_its_own(const Cohort& cohort, const std::string& copy) {
   std::error_code error;
-  if (std::filesystem::exists(path, error) && !std::filesystem::equivalent(cohort.name, path, error) && !std::filesystem::is_directory(folder + "/runs", error))
-    throw_input_error("{}: describes another cohort, and none has run there; choose another folder with -o", path);
-}
-
-// A file of the user's own stays as it is, comments and all.
-void keep_description(const Cohort& cohort, const std::string& folder) {
-  const std::string path = folder + "/cohort.yaml";
-  std::error_code error;
-  if (!std::filesystem::equivalent(cohort.name, path, error)) replace_file(path, to_yaml(cohort));
+  return std::filesystem::equivalent(cohort.name, copy, error);
 }
 
 }  // namespace
@@ -169,16 +161,15 @@ void execute(const CohortCommand& command) {
   CohortPart part;
   if (!choose_part(command, cohort, part)) return;
   check_inputs_are_kept(cohort, output);
-  refuse_foreign_description(cohort, output);
+  if (!is_its_own(cohort, output + "/cohort.yaml")) check_copy_place(output + "/cohort.yaml", to_yaml(cohort));
   const RunsFolder folder(output, cohort_folder_kind, part.subjects.empty());
-  keep_description(cohort, folder.path());
+  if (const std::string copy = folder.path() + "/cohort.yaml"; !is_its_own(cohort, copy)) keep_copy(copy, to_yaml(cohort));
   keep_memory_of_runs(cohort.options.limits, settings.jobs);
   catch_interrupts();
   CohortProgress progress(command.verbosity == Verbosity::quiet);
   CohortOutcome outcome = run_cohort(cohort, folder, settings, part, progress);
   if (outcome.end == CohortEnd::stopped)
-    throw Stopped(fmt::format("stopped; the same command goes on where it was (results so far: {})", output),
-                  stop_cause());
+    throw Stopped(matchings_are_kept(output), stop_cause());
   if (outcome.end == CohortEnd::in_part) return;
   std::vector<std::string> notes;
   const auto write = [&]<int Dim>(FinishedCohort<Dim>& finished) {

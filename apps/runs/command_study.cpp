@@ -3,20 +3,18 @@
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/limits.h"
+#include "apps/runs/description_copy.h"
 #include "apps/runs/runs.h"
 #include "base/error.h"
 #include "base/printable.h"
-#include "base/replace_file.h"
 #include "base/stop.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
 #include "studies/report/collect.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 namespace shellmatch {
 
@@ -35,16 +33,10 @@ std::vector<StudyRun> chosen(const std::vector<StudyRun>& runs, const std::vecto
       throw_input_error("--only {}: the study has no such run; {}--list lists them", name,
                         near.empty() ? "" : fmt::format("did you mean {}? ", near));
     }
-    list.push_back(runs[static_cast<std::size_t>(found - names.begin())]);
+    const StudyRun& run = runs[static_cast<std::size_t>(found - names.begin())];
+    if (std::ranges::find(list, run.name, &StudyRun::name) == list.end()) list.push_back(run);
   }
   return list;
-}
-
-std::string contents_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 // What the text of a study says of its folder; none where it says nothing or is no study.
@@ -87,13 +79,6 @@ bool is_file_in(const std::string& file, const std::string& folder) {
   return std::filesystem::equivalent(file, std::filesystem::path(folder) / "study.yaml", error);
 }
 
-// A study.yaml in a folder without runs is not the copy that a study has made.
-void check_study_file(const std::string& folder, const std::string& text) {
-  const std::filesystem::path place = folder, file = place / "study.yaml";
-  if (std::filesystem::exists(file) && !std::filesystem::exists(place / "runs") && contents_of(file.string()) != text)
-    throw_input_error("{}: is another study's file, and no study has run there; choose another folder with -o", file.string());
-}
-
 void list(const Study& study, const std::vector<StudyRun>& runs, bool verbose) {
   for (const StudyRun& run : runs) {
     std::cout << run.name;
@@ -109,6 +94,7 @@ void list(const Study& study, const std::vector<StudyRun>& runs, bool verbose) {
 void execute(const StudyCommand& command) {
   std::vector<Override> overrides;
   for (const std::string& assignment : command.assignments) overrides.push_back(parse_override(assignment));
+  if (command.collect && !command.only.empty()) throw_input_error("--collect is for the whole study, not for --only");
   Study study = read_study(command.study, std::move(overrides));
   const std::vector<StudyRun> all = runs_of(study), runs = chosen(all, command.only);
   const TaskSettings settings{checked_program(command.program), number_of_jobs(command.jobs, 1), command.retry};
@@ -119,9 +105,9 @@ void execute(const StudyCommand& command) {
       command.output.empty() ? "out/" + std::filesystem::path(command.study).stem().string() : command.output;
   const bool is_its_own = is_file_in(study.file, output);
   const std::string text = is_its_own ? contents_of(study.file) : text_of_copy(study);
-  check_study_file(output, text);
+  if (!is_its_own) check_copy_place(output + "/study.yaml", text);
   const RunsFolder folder(output, study_folder_kind, command.only.empty());
-  if (!is_its_own) replace_file(folder.path() + "/study.yaml", text);
+  if (!is_its_own) keep_copy(folder.path() + "/study.yaml", text);
   catch_interrupts();
   RunsProgress progress(command.verbosity == Verbosity::quiet);
   if (!command.collect && !run_tasks(tasks_of(runs), study.options.limits, folder, settings, progress))

@@ -1,14 +1,13 @@
 #include "apps/runs/runs.h"
 
 #include "apps/process/limits.h"
+#include "apps/words.h"
 #include "base/error.h"
-#include "base/printable.h"
 #include "base/stop.h"
 #include "matching/progress/process_info.h"
 
 #include <unistd.h>
 
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 
@@ -25,16 +24,12 @@ bool RunsProgress::stop_requested() { return stop_cause() != StopCause::none; }
 
 void RunsProgress::say(const std::string& text) const {
   if (!is_quiet_)
-    std::fputs(fmt::format("shellmatch: {}\n", printable(text, max_message_length)).c_str(), stderr);
+    say_line("shellmatch: " + text);
 }
 
 int number_of_jobs(const std::string& text, int fallback) {
   if (text.empty()) return fallback;
-  int jobs = 1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
-  if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > 1024)
-    throw_input_error("--jobs {}: expected the number of runs at the same time, 1 to 1024", text);
-  return jobs;
+  return whole_number(text, "--jobs", 1, 1024);
 }
 
 std::string checked_program(const std::string& program) {

@@ -8,6 +8,11 @@
 
 namespace shellmatch {
 
+/// The message of a cohort that is stopped.
+inline std::string matchings_are_kept(const std::string& folder) {
+  return "stopped; the matchings that have finished are kept in " + folder + ", and the same command goes on from there";
+}
+
 /// Calls `work`. A parallel loop that is stopped in it says that nothing was written (base/stop.h), which is not so in a cohort's folder.
 /// \throws Stopped with what is kept, and whatever else `work` throws
 template <class Work>
@@ -15,8 +20,7 @@ auto saying_what_is_kept(const std::string& folder, Work&& work) {
   try {
     return work();
   } catch (const Stopped& stopped) {
-    throw Stopped("stopped; the matchings that have finished are kept in " + folder + ", and the same command goes on from there",
-                  stopped.cause());
+    throw Stopped(matchings_are_kept(folder), stopped.cause());
   }
 }
 

@@ -10,7 +10,7 @@
 namespace shellmatch {
 
 struct RoundRecord {
-  std::string cohort;   ///< checksum of the cohort's description
+  std::string cohort;   ///< checksum of all of the cohort's description on which means depend
   std::string results;  ///< checksum of all on which the mean depends
   AtlasRound round;
   bool converged = false;  ///< the mean has moved by no more than atlas.tolerance allows

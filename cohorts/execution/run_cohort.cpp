@@ -23,6 +23,19 @@ namespace {
 const RunsFolderKind round_folder_kind{
     "cohort", {}, {"mean.ply", "mean.csv", "mean_landmarks.csv", "round.json"}, ""};
 
+// All but the contents of files on which the means of rounds depend.
+std::string text_of_rounds(const Cohort& cohort) {
+  Cohort c = cohort;
+  c.options.title.clear();
+  c.options.table.clear();  // to_yaml() lists the subjects instead
+  c.options.limits = {};
+  c.options.statistics = {};
+  c.options.statistics.procrustes = cohort.options.statistics.procrustes;
+  std::string text = to_yaml(c);
+  for (const Subject& subject : cohort.subjects) text += fmt::format("\n{} {} {}", subject.id, subject.landmarks, subject.reflect);
+  return text;
+}
+
 const Subject* find_subject(const Cohort& cohort, const std::string& id) {
   const auto found = std::ranges::find(cohort.subjects, id, &Subject::id);
   return found == cohort.subjects.end() ? nullptr : &*found;
@@ -39,7 +52,7 @@ class CohortRun {
         part_(part),
         observer_(observer),
         tasks_(cohort, folder.path() + "/mirrored"),
-        checksum_(text_checksum(to_yaml(cohort))) {
+        checksum_(text_checksum(text_of_rounds(cohort))) {
     all_.resize(cohort.subjects.size());
     std::iota(all_.begin(), all_.end(), std::size_t{0});
   }
@@ -81,7 +94,10 @@ class CohortRun {
   }
 
   Atlas<Dim> atlas_of_subject(const std::string& id) {
-    const Subject& subject = *find_subject(cohort_, id);
+    const Subject* found = find_subject(cohort_, id);
+    if (found == nullptr)
+      throw_input_error("{}: {} is the medoid and no longer a subject: close the rounds again with --collect", folder_.path(), id);
+    const Subject& subject = *found;
     Shape<Dim> shape = std::get<Shape<Dim>>(open_shape(
         tasks_.source_of(subject), cohort_.experiment.input.close, volume_space(cohort_.experiment.input)));
     std::vector<NamedPoint<Dim>> landmarks = read_landmarks_of(shape.original, tasks_.landmarks_of(subject));
@@ -110,6 +126,12 @@ class CohortRun {
     return run_tasks(tasks_of(tasks), cohort_.options.limits, runs, settings_, observer_);
   }
 
+  static std::size_t n_unmatched(const std::vector<RunTask>& tasks, const RunsFolder& runs) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(tasks, [&](const RunTask& task) { return runs.result_of(task).status == RunStatus::not_run; }));
+  }
+  static bool is_matched(const std::vector<RunTask>& tasks, const RunsFolder& runs) { return n_unmatched(tasks, runs) == 0; }
+
   // How the work ends with this round; nothing where it goes on.
   std::optional<CohortEnd> perform_round(const Stage& stage, const Atlas<Dim>& atlas) {
     const std::string folder = stage.folder(folder_.path()), record_file = folder + "/round.json";
@@ -117,7 +139,9 @@ class CohortRun {
     const bool is_known = earlier && earlier->cohort == checksum_ && has_atlas(folder, "mean", Dim);
     if (is_part()) {
       const bool is_ours = !part_.stage || *part_.stage == stage;
-      if (is_known) return is_ours && part_.stage ? std::optional(CohortEnd::in_part) : std::nullopt;
+      // A subject whose file has changed is matched again, though the round was closed with it.
+      if (is_known && is_matched(tasks_.of(stage, atlas.files, part_.subjects), RunsFolder(folder, round_folder_kind, false)))
+        return is_ours && part_.stage ? std::optional(CohortEnd::in_part) : std::nullopt;
       if (!is_ours)
         throw_input_error("{}: {} waits for {}: close that with --collect", folder_.path(),
                           part_.stage->name(), stage.name());
@@ -128,9 +152,7 @@ class CohortRun {
     const RunsFolder runs(folder, round_folder_kind, folder_.is_whole());
     const std::vector<RunTask> tasks = tasks_.of(stage, atlas.files, all_);
     if (!part_.collect && !match(stage, tasks, runs)) return CohortEnd::stopped;
-    const auto n_left = std::ranges::count_if(
-        tasks, [&](const RunTask& task) { return runs.result_of(task).status == RunStatus::not_run; });
-    if (n_left > 0)
+    if (const std::size_t n_left = n_unmatched(tasks, runs); n_left > 0)
       throw_input_error("{}: {}: {} of {} subjects have no result yet", folder_.path(), stage.name(), n_left,
                         tasks.size());
     if (const std::string results = checksum_of(runs, tasks); !is_known || earlier->results != results)

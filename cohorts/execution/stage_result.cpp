@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace shellmatch {
@@ -46,12 +47,14 @@ class Reader {
     row.message = run.message;
     row.seconds = run.seconds;
     if (run.status == RunStatus::finished) {
+      std::optional<Finished> finished;
       try {
-        read_finished(k, task, landmarks, row);
+        finished = read_finished(task, !landmarks.empty());
       } catch (const InputError& error) {
         throw_input_error("{}; remove {} so that it is matched again", error.what(),
                           folder_.run_folder(task));
       }
+      use(std::move(*finished), k, task, landmarks, row);
     }
     result_.subjects.push_back(std::move(row));
   }
@@ -65,44 +68,56 @@ class Reader {
   }
 
  private:
-  void read_finished(std::size_t k, const RunTask& task, const std::string& landmarks, SubjectResult& row) {
+  // What a matching has written, as far as it is used.
+  struct Finished {
+    std::string output;
+    MatchSummary summary;
+    OriginalShape<Dim> deformed;
+    std::optional<Deformation<Dim>> map;       // where there are landmarks
+    std::optional<OriginalShape<Dim>> subject; // where it has landmarks of its own
+  };
+
+  Finished read_finished(const RunTask& task, bool has_landmarks) const {
     const std::string output = folder_.run_folder(task) + "/output";
-    const MatchSummary summary = read_summary(output + "/summary.json");
-    row.folder = "runs/" + task.name + "/output";
-    row.distance = summary.distance;
-    row.diagonal = summary.template_diagonal.value_or(0);
-    if (summary.verdict) {
-      row.outcome = summary.verdict->outcome;
-      row.reasons = summary.verdict->reasons;
-    }
-    if (result_.unit.empty()) result_.unit = summary.unit.value_or("");
-    std::vector<Vec<Dim>> carried;
-    if (!atlas_.landmarks.empty() || !landmarks.empty()) carried = carry(k, output, landmarks);
-    row.in_model = stage_.is_last() ? is_included(row, cohort_.options.statistics.include) : is_near(summary);
-    if (!row.in_model) return;
-    const OriginalShape<Dim> deformed = read_shape_as_it_is<Dim>(output, "deformed");
-    if (deformed.vertices.size() != atlas_.shape.vertices.size())
-      throw_input_error("{}: has {} vertices where the atlas has {}", output, deformed.vertices.size(),
+    Finished f{output, read_summary(output + "/summary.json"), read_shape_as_it_is<Dim>(output, "deformed"), {}, {}};
+    if (f.deformed.vertices.size() != atlas_.shape.vertices.size())
+      throw_input_error("{}: has {} vertices where the atlas has {}", output, f.deformed.vertices.size(),
                         atlas_.shape.vertices.size());
+    if (has_landmarks || !atlas_.landmarks.empty()) f.map = read_deformation<Dim>(output);
+    if (has_landmarks) f.subject = read_shape_as_it_is<Dim>(output, "template");
+    return f;
+  }
+
+  void use(Finished f, std::size_t k, const RunTask& task, const std::string& landmarks, SubjectResult& row) {
+    row.folder = "runs/" + task.name + "/output";
+    row.distance = f.summary.distance;
+    row.diagonal = f.summary.template_diagonal.value_or(0);
+    if (f.summary.verdict) {
+      row.outcome = f.summary.verdict->outcome;
+      row.reasons = f.summary.verdict->reasons;
+    }
+    if (result_.unit.empty()) result_.unit = f.summary.unit.value_or("");
+    std::vector<Vec<Dim>> carried;
+    if (f.map) carried = carry(f, k, landmarks);
+    row.in_model = stage_.is_last() ? is_included(row, cohort_.options.statistics.include) : is_near(f.summary);
+    if (!row.in_model) return;
     Eigen::VectorXd column(atlas_.points.size());
     Eigen::Index at = 0;
-    for (const std::vector<Vec<Dim>>* list : {&deformed.vertices, &std::as_const(carried)})
+    for (const std::vector<Vec<Dim>>* list : {&std::as_const(f.deformed.vertices), &std::as_const(carried)})
       for (const Vec<Dim>& x : *list) column.segment<Dim>(Dim * at++) = x;
     columns_.push_back(std::move(column));
     result_.rows.push_back(k);
   }
 
-  // The atlas' landmarks on the subject, and the subject's own on the atlas.
-  std::vector<Vec<Dim>> carry(std::size_t k, const std::string& output, const std::string& landmarks) {
-    const Deformation<Dim> map = read_deformation<Dim>(output);
-    const PointMap<Dim> forward(map, Toward::template_shape);
+  // The atlas' landmarks on the subject, and the subject's own on the atlas. Matching again would not mend what is wrong with these.
+  std::vector<Vec<Dim>> carry(const Finished& f, std::size_t k, const std::string& landmarks) {
+    const PointMap<Dim> forward(*f.map, Toward::template_shape);
     std::map<std::string, Vec<Dim>> known;
-    if (!landmarks.empty()) {
+    if (f.subject) {
       std::vector<std::string> notes;
-      const OriginalShape<Dim> subject = read_shape_as_it_is<Dim>(output, "template");
-      const PointMap<Dim> back(map, Toward::reference);
+      const PointMap<Dim> back(*f.map, Toward::reference);
       for (const NamedPoint<Dim>& point :
-           read_named_points<Dim>(landmarks, subject.vertices, subject.space, subject.space, notes)) {
+           read_named_points<Dim>(landmarks, f.subject->vertices, f.subject->space, f.subject->space, notes)) {
         known[point.name] = point.point;
         result_.returned.push_back({k, point.name, back(point.point)});
       }
@@ -111,7 +126,7 @@ class Reader {
     for (std::size_t l = 0; l < atlas_.landmarks.size(); ++l) {
       const std::optional<Vec<Dim>> image = forward(atlas_.landmarks[l].point);
       if (!image)
-        throw_input_error("{}: landmark '{}' of the atlas has no image", output, atlas_.landmarks[l].name);
+        throw_input_error("{}: landmark '{}' of the atlas has no image; leave it out of atlas.landmarks", f.output, atlas_.landmarks[l].name);
       carried.push_back(*image);
       const auto own = known.find(atlas_.landmarks[l].name);
       result_.carried.push_back(

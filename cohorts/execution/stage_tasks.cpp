@@ -48,12 +48,12 @@ RunTask StageTasks::task(const Stage& stage, const AtlasFiles& atlas, const Subj
   }
   // The mean has moved little: its matching begins where that of the round before has ended.
   o.start.map = usable_result(atlas.runs, subject.id);
-  if (!o.start.map.empty() && !stage.is_last()) o.start.level = cohort_.options.atlas.max_level;
+  if (!o.start.map.empty() && !stage.is_last()) o.start.level = cohort_.round_level();
   // Many matchings side by side use a machine better than many threads of one.
   o.threads = std::max(1, o.threads);
   o.resume = {.enabled = false};
   if (!stage.is_last()) {
-    o.cascade.max_level = cohort_.options.atlas.max_level;
+    o.cascade.max_level = cohort_.round_level();
     o.pictures = Pictures::none;
     o.report = false;
   }

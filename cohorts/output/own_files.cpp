@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "cohorts/cohort.h"
+#include "cohorts/execution/run_cohort.h"
 
 #include <algorithm>
 #include <array>
@@ -39,11 +40,8 @@ bool is_of_a_model(const std::string& name) {
 /// Of a path within the folder of a cohort; files of runs are protected by their own checksums, but are made anew as well.
 bool is_written(const fs::path& inside) {
   const std::string first = inside.begin()->string();
-  constexpr std::array folders{"runs", "atlas", "mirrored"};
-  constexpr std::array files{"atlas.ply", "atlas.csv", "atlas_landmarks.csv", "subjects.csv", "times.csv", "landmarks.csv", "landmarks_on_atlas.csv",
-                             "summary.json", "report.html"};
-  if (first == "model") return inside.parent_path() == "model" && is_of_a_model(inside.filename().string());
-  return is_in(folders, first) || is_in(files, inside.string());
+  if (first == cohort_folder_kind.files_folder) return inside.parent_path() == first && is_of_a_model(inside.filename().string());
+  return first == "runs" || is_in(cohort_folder_kind.after_runs, first);
 }
 
 /// The path within a folder; empty where it is not in there.

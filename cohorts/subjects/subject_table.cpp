@@ -72,6 +72,8 @@ Subject subject_of(const std::vector<std::string>& columns, const std::vector<st
       subject.further.emplace_back(name, text);
   }
   if (subject.source.empty()) reader.fail("the name of the file is empty");
+  if (std::error_code error; !subject.landmarks.empty() && !fs::is_regular_file(subject.landmarks, error))
+    reader.fail("{}: there is no such file of landmarks", subject.landmarks);
   if (subject.id.empty()) subject.id = id_of_source(subject.source);
   subject.source = absolute_source(subject.source, folder);
   return subject;

@@ -79,24 +79,24 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 }
 
 template <int Dim>
-void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface) {
+void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface) {
   for (Vec<Dim>& x : surface.vertices) x = placement(x);
   if (placement.rotation.determinant() < 0)
     for (auto& facet : surface.facets) std::swap(facet[0], facet[1]);
 }
 
 template <int Dim>
-void apply_placement(const Similarity<Dim>& placement, Shape<Dim>& shape) {
-  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.invented}) apply_placement(placement, *surface);
+void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape) {
+  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.invented}) apply_similarity(placement, *surface);
 }
 
 template Similarity<2> fit_placement(const Shape<2>&, const Shape<2>&, double);
 template Similarity<3> fit_placement(const Shape<3>&, const Shape<3>&, double);
 template Similarity<2> as_is_placement(const Shape<2>&, const Shape<2>&, double);
 template Similarity<3> as_is_placement(const Shape<3>&, const Shape<3>&, double);
-template void apply_placement(const Similarity<2>&, Surface<2>&);
-template void apply_placement(const Similarity<3>&, Surface<3>&);
-template void apply_placement(const Similarity<2>&, Shape<2>&);
-template void apply_placement(const Similarity<3>&, Shape<3>&);
+template void apply_similarity(const Similarity<2>&, Surface<2>&);
+template void apply_similarity(const Similarity<3>&, Surface<3>&);
+template void apply_similarity(const Similarity<2>&, Shape<2>&);
+template void apply_similarity(const Similarity<3>&, Shape<3>&);
 
 }  // namespace shellmatch

@@ -33,9 +33,9 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 /// Transforms the computational surface; the original keeps the user's coordinates. A similarity that mirrors turns the
 /// facets over, so that they still face outward.
 template <int Dim>
-void apply_placement(const Similarity<Dim>& placement, Surface<Dim>& surface);
+void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface);
 /// The surface of a shape, and its observed and invented parts; the original stays.
 template <int Dim>
-void apply_placement(const Similarity<Dim>& placement, Shape<Dim>& shape);
+void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape);
 
 }  // namespace shellmatch

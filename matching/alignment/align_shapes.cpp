@@ -46,7 +46,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
     if (outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
-      Outcome<3> poses = choice_among(search_poses(shapes, options), options, trials);
+      Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
       if (!poses.choice.is_doubtful) return poses;
     }
   }
@@ -55,8 +55,9 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
 
 template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
-                      Trials<Dim> trials, Observer& observer) {
+                      Trials<Dim> trials, Observer& observer, std::string_view moved) {
   Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials);
+  for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
   const bool is_trusted = options.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
@@ -74,13 +75,13 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.as_it_lies = choice.as_it_lies;
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
-  if (best.landmark_distance) why += fmt::format(", landmarks {:.3f} roots of the area from where these take them", *best.landmark_distance);
+  if (best.landmark_distance) why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks, *best.landmark_distance);
   if (is_used && result.landmark_trust.value_or(1) < 0.5)
     why += fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)", 100 * *result.landmark_trust);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
                             best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
-                            pose_text(result.pose)));
+                            pose_text(result.pose, moved)));
   return result;
 }
 
@@ -94,29 +95,41 @@ bool has_large_gaps(const ShapePair<Dim>& shapes) {
 }
 
 template <int Dim>
-Alignment<Dim> as_it_lies_for_its_gaps(const ShapePair<Dim>& shapes, Observer& observer) {
-  const bool of_template = shapes.template_shape.invented_share > shapes.reference.invented_share;
-  const Shape<Dim>& shape = of_template ? shapes.template_shape : shapes.reference;
-  observer.note(fmt::format("alignment: not searched, as {:.2g} % of {} had to be made up; the reference begins as it lies. Landmarks can tell a pose "
-                            "(docs/landmarks.md)",
-                            100 * shape.invented_share, shape.source));
+Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::string_view moved) {
+  observer.note(fmt::format("alignment: not searched, as {}; {}. Landmarks can tell a pose (--align landmarks)", why, pose_text(Similarity<Dim>{}, moved)));
   Alignment<Dim> result;
   result.summary.emplace().as_it_lies = true;
   return result;
 }
 
+// With align.mode auto: a shape for which no pairs can be searched is matched without.
 template <int Dim>
-Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options, Observer& observer) {
+Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+                                  Observer& observer, std::string_view moved) {
+  if (has_large_gaps(shapes)) {
+    const bool of_template = shapes.template_shape.invented_share > shapes.reference.invented_share;
+    const Shape<Dim>& shape = of_template ? shapes.template_shape : shapes.reference;
+    return as_it_lies<Dim>(fmt::format("{:.2g} % of {} had to be made up", 100 * shape.invented_share, shape.source), observer, moved);
+  }
+  try {
+    return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
+  } catch (const InputError& error) {
+    return as_it_lies<Dim>(error.what(), observer, moved);
+  }
+}
+
+template <int Dim>
+Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options, Observer& observer, std::string_view moved) {
   if (landmarks.empty()) throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
   if (landmarks.size() < Dim)
     throw_input_error("align.mode: landmarks: a pose needs at least {}, and landmarks.file has {}", Dim, landmarks.size());
   std::vector<CorrespondingPointsIn<Dim>> pairs;
-  for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, 1});
+  for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, l.weight});
   Alignment<Dim> result;
   result.pose = choose_pose<Dim>(pairs, options, options.search.mirror ? Mirroring::allowed : Mirroring::never);
   result.summary = summary_of(result.pose);
   result.summary->n_pairs = static_cast<int>(landmarks.size());
-  observer.note(fmt::format("alignment by {} landmarks; {}", landmarks.size(), pose_text(result.pose)));
+  observer.note(fmt::format("alignment by {} landmarks; {}", landmarks.size(), pose_text(result.pose, moved)));
   return result;
 }
 
@@ -129,19 +142,19 @@ AlignMode align_mode(const ExperimentOptions& options) {
 
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer) {
+                            const ExperimentOptions& options, Observer& observer, std::string_view moved) {
   const AlignMode mode = align_mode(options);
   if (mode == AlignMode::none) return {};
   observer.stage("alignment");
-  Alignment<Dim> result = mode == AlignMode::automatic && has_large_gaps(shapes) ? as_it_lies_for_its_gaps(shapes, observer)
+  Alignment<Dim> result = mode == AlignMode::automatic ? search_if_possible(shapes, landmarks, options, observer, moved)
                           : mode == AlignMode::landmarks
-                              ? by_landmarks(landmarks, options.align, observer)
-                              : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
+                              ? by_landmarks(landmarks, options.align, observer, moved)
+                              : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
   result.summary->mode = enum_name(mode);
   return result;
 }
 
-template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&, Observer&);
-template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&, Observer&);
+template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&, Observer&, std::string_view);
+template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&, Observer&, std::string_view);
 
 }  // namespace shellmatch

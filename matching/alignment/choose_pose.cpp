@@ -39,9 +39,9 @@ double angle_in_degrees(const Mat<Dim>& rotation) {
 }
 
 template <int Dim>
-std::string pose_text(const Similarity<Dim>& pose) {
-  if (pose.is_identity()) return "the reference begins as it lies";
-  return fmt::format("the reference is turned by {:.0f} degrees{}{}", angle_in_degrees<Dim>(pose.rotation),
+std::string pose_text(const Similarity<Dim>& pose, std::string_view moved) {
+  if (pose.is_identity()) return fmt::format("the {} begins as it lies", moved);
+  return fmt::format("the {} is turned by {:.0f} degrees{}{}", moved, angle_in_degrees<Dim>(pose.rotation),
                      pose.rotation.determinant() < 0 ? " and mirrored" : "",
                      pose.scale == 1 ? "" : fmt::format(" and scaled by {:.3g}", pose.scale));
 }
@@ -59,7 +59,7 @@ Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                               \
-  template std::string pose_text<Dim>(const Similarity<Dim>&);                                                          \
+  template std::string pose_text<Dim>(const Similarity<Dim>&, std::string_view);                                                          \
   template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, Mirroring)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

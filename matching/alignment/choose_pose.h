@@ -8,6 +8,7 @@
 #include "matching/experiment/align_options.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shellmatch {
@@ -23,8 +24,8 @@ Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs
 template <int Dim>
 double angle_in_degrees(const Mat<Dim>& rotation);
 
-/// For the line that tells what was chosen.
+/// For the line that tells what was chosen. \param moved "reference", or "template" where that is deformed
 template <int Dim>
-std::string pose_text(const Similarity<Dim>& pose);
+std::string pose_text(const Similarity<Dim>& pose, std::string_view moved);
 
 }  // namespace shellmatch

@@ -13,14 +13,14 @@ namespace {
 // better by this factor, in energy or in distance.
 constexpr double clearly_better = 1.5;
 
-// Landmarks say better than scores whether pairs are right; in roots of the area.
+// In roots of the area.
 constexpr double most_landmark_distance = 0.15;
 
 template <int Dim>
 class Choosing {
  public:
   Choosing(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials)
-      : starts_(search.starts), options_(options), try_(trials), trials_(starts_.size()) {
+      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), options_(options), try_(trials), trials_(starts_.size()) {
     for (std::size_t i = 0; i < starts_.size(); ++i)
       if (starts_[i].is_usable()) usable_.push_back(i);
   }
@@ -33,14 +33,20 @@ class Choosing {
     const std::vector<std::size_t> close = close_ones();
     if (close.size() > 1) among(close, choice);
     const Start<Dim>& best = starts_[choice.index];
-    choice.is_doubtful = best.landmark_distance ? *best.landmark_distance > most_landmark_distance
-                                                : best.score > options_.doubtful_score || choice.margin < options_.doubtful_margin;
+    choice.is_doubtful = is_doubtful(best, choice.margin);
     if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity)
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
   }
 
  private:
+  // Landmarks say better than scores whether pairs are right: those all over the shape alone, those on one part of it that they are wrong.
+  bool is_doubtful(const Start<Dim>& start, double margin) const {
+    if (start.landmark_distance && *start.landmark_distance > most_landmark_distance) return true;
+    if (start.landmark_distance && landmarks_are_spread_) return false;
+    return start.score > options_.doubtful_score || margin < options_.doubtful_margin;
+  }
+
   std::vector<std::size_t> close_ones() const {
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t i : usable_) least = std::min(least, starts_[i].score);
@@ -55,7 +61,8 @@ class Choosing {
     std::vector<double> merit(starts_.size());
     for (const std::size_t i : close) merit[i] = (starts_[i].score + starts_[i].landmark_distance.value_or(0)) * std::sqrt(trial(i).with_pairs);
     const auto preferred = [&](std::size_t i) {
-      return starts_[i].is_identity ? merit[i] / options_.search.identity_preference : merit[i];
+      const double factor = options_.search.identity_preference;
+      return starts_[i].is_identity ? merit[i] / factor : starts_[i].is_mirrored ? merit[i] * factor : merit[i];
     };
     const std::size_t best =
         *std::min_element(close.begin(), close.end(), [&](auto a, auto b) { return preferred(a) < preferred(b); });
@@ -78,6 +85,7 @@ class Choosing {
   }
 
   const std::vector<Start<Dim>>& starts_;
+  const bool landmarks_are_spread_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
   std::vector<std::optional<Trial>> trials_;

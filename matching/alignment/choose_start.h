@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace shellmatch {
@@ -31,6 +32,10 @@ struct StartSearch {
   /// At least one. The first is the best by score, or as good and preferred, as the shapes as they lie are.
   std::vector<Start<Dim>> starts;
   double margin = 0;  ///< least score of the others of the same handedness over that of the first
+  /// Landmarks that took part lie all over the template: maps that agree with them are right everywhere.
+  bool landmarks_are_spread = false;
+  std::size_t n_landmarks = 0;      ///< that took part
+  std::vector<std::string> notes = {};  ///< what was left out
 };
 
 struct StartChoice {
@@ -40,13 +45,14 @@ struct StartChoice {
   /// mirror image they are as good, and right as well.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
-  /// Not usable; by landmarks, where these tell; else by options.align.doubtful_score or doubtful_margin.
+  /// Not usable; far from landmarks, where these tell; without landmarks all over the template, by options.align.doubtful_score or
+  /// doubtful_margin.
   bool is_doubtful = true;
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
 /// Of the usable starts, tries the first and those whose scores are less than align.clear_margin times the least, if these are
-/// several. The start as the shapes lie is preferred by align.search.identity_preference. If another is chosen and not doubtful,
+/// several. The start as the shapes lie is preferred by align.search.identity_preference, and by as much any other to a mirrored one. If another is chosen and not doubtful,
 /// the shapes as they lie are tried without pairs, too, with align.mode auto, and win unless it is better than that by half in
 /// energy or in the distance of the template.
 template <int Dim>

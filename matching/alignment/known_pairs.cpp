@@ -14,7 +14,8 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
       sets.push_back(landmark_pairs(name, points, weights, alignment.pose, placement, reference, template_shape));
   };
   LandmarkOptions known = options.landmarks;
-  known.weight *= alignment.landmark_trust.value_or(1);
+  // Noisy landmarks give way to pairs that are more exact, and only to such.
+  if (!alignment.pairs.empty()) known.weight *= alignment.landmark_trust.value_or(1);
   add("landmarks", landmarks, known);
   LandmarkOptions found;
   found.weight = options.align.weight;

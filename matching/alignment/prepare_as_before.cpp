@@ -26,8 +26,8 @@ std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const
   if (!lies_inside(moved.surface, frame.pose, frame.placement, clearance) ||
       !lies_inside<Dim>(other.surface, {}, frame.placement, clearance))
     return std::nullopt;
-  if (!frame.pose.is_identity()) apply_placement(frame.pose, moved);
-  for (Shape<Dim>* shape : {&moved, &other}) apply_placement(frame.placement, *shape);
+  if (!frame.pose.is_identity()) apply_similarity(frame.pose, moved);
+  for (Shape<Dim>* shape : {&moved, &other}) apply_similarity(frame.placement, *shape);
   PreparedPair<Dim> pair;
   if (frame.is_backward) pair.direction = DirectionSummary{.backward = true};
   pair.alignment.pose = frame.pose;

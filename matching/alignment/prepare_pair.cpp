@@ -15,15 +15,13 @@ std::optional<DirectionSummary> chosen_direction(const ShapePair<Dim>& shapes, c
   const MatchDirection wanted = options.align.direction;
   DirectionSummary d;
   d.backward = wanted == MatchDirection::backward;
-  if (wanted == MatchDirection::automatic || align_mode(options) != AlignMode::none) {
-    d.reference_gaps = narrow_gap_share(shapes.reference.surface);
-    d.template_gaps = narrow_gap_share(shapes.template_shape.surface);
-  } else if (!d.backward) {
-    return std::nullopt;
-  }
+  if (wanted != MatchDirection::automatic && align_mode(options) == AlignMode::none) return d.backward ? std::optional(d) : std::nullopt;
+  const double of_reference = narrow_gap_share(shapes.reference.surface), of_template = narrow_gap_share(shapes.template_shape.surface);
+  d.reference_gaps = of_reference;
+  d.template_gaps = of_template;
   const std::string gaps = fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %)",
-                                       100 * d.reference_gaps, 100 * d.template_gaps);
-  if (!has_clearly_more_gaps(d.reference_gaps, d.template_gaps)) return d;
+                                       100 * of_reference, 100 * of_template);
+  if (!has_clearly_more_gaps(of_reference, of_template)) return d;
   if (wanted == MatchDirection::automatic) {
     d.backward = true;
     observer.note(gaps + ": the template is deformed, and the inverse of that map carries the reference");
@@ -40,6 +38,7 @@ std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks) {
   for (Landmark<Dim>& l : landmarks) {
     std::swap(l.on_reference, l.on_template);
     std::swap(l.reference_origin, l.template_origin);
+    std::swap(l.reference_name, l.template_name);
   }
   return landmarks;
 }
@@ -50,8 +49,10 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   PreparedPair<Dim> result;
   result.space = shapes.template_shape.original.space;
   result.direction = chosen_direction(shapes, options, observer);
+  if (!landmarks.empty()) check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
   if (result.is_backward()) std::swap(shapes.reference, shapes.template_shape);
-  result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer);
+  result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer,
+                                  result.is_backward() ? "template" : "reference");
   result.placement = shapes.place(options, result.alignment.pose);
   if (result.is_backward()) std::swap(shapes.reference, shapes.template_shape);
   return result;

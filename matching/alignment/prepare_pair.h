@@ -27,7 +27,7 @@ std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks);
 
 /// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and moves both
 /// surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
-/// \throws InputError as align_shapes and ShapePair::place
+/// \throws InputError as check_landmarks, align_shapes and ShapePair::place
 template <int Dim>
 PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
                                Observer& observer);

@@ -1,5 +1,6 @@
 #include "matching/alignment/search_starts.h"
 
+#include "alignment/functional_map/two_way_map.h"
 #include "alignment/outline/find_outline_pairs.h"
 #include "alignment/pairs/find_pairs.h"
 #include "alignment/rigid/find_rigid_pairs.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 
@@ -17,7 +19,7 @@ namespace {
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
-// So many landmarks halve what pairs err by beyond those of isometric shapes.
+// So many landmarks halve the part of the pairs' errors that exceeds those of nearly isometric shapes.
 constexpr double halving_landmarks = 10;
 
 double spread_at(double score, double n_landmarks) {
@@ -30,6 +32,31 @@ std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<
   for (const auto& pair : pairs)
     landmarks.push_back({fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
   return landmarks;
+}
+
+std::vector<CorrespondingPoints> points_of(const std::vector<Landmark<3>>& landmarks) {
+  std::vector<CorrespondingPoints> points;
+  for (const Landmark<3>& l : landmarks) points.push_back({l.on_reference, l.on_template, 1});
+  return points;
+}
+
+// Mean square distance of points from their mean.
+template <class Points, class Position>
+double variance(const Points& points, const Position& position) {
+  Vec<3> mean = Vec<3>::Zero();
+  for (const auto& p : points) mean += position(p) / static_cast<double>(points.size());
+  double sum = 0;
+  for (const auto& p : points) sum += (position(p) - mean).squaredNorm();
+  return sum / static_cast<double>(points.size());
+}
+
+// Landmarks on a head alone say little about the legs. Drawn at random from all of a shape, four have half of its variance or more
+// in nine cases of ten.
+bool are_spread(const std::vector<Landmark<3>>& landmarks, const Surface<3>& surface) {
+  constexpr double least_share = 0.25;
+  if (landmarks.empty()) return false;
+  const double of_landmarks = variance(landmarks, [](const Landmark<3>& l) { return l.on_template; });
+  return of_landmarks >= least_share * variance(surface.vertices, [](const Vec<3>& x) { return x; });
 }
 
 template <int Dim>
@@ -49,12 +76,14 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
 }  // namespace
 
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
-  std::vector<CorrespondingPoints> known;
-  for (const Landmark<3>& l : landmarks) known.push_back({l.on_reference, l.on_template, 1});
+  const std::vector<CorrespondingPoints> known = points_of(landmarks);
   const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
-  StartSearch<3> search{{}, found.margin};
+  StartSearch<3> search{{}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
+  for (const auto& [shape, prepared] : {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
+    if (prepared->share < 1)
+      search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area", shape->source, 100 * prepared->share));
   for (const PairCandidate& candidate : found.candidates) {
-    const double n_telling = candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(landmarks.size()) : 0;
+    const double n_telling = candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
@@ -73,9 +102,16 @@ StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landm
   return search;
 }
 
-StartSearch<3> search_poses(const ShapePair<3>& shapes, const AlignOptions& options) {
-  const RigidPairs found = find_rigid_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
-  return {{start_of<3>(found.candidates.front(), 1, options, false)}, found.margin};
+StartSearch<3> search_poses(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
+  const Surface<3>& template_surface = shapes.template_shape.surface;
+  const RigidPairs found = find_rigid_pairs(shapes.reference.surface, template_surface, options.search);
+  StartSearch<3> search{{start_of<3>(found.candidates.front(), 1, options, false)}, found.margin, are_spread(landmarks, template_surface)};
+  if (landmarks.size() >= n_least_landmarks) {
+    search.n_landmarks = landmarks.size();
+    Start<3>& start = search.starts.front();
+    start.landmark_distance = median_distance(points_of(landmarks), start.alignment.pose) / std::sqrt(surface_measure(template_surface));
+  }
+  return search;
 }
 
 }  // namespace shellmatch

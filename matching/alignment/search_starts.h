@@ -14,7 +14,7 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>& landmarks, const AlignOptions& options);
 
 /// By distance, for surfaces without features: the best pose alone, as others differ from it by what symmetry there is, which the
-/// energy cannot judge. \throws InputError as find_rigid_pairs()
-StartSearch<3> search_poses(const ShapePair<3>& shapes, const AlignOptions& options);
+/// energy cannot judge. \param landmarks judge it where there are four \throws InputError as find_rigid_pairs()
+StartSearch<3> search_poses(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options);
 
 }  // namespace shellmatch

@@ -48,8 +48,11 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 }  // namespace
 
 template <int Dim>
-Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
+Trial Trials<Dim>::operator()(const Alignment<Dim>& searched) const {
   const ExperimentOptions trial = trial_options(options_);
+  Alignment<Dim> start = searched;
+  // Energies are comparable only with the same weight of landmarks.
+  if (start.landmark_trust) start.landmark_trust = 1;
   ShapePair<Dim> placed = shapes_;
   Trial result;
   try {

@@ -28,6 +28,7 @@ class Trials {
   Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer)
       : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer) {}
 
+  /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
   /// Of the shapes as they lie, without pairs; tried once.
   const Trial& as_they_lie();

@@ -13,6 +13,8 @@
 #include "matching/output/written_files.h"
 #include "matching/experiment/yaml_options.h"
 
+#include <dlfcn.h>
+
 #include <array>
 #include <filesystem>
 
@@ -24,7 +26,6 @@ namespace {
 
 constexpr const char* manifest_name = "state.json";
 constexpr const char* suffix = ".unfinished";
-constexpr const char* executable = "/proc/self/exe";
 
 constexpr const char* read_me = R"(An unfinished run of shellmatch: what is needed to go on after its last finished level.
 
@@ -88,6 +89,21 @@ std::string first_change(const OptionNode& before, const OptionNode& now) {
   return "";
 }
 
+// Of the file that holds this code: the executable, or the library that a package's executable or Python has loaded.
+std::string code_checksum() {
+  std::string file = "/proc/self/exe";
+  Dl_info info{};
+  // Of the executable the name is the one that it was called by, perhaps in another folder.
+  if (::dladdr(reinterpret_cast<const void*>(&changed_option), &info) != 0 && info.dli_fname != nullptr &&
+      fs::path(info.dli_fname).filename().string().find(".so") != std::string::npos)
+    file = info.dli_fname;
+  try {
+    return file_checksum(file);
+  } catch (const InputError&) {  // a program may be allowed to be executed and not to be read
+    return "unknown";
+  }
+}
+
 [[noreturn]] void cannot_copy(const std::string& to, const std::error_code& error) {
   throw_environment_error("{}: cannot be written: {}", to, error.message());
 }
@@ -112,7 +128,7 @@ RunIdentity run_identity(const ExperimentOptions& options, const OriginalShape<D
   return {with_absolute_paths(options), shape_checksum(reference), shape_checksum(template_shape),
           landmark_checksum(landmarks),
           fmt::format("{}, {}, {}", program_version(), compiler_name(),
-                      fs::exists(executable) ? file_checksum(executable) : "unknown")};
+                      code_checksum())};
 }
 
 std::string changed_option(const ExperimentOptions& before, const ExperimentOptions& now) {

@@ -25,7 +25,7 @@ struct RunIdentity {
   /// Checksums of both shapes as they were read, before they are placed together: contents are compared, not file names.
   std::string reference, template_shape;
   std::string landmarks;  ///< checksum of what the landmarks say; empty without any
-  std::string program;  ///< version, compiler and checksum of the executable: builds may differ in rounding
+  std::string program;  ///< version, compiler and checksum of the code's file: builds may differ in rounding, and so may vector units
 };
 
 template <int Dim>

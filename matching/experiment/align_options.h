@@ -44,8 +44,8 @@ struct AlignOptions {
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is reached so closely does not pull, because it is no more exact; more where the shapes are far from isometric, twice as much for outlines"});
     visit("pose_gain", self.pose_gain, {.min = 1, .meaning = "with auto a pose is taken out only where it brings the pairs nearer by this factor, so that shapes which lie as they belong stay where they are"});
     visit("clear_margin", self.clear_margin, {.min = 1, .meaning = "maps whose scores are larger than the best by less than this factor are tried on the coarsest two levels, and score and energy reached choose among them; 1: the score alone chooses"});
-    visit("doubtful_score", self.doubtful_score, {.min = 0, .meaning = "a map with a larger score is doubtful; 0 would be an isometry"});
-    visit("doubtful_margin", self.doubtful_margin, {.min = 1, .meaning = "a map is doubtful, too, if another one is worse by less than this factor, in score and energy reached"});
+    visit("doubtful_score", self.doubtful_score, {.min = 0, .meaning = "a map with a larger score is doubtful; 0 would be an isometry; of no meaning where four landmarks or more all over the shape judge"});
+    visit("doubtful_margin", self.doubtful_margin, {.min = 1, .meaning = "a map is doubtful, too, if another one is worse by less than this factor, in score and energy reached; of no meaning where landmarks judge"});
     visit("search", self.search, {.meaning = "the search for pairs (docs/alignment.md)"});
   }
 };

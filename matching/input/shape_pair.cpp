@@ -33,13 +33,13 @@ std::pair<AnyShape, AnyShape> open_both(std::array<ShapeInput, 2> sources, const
 
 template <int Dim>
 Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose) {
-  if (!pose.is_identity()) apply_placement(pose, reference);
+  if (!pose.is_identity()) apply_similarity(pose, reference);
   const double clearance = 1.0 / static_cast<double>(1 << options.cascade.max_level);
   const Similarity<Dim> placement = options.input.placement == PlacementKind::fit
                                         ? fit_placement(reference, template_shape, options.input.margin)
                                         : as_is_placement(reference, template_shape, clearance);
-  apply_placement(placement, reference);
-  apply_placement(placement, template_shape);
+  apply_similarity(placement, reference);
+  apply_similarity(placement, template_shape);
   return placement;
 }
 

@@ -11,7 +11,7 @@ namespace shellmatch {
 /// for that, the beginning and a checksum are used.
 std::string lock_name(const std::string& path);
 
-/// The hidden folder in which the output folder `path` is prepared: the absolute path of `.NAME.partial-PID`.
+/// The hidden folder in which the output folder `path` is prepared: `.NAME.partial-PID` beside it.
 std::string partial_folder_name(const std::string& path);
 
 /// Ending of the hidden name of an output folder that is being replaced. After a kill between the two steps of a

@@ -96,20 +96,28 @@ OutputFolder::OutputFolder(const std::string& path, bool force, ChangedFiles cha
     remove_created_parents();
     cannot_write(parent.string(), error.value());
   }
-  if (::access(anchor.parent_path().c_str(), W_OK) != 0) cannot_write(anchor.parent_path().string(), errno);
-  lock_.emplace(lock_name(anchor.string()), FileLock::Kind::exclusive);
+  try {
+    prepare(anchor.string());
+  } catch (...) {
+    lock_.reset();  // its file lies in a folder that may have been created
+    remove_created_parents();
+    throw;
+  }
+}
+
+void OutputFolder::prepare(const std::string& anchor) {
+  const std::string parent = fs::path(anchor).parent_path().string();
+  if (::access(parent.c_str(), W_OK) != 0) cannot_write(parent, errno);
+  lock_.emplace(lock_name(anchor), FileLock::Kind::exclusive);
   if (lock_->state() == FileLock::State::taken)
     throw_input_error("{}: another run is writing there; wait for its end or choose another folder with -o", final_);
-  if (lock_->state() == FileLock::State::held) remove_partial_folders(anchor.string(), holds_result(final_));
+  if (lock_->state() == FileLock::State::held) remove_partial_folders(anchor, holds_result(final_));
   // Without locks, leftovers may have the name: count up until it is free.
+  std::error_code error;
   for (int attempt = 0; partial_.empty(); ++attempt) {
-    const std::string suffix = attempt == 0 ? std::string() : fmt::format("-{}", attempt);
-    const fs::path hidden = partial_folder_name(anchor.string()) + suffix;
-    if (fs::create_directory(hidden, error)) partial_ = hidden.string();
-    if (error || attempt > 1000) {
-      remove_created_parents();
-      cannot_write(parent.string(), error ? error.value() : EEXIST);
-    }
+    const std::string hidden = partial_folder_name(anchor) + (attempt == 0 ? std::string() : fmt::format("-{}", attempt));
+    if (fs::create_directory(hidden, error)) partial_ = hidden;
+    if (error || attempt > 1000) cannot_write(parent, error ? error.value() : EEXIST);
   }
 }
 
@@ -162,6 +170,7 @@ void OutputFolder::commit() {
     fs::rename(partial_, final_, error);  // replaces an empty folder
     if (error) cannot_write(final_, error.value());
     committed_ = true;
+    synchronise(fs::path(final_).parent_path().string());
   }
   lock_.reset();
 }
@@ -171,6 +180,8 @@ void OutputFolder::commit() {
 void OutputFolder::exchange() {
   if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
     committed_ = true;
+    // The new name is on the disk before the earlier result goes.
+    synchronise(fs::path(final_).parent_path().string());
     return remove_earlier(partial_);
   }
   const std::string old = partial_ + std::string(set_aside);
@@ -184,6 +195,7 @@ void OutputFolder::exchange() {
     cannot_write(final_, cause);
   }
   committed_ = true;
+  synchronise(fs::path(final_).parent_path().string());
   remove_earlier(old);
 }
 
@@ -206,6 +218,7 @@ void OutputFolder::fill_in_place() {
     cannot_write(final_, cause);
   }
   committed_ = true;
+  synchronise(final_);
   fs::remove(partial_, error);
   if (!earlier.empty()) remove_earlier(old);
 }

@@ -44,6 +44,7 @@ class OutputFolder {
   void commit();
 
  private:
+  void prepare(const std::string& anchor);
   void remove_created_parents() noexcept;
   void exchange();
   void fill_in_place();

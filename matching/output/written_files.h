@@ -18,7 +18,7 @@ struct WrittenFile {
   std::string checksum;  ///< matching/output/checksum.h
 };
 
-/// Lists the files of a folder and its subfolders, without files.json, sorted by name. \throws EnvironmentError or
+/// Lists the files of a folder and its subfolders, without files.json, sorted by name. \throws InputError or
 /// std::filesystem::filesystem_error if one of them cannot be looked at or read
 std::vector<WrittenFile> list_files(const std::string& folder);
 

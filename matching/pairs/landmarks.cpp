@@ -1,6 +1,8 @@
 #include "matching/pairs/landmarks.h"
 
 #include "base/error.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/facet_point.h"
 
 #include <cmath>
 
@@ -8,33 +10,65 @@ namespace shellmatch {
 
 namespace {
 
-/// One of the two shapes.
+/// A landmark's point on one of the two shapes.
 template <int Dim>
-struct Side {
-  const char* name;
-  const SignedDistance<Dim>& shape;
-  double diagonal;  ///< of the template
+struct Marked {
+  const Landmark<Dim>& landmark;
+  bool is_on_reference;
+
+  const Vec<Dim>& point() const { return is_on_reference ? landmark.on_reference : landmark.on_template; }
+  std::string_view shape() const { return is_on_reference ? landmark.reference_name : landmark.template_name; }
+  std::string name() const {
+    const std::string& origin = is_on_reference ? landmark.reference_origin : landmark.template_origin;
+    return fmt::format("{}{}landmark '{}': its point of the {}", origin, origin.empty() ? "" : ": ", landmark.name, shape());
+  }
 };
 
-/// The point in the unit domain. \param origin where it was read
 template <int Dim>
-Vec<Dim> placed(const Landmark<Dim>& landmark, const Vec<Dim>& x, const std::string& origin, const Side<Dim>& side,
-                const Similarity<Dim>& placement, double max_distance) {
-  const std::string what = fmt::format("{}{}landmark '{}': its point of the {}", origin, origin.empty() ? "" : ": ",
-                                       landmark.name, side.name);
-  if (!x.allFinite()) throw_input_error("{} is not finite", what);
-  const Vec<Dim> y = placement(x);
-  if ((y.array() < 0).any() || (y.array() > 1).any())
-    throw_input_error("{} lies outside of the domain; are its units and its frame those of the {}?", what, side.name);
-  const double distance = std::abs(side.shape(y)) / side.diagonal;
-  if (distance > max_distance)
+void check(const Marked<Dim>& marked) {
+  if (!marked.point().allFinite()) throw_input_error("{} is not finite", marked.name());
+  const double weight = marked.landmark.weight;
+  if (!(weight > 0 && std::isfinite(weight))) throw_input_error("landmark '{}': its weight {} is no positive number", marked.landmark.name, weight);
+}
+
+/// \param distance from the shape, in diagonals of the template
+template <int Dim>
+void check_distance(const Marked<Dim>& marked, double distance, double most) {
+  if (distance > most)
     throw_input_error("{} lies {:.3g} diagonals from that shape; at most {:.3g} are allowed (landmarks.max_distance); are its "
                       "units and its frame those of the {}?",
-                      what, distance, max_distance, side.name);
+                      marked.name(), distance, most, marked.shape());
+}
+
+/// The point in the unit domain. \param x the point, after the pose
+template <int Dim>
+Vec<Dim> placed(const Marked<Dim>& marked, const Vec<Dim>& x, const Similarity<Dim>& placement, const SignedDistance<Dim>& shape, double diagonal,
+                double max_distance) {
+  check(marked);
+  const Vec<Dim> y = placement(x);
+  if ((y.array() < 0).any() || (y.array() > 1).any())
+    throw_input_error("{} lies outside of the domain; are its units and its frame those of the {}?", marked.name(), marked.shape());
+  check_distance(marked, std::abs(shape(y)) / diagonal, max_distance);
   return y;
 }
 
 }  // namespace
+
+template <int Dim>
+void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options, const Surface<Dim>& reference,
+                     const Surface<Dim>& template_surface) {
+  const double diagonal = bounding_box(template_surface.vertices).diagonal();
+  for (const bool is_on_reference : {true, false}) {
+    const Surface<Dim>& surface = is_on_reference ? reference : template_surface;
+    const FacetTree<Dim> tree(surface);
+    for (const Landmark<Dim>& landmark : landmarks) {
+      const Marked<Dim> marked{landmark, is_on_reference};
+      check(marked);
+      const Vec<Dim>& x = marked.point();
+      check_distance(marked, (closest_point_on_facet<Dim>(surface, tree.nearest(x), x).point - x).norm() / diagonal, options.max_distance);
+    }
+  }
+}
 
 template <int Dim>
 PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<Dim>>& landmarks,
@@ -48,13 +82,9 @@ PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<
   set.pairs.loss = options.loss;
   set.pairs.scale = options.scale * diagonal;
   for (const Landmark<Dim>& landmark : landmarks) {
-    if (!(landmark.weight > 0 && std::isfinite(landmark.weight)))
-      throw_input_error("landmark '{}': its weight {} is no positive number", landmark.name, landmark.weight);
     PointPair<Dim> pair;
-    pair.p = placed(landmark, pose(landmark.on_reference), landmark.reference_origin, {"reference", reference, diagonal}, placement,
-                    options.max_distance);
-    pair.y = placed(landmark, landmark.on_template, landmark.template_origin, {"template", template_shape, diagonal}, placement,
-                    options.max_distance);
+    pair.p = placed<Dim>({landmark, true}, pose(landmark.on_reference), placement, reference, diagonal, options.max_distance);
+    pair.y = placed<Dim>({landmark, false}, landmark.on_template, placement, template_shape, diagonal, options.max_distance);
     pair.weight = landmark.weight * area / static_cast<double>(landmarks.size());
     set.pairs.pairs.push_back(pair);
   }
@@ -62,6 +92,8 @@ PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                       \
+  template void check_landmarks<Dim>(const std::vector<Landmark<Dim>>&, const LandmarkOptions&, const Surface<Dim>&,      \
+                                     const Surface<Dim>&);                                                                \
   template PairSet<Dim> landmark_pairs<Dim>(const std::string&, const std::vector<Landmark<Dim>>&,                        \
                                             const LandmarkOptions&, const Similarity<Dim>&, const Similarity<Dim>&,       \
                                             const SignedDistance<Dim>&, const SignedDistance<Dim>&)

@@ -8,6 +8,7 @@
 #include "matching/experiment/pair_options.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shellmatch {
@@ -20,7 +21,17 @@ struct Landmark {
   double weight = 1;  ///< relative to that of other landmarks; > 0
   /// Where the points were read, "points.csv, line 3", for messages; may be empty.
   std::string reference_origin = {}, template_origin = {};
+  /// What the user calls the shapes, for messages: the other way round where the template is deformed.
+  std::string_view reference_name = "reference", template_name = "template";
 };
+
+/// Checks landmarks before the shapes are placed, so that nothing is searched with wrong ones.
+/// \param reference, template_surface in the user's coordinates
+/// \throws InputError that names the landmark whose point is not finite, or farther from its shape than options.max_distance, or whose
+///   weight is not positive
+template <int Dim>
+void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options, const Surface<Dim>& reference,
+                     const Surface<Dim>& template_surface);
 
 /// The landmarks as a term of a cascade: N landmarks of weight 1 have area(M1) / N each.
 /// \param name of the term \param pose of the reference, before the placement

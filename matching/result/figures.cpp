@@ -12,7 +12,7 @@
 namespace shellmatch {
 
 template <int Dim>
-MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
+LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
                                          const MeasuredParts<Dim>& parts) {
   const MatchQuality<Dim> quality = match_quality(deformed, template_distance, parts);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
@@ -90,7 +90,7 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
   };
   summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
   if constexpr (Dim == 3) {
-    // Largest change of an angle under a linear map with stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90 degrees.
+    // Largest turn of a direction against the principal ones under stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90 degrees, half of Tissot's maximum.
     std::vector<double> degrees = angle_distortions(reference, deformed);
     for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
     summary.angle_distortion = weighted(degrees);
@@ -124,7 +124,7 @@ Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>&
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
-  template MeasuredDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&, const MeasuredParts<Dim>&); \
+  template LocatedDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&, const MeasuredParts<Dim>&); \
   template Surface<Dim> measured_facets<Dim>(const Surface<Dim>&, const std::vector<char>&);          \
   template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \

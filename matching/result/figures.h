@@ -12,13 +12,13 @@ namespace shellmatch {
 
 /// Both distances, and where they are greatest.
 template <int Dim>
-struct MeasuredDistance {
+struct LocatedDistance {
   TwoSidedDistance figures;
   Vec<Dim> farthest_of_deformed, farthest_of_template;  ///< vertices
 };
 
 template <int Dim>
-MeasuredDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
+LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
                                          const MeasuredParts<Dim>& parts = {});
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);

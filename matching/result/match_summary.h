@@ -84,10 +84,10 @@ struct AlignmentSummary {
 };
 
 /// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above
-/// (matching/alignment/narrow_gaps.h).
+/// (matching/alignment/narrow_gaps.h), none where these were not asked for.
 struct DirectionSummary {
   bool backward = false;
-  double reference_gaps = 0, template_gaps = 0;
+  std::optional<double> reference_gaps = {}, template_gaps = {};
 };
 
 /// Figures that differ between runs of the same experiment.
@@ -144,7 +144,7 @@ struct MatchSummary {
   std::optional<double> correspondence_error_before, correspondence_error;
   /// Deformed over reference area (length in the plane); 1 means no distortion.
   std::optional<DistortionSummary> area_distortion;
-  /// Largest change of an angle in degrees; 0 means no distortion; none in the plane.
+  /// Largest turn of a tangent direction against the principal ones in degrees, half of the largest change of an angle; 0 means no distortion; none in the plane.
   std::optional<DistortionSummary> angle_distortion;
   /// Number of facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;

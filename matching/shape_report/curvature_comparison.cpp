@@ -164,7 +164,7 @@ CurvatureComparison<Dim> compare_curvatures(const Shape<Dim>& shape, const std::
                                         ? fit_placement(shape, shape, options.input.margin)
                                         : as_is_placement(shape, shape, clearance);
   Surface<Dim> placed = shape.surface;
-  apply_placement(placement, placed);
+  apply_similarity(placement, placed);
 
   result.mesh_fit = fit_to_mesh(shape.surface, fit);
   std::vector<CurvatureErrors> formula_to_formula;

@@ -2,17 +2,13 @@
 import math
 import random
 
-from lib import meshes
+from lib import meshes, transforms
 
 from .cases import ISOMETRIC
 from .runs import known_points
 
 PAIRS = [(f"{ISOMETRIC}cat0.off", f"{ISOMETRIC}cat1.off"), (f"{ISOMETRIC}centaur0.off", f"{ISOMETRIC}centaur1.off")]
 N_LANDMARKS = 50
-
-
-def diagonal(points):
-    return math.dist(*[[f(c) for c in zip(*points)] for f in (min, max)])
 
 
 def moved_onto(points, p, distance, source):
@@ -28,7 +24,7 @@ def far_from(points, p, distance):
 
 def variants(points, truth, source):
     """Name of each and lines of its landmarks: the reference's vertex and the template's."""
-    size = diagonal(points)
+    size = transforms.diagonal(points)
     chosen = source.sample(truth, N_LANDMARKS)
     wrong = set(source.sample(range(N_LANDMARKS), N_LANDMARKS // 10))
     yield "exact", [(i, points.index(y)) for i, y in chosen]

@@ -1,11 +1,13 @@
 """Points bent by a smooth map, and surfaces of which a part is cut away."""
 import math
 
+from lib import transforms
+
 
 def bent(points):
     """By a smooth map that moves points by up to 3 % of the diagonal."""
-    low, high = [[f(c) for c in zip(*points)] for f in (min, max)]
-    size = math.dist(low, high) or 1
+    low = [min(c) for c in zip(*points)]
+    size = transforms.diagonal(points) or 1
     return [tuple(p[k] + 0.03 * size * math.sin(4 * (p[(k + 1) % 3] - low[(k + 1) % 3]) / size + k) for k in range(3)) for p in points]
 
 

@@ -6,7 +6,7 @@ import subprocess
 import time
 
 from closing import cuts
-from lib import meshes
+from lib import meshes, transforms
 
 LEVELS = ["--levels", "3:6", "--align", "none", "--set", "pictures=none", "--force"]
 
@@ -28,8 +28,7 @@ def result_of(folder):
 
 
 def mean_error(ends, truth, numbers):
-    diagonal = math.dist(*[[f(c) for c in zip(*truth)] for f in (min, max)])
-    return sum(math.dist(ends[i], truth[v]) for i, v in numbers) / len(numbers) / diagonal
+    return sum(math.dist(ends[i], truth[v]) for i, v in numbers) / len(numbers) / transforms.diagonal(truth)
 
 
 def dirty_row(program, path, folder):

@@ -6,6 +6,11 @@ def middle(points):
     return [(min(c) + max(c)) / 2 for c in zip(*points)]
 
 
+def diagonal(points):
+    """The length of the diagonal of the bounding box."""
+    return math.dist(*[[f(c) for c in zip(*points)] for f in (min, max)])
+
+
 def turned(points, degrees, axis):
     """About the middle of the bounding box."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
@@ -29,9 +34,7 @@ def scaled(points, factor):
 
 
 def moved(points, diagonals, axis):
-    k = "xyz".index(axis)
-    box = [(min(c), max(c)) for c in zip(*points)]
-    step = diagonals * math.dist([b[0] for b in box], [b[1] for b in box])
+    k, step = "xyz".index(axis), diagonals * diagonal(points)
     return [tuple(x + step if i == k else x for i, x in enumerate(p)) for p in points]
 
 

@@ -35,7 +35,7 @@ def as_file(program, shape, folder, name):
     return str(path)
 
 
-def known_points(points, path):
+def write_known_points(points, path):
     path.write_text("".join(f"{i} {p[0]!r} {p[1]!r} {p[2]!r}\n" for i, p in enumerate(points)))
     return ("--set", f"input.correspondence={path}")
 
@@ -50,7 +50,7 @@ def inputs(case, program, folder, name):
         points, faces = case.change(*meshes.read(as_file(program, case.template, folder, f"{name}-template")))
         meshes.write_off(template, points, faces)
         words = [as_file(program, case.reference, folder, f"{name}-reference"), str(template)]
-    return words + (list(known_points(points, folder / f"{name}.txt")) if case.has_known_errors else [])
+    return words + (list(write_known_points(points, folder / f"{name}.txt")) if case.has_known_errors else [])
 
 
 def run_case(case, program, output):

@@ -70,7 +70,7 @@ class Product {
     if (axis == study_.parameters.size()) return add(problem, changes, run, metric);
     for (const Override& value : study_.parameters[axis].values) {
       changes.push_back(value);
-      run.parameters.emplace_back(value.key, "");
+      run.parameters.emplace_back(value.key, value.value);
       grid(problem, changes, run, axis + 1, metric);
       run.parameters.pop_back();
       changes.pop_back();
@@ -94,7 +94,9 @@ class Product {
     run.metric = own ? "own" : std::string(enum_name(solver.metric));
     if (run.metric == "own" && metric > 0) return;
     const OptionNode tree = option_tree(run.options);
-    for (auto& [key, value] : run.parameters) value = value_text(*find_option(tree, key));
+    // Options for single levels (solver.levels.6.name) stand in no tree: their values stay as the study says them.
+    for (auto& [key, value] : run.parameters)
+      if (const OptionNode* option = find_option(tree, key)) value = value_text(*option);
     run.config = to_yaml(run.options);
     const std::string inputs = inputs_.of(run.options, where);
     run.fingerprint = fingerprint_of(run.options, inputs);

@@ -17,11 +17,12 @@ struct RunLimits {
           {.unit = "seconds",
            .min = 0,
            .max = 3600,
-           .meaning = "a run that is out of time is first asked to stop and write what it has reached; so "
-                      "much later it is killed"});
+           .meaning = "a run that is out of time is first asked to stop, which leaves nothing half written; so much "
+                      "later it is killed"});
     visit("memory_mb", self.memory_mb,
           {.unit = "MB",
            .min = 0,
+           .max = 1e9,
            .meaning = "resident memory of one run with its child processes; 0 means none"});
   }
 };

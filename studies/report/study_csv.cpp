@@ -1,5 +1,7 @@
 #include "studies/report/study_csv.h"
 
+#include "geometry/io/read_text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,20 +20,23 @@ struct Column {
 
 std::string number(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return result + "\"";
+// A line break would end the line for many readers, though it is quoted.
+std::string text_field(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return csv_field(text);
 }
 
 // The value of a summary's member; empty without a summary.
 template <class Get>
 auto of_summary(Get get) {
   return [get](const StudyRow& row) { return row.summary ? get(*row.summary) : std::string(); };
+}
+
+// Of a run that has been executed.
+template <class Get>
+auto of_result(Get get) {
+  return [get](const StudyRow& row) { return row.result.status == RunStatus::not_run ? std::string() : get(row.result); };
 }
 
 template <class Get>
@@ -61,139 +66,119 @@ double minimisation_seconds(const MatchSummary& s) {
 // The value of the parameter `key` in YAML's notation.
 std::string parameter_of(const StudyRow& row, const std::string& key) {
   for (const auto& [name, value] : row.run.parameters)
-    if (name == key) return quoted(value);
+    if (name == key) return text_field(value);
   return "";
 }
 
-std::vector<Column> columns(const StudyTable& table) {
-  std::vector<Column> list = {{"run", [](const StudyRow& r) { return r.run.name; }},
-                              {"problem", [](const StudyRow& r) { return r.run.problem; }},
-                              {"solver", [](const StudyRow& r) { return r.run.solver; }},
-                              {"method", [](const StudyRow& r) { return r.run.options.solver.name; }},
-                              {"metric", [](const StudyRow& r) { return r.run.metric; }}};
+using Columns = std::vector<Column>;
+
+void add_identity(Columns& list, const StudyTable& table) {
+  list = {{"run", [](const StudyRow& r) { return text_field(r.run.name); }},
+          {"problem", [](const StudyRow& r) { return text_field(r.run.problem); }},
+          {"solver", [](const StudyRow& r) { return text_field(r.run.solver); }},
+          {"method", [](const StudyRow& r) { return r.run.options.solver.name; }},
+          {"metric", [](const StudyRow& r) { return r.run.metric; }}};
   for (const std::string& key : table.parameters)
     list.push_back({key, [key](const StudyRow& r) { return parameter_of(r, key); }});
-  const auto add = [&](std::string name, std::function<std::string(const StudyRow&)> text,
-                       bool timing = false) {
-    list.push_back({std::move(name), std::move(text), timing});
-  };
-  add("repeat", [](const StudyRow& r) { return std::to_string(r.run.repeat); });
-  add("status", [](const StudyRow& r) { return status_name(r.result.status); });
-  add("exit_code", [](const StudyRow& r) {
-    return r.result.status == RunStatus::not_run ? "" : std::to_string(r.result.exit_code);
-  });
-  add("signal",
-      [](const StudyRow& r) { return r.result.signal == 0 ? "" : std::to_string(r.result.signal); });
-  add("max_level", [](const StudyRow& r) { return std::to_string(r.run.options.cascade.max_level); });
-  add("level", of_last_level([](const LevelSummary& l) { return std::to_string(l.level); }));
-  add("free_nodes", of_last_level([](const LevelSummary& l) { return std::to_string(l.n_free_nodes); }));
-  add("energy", [](const StudyRow& r) { return number(r.energy); });
+  list.push_back({"repeat", [](const StudyRow& r) { return std::to_string(r.run.repeat); }});
+  list.push_back({"status", [](const StudyRow& r) { return status_name(r.result.status); }});
+  list.push_back({"exit_code", of_result([](const RunResult& r) { return std::to_string(r.exit_code); })});
+  list.push_back({"signal", [](const StudyRow& r) { return r.result.signal == 0 ? "" : std::to_string(r.result.signal); }});
+  list.push_back({"max_level", [](const StudyRow& r) { return std::to_string(r.run.options.cascade.max_level); }});
+  list.push_back({"level", of_last_level([](const LevelSummary& l) { return std::to_string(l.level); })});
+  list.push_back({"free_nodes", of_last_level([](const LevelSummary& l) { return std::to_string(l.n_free_nodes); })});
+}
+
+// On the finest level: total, each term that any run has, and the gap to the best.
+void add_energies(Columns& list, const StudyTable& table) {
+  list.push_back({"energy", [](const StudyRow& r) { return number(r.energy); }});
   std::set<std::string> seen;
   for (const StudyRow& row : table.rows) {
     if (row.finest.empty()) continue;
     for (const auto& [term, unused] : row.summary->levels.back().energy_minimised) {
       if (term == "total" || !seen.insert(term).second) continue;
-      add("energy_" + term, [term = term](const StudyRow& r) {
-        if (r.finest.empty()) return std::string();
-        for (const auto& [name, value] : r.summary->levels.back().energy_minimised)
-          if (name == term) return number(value);
-        return std::string();
-      });
+      list.push_back({"energy_" + term, [term = term](const StudyRow& r) {
+                        if (r.finest.empty()) return std::string();
+                        for (const auto& [name, value] : r.summary->levels.back().energy_minimised)
+                          if (name == term) return number(value);
+                        return std::string();
+                      }});
     }
   }
-  add("energy_finer_quadrature", [](const StudyRow& r) {
-    return r.finest.empty() ? std::string() : number(r.summary->levels.back().energy_reported.back().second);
-  });
-  add("best_energy", [](const StudyRow& r) { return number(r.best); });
-  add("gap", [](const StudyRow& r) { return number(relative_gap(r.energy, r.best)); });
-  add("iterations",
-      of_summary([](const MatchSummary& s) { return std::to_string(total(s, &LevelSummary::iterations)); }));
-  add("evaluations", of_summary([](const MatchSummary& s) {
-        return std::to_string(total(s, &LevelSummary::value_evaluations));
-      }));
-  add("gradient_evaluations", of_summary([](const MatchSummary& s) {
-        return std::to_string(total(s, &LevelSummary::gradient_evaluations));
-      }));
-  for (std::size_t g = 0; g < study_gaps.size(); ++g) {
-    const auto cost = [&](const char* name, auto get, bool timing) {
-      add(
-          fmt::format("{}_to_gap_{:g}", name, study_gaps[g]),
-          [g, get](const StudyRow& r) {
-            return r.to_gap[g] ? fmt::format("{}", get(*r.to_gap[g])) : std::string();
-          },
-          timing);
-    };
-    cost(
-        "evaluations", [](const GapCost& c) { return c.evaluations; }, false);
-    cost(
-        "gradient_evaluations", [](const GapCost& c) { return c.gradient_evaluations; }, false);
-    cost(
-        "seconds", [](const GapCost& c) { return c.seconds; }, true);
-  }
-  const auto one_sided = [&](const std::string& name, auto side) {
-    add(name + "_mean", of_distance([side](const TwoSidedDistance& d) { return (d.*side).mean; }));
-    add(name + "_p95", of_distance([side](const TwoSidedDistance& d) { return (d.*side).p95; }));
-    add(name + "_max", of_distance([side](const TwoSidedDistance& d) { return (d.*side).max; }));
+  list.push_back({"energy_finer_quadrature", [](const StudyRow& r) {
+                    return r.finest.empty() ? std::string() : number(r.summary->levels.back().energy_reported.back().second);
+                  }});
+  list.push_back({"best_energy", [](const StudyRow& r) { return number(r.best); }});
+  list.push_back({"gap", [](const StudyRow& r) { return number(relative_gap(r.energy, r.best)); }});
+}
+
+void add_costs(Columns& list) {
+  const auto add_total = [&](const char* name, auto member) {
+    list.push_back({name, of_summary([member](const MatchSummary& s) { return std::to_string(total(s, member)); })});
   };
-  one_sided("deformed_to_template", &TwoSidedDistance::deformed_to_template);
-  one_sided("template_to_deformed", &TwoSidedDistance::template_to_deformed);
-  add("correspondence_error", of_summary([](const MatchSummary& s) {
-        return s.correspondence_error ? number(*s.correspondence_error) : std::string();
-      }));
-  add("folded_cells",
-      of_last_level([](const LevelSummary& l) { return std::to_string(l.folds.n_folded_cells); }));
-  add("min_determinant",
-      of_last_level([](const LevelSummary& l) { return number(l.folds.min_determinant); }));
-  add("flipped_facets", of_summary([](const MatchSummary& s) {
-        return s.n_flipped_facets ? std::to_string(*s.n_flipped_facets) : std::string();
-      }));
-  add("gradient_norm", of_last_level([](const LevelSummary& l) { return number(l.gradient_norm); }));
-  add("stop_reason", of_last_level([](const LevelSummary& l) { return l.stop_reason; }));
-  add("message", [](const StudyRow& r) { return quoted(r.result.message); });
-  add("version", [](const StudyRow& r) { return r.result.program; });
-  add("fingerprint", [](const StudyRow& r) { return r.run.fingerprint; });
-  add(
-      "seconds",
-      [](const StudyRow& r) { return r.result.status == RunStatus::not_run ? "" : number(r.result.seconds); },
-      true);
-  add("minimisation_seconds",
-      of_summary([](const MatchSummary& s) { return number(minimisation_seconds(s)); }), true);
-  add(
-      "peak_memory_mb",
-      [](const StudyRow& r) {
-        return r.result.status == RunStatus::not_run
-                   ? ""
-                   : fmt::format("{:.1f}", static_cast<double>(r.result.peak_memory_bytes) / 1e6);
-      },
-      true);
-  add("threads", of_summary([](const MatchSummary& s) { return std::to_string(s.run.threads); }), true);
-  add(
-      "jobs",
-      [](const StudyRow& r) {
-        return r.result.status == RunStatus::not_run ? "" : std::to_string(r.result.jobs);
-      },
-      true);
-  add(
-      "timings_taken",
-      [](const StudyRow& r) {
-        return r.result.status == RunStatus::not_run ? "" : r.result.jobs > 1 ? "in parallel" : "alone";
-      },
-      true);
-  add(
-      "load",
-      [](const StudyRow& r) {
-        return r.result.status == RunStatus::not_run ? "" : fmt::format("{:.2f}", r.result.load);
-      },
-      true);
-  add(
-      "machine", [](const StudyRow& r) { return quoted(r.result.machine); }, true);
+  add_total("iterations", &LevelSummary::iterations);
+  add_total("evaluations", &LevelSummary::value_evaluations);
+  add_total("gradient_evaluations", &LevelSummary::gradient_evaluations);
+  for (std::size_t g = 0; g < study_gaps.size(); ++g) {
+    const auto add_cost = [&](const char* name, auto member, bool timing) {
+      list.push_back({fmt::format("{}_to_gap_{:g}", name, study_gaps[g]),
+                      [g, member](const StudyRow& r) { return r.to_gap[g] ? fmt::format("{}", (*r.to_gap[g]).*member) : std::string(); }, timing});
+    };
+    add_cost("evaluations", &GapCost::evaluations, false);
+    add_cost("gradient_evaluations", &GapCost::gradient_evaluations, false);
+    add_cost("seconds", &GapCost::seconds, true);
+  }
+}
+
+void add_figures(Columns& list) {
+  const auto add_distances = [&](const std::string& name, auto side) {
+    list.push_back({name + "_mean", of_distance([side](const TwoSidedDistance& d) { return (d.*side).mean; })});
+    list.push_back({name + "_p95", of_distance([side](const TwoSidedDistance& d) { return (d.*side).p95; })});
+    list.push_back({name + "_max", of_distance([side](const TwoSidedDistance& d) { return (d.*side).max; })});
+  };
+  add_distances("deformed_to_template", &TwoSidedDistance::deformed_to_template);
+  add_distances("template_to_deformed", &TwoSidedDistance::template_to_deformed);
+  list.push_back({"correspondence_error", of_summary([](const MatchSummary& s) {
+                    return s.correspondence_error ? number(*s.correspondence_error) : std::string();
+                  })});
+  list.push_back({"folded_cells", of_last_level([](const LevelSummary& l) { return std::to_string(l.folds.n_folded_cells); })});
+  list.push_back({"min_determinant", of_last_level([](const LevelSummary& l) { return number(l.folds.min_determinant); })});
+  list.push_back({"flipped_facets", of_summary([](const MatchSummary& s) {
+                    return s.n_flipped_facets ? std::to_string(*s.n_flipped_facets) : std::string();
+                  })});
+  list.push_back({"gradient_norm", of_last_level([](const LevelSummary& l) { return number(l.gradient_norm); })});
+  list.push_back({"stop_reason", of_last_level([](const LevelSummary& l) { return l.stop_reason; })});
+  list.push_back({"message", [](const StudyRow& r) { return text_field(r.result.message); }});
+  list.push_back({"version", [](const StudyRow& r) { return text_field(r.result.program); }});
+  list.push_back({"fingerprint", [](const StudyRow& r) { return r.run.fingerprint; }});
+}
+
+void add_timings(Columns& list) {
+  const auto add = [&](const char* name, std::function<std::string(const StudyRow&)> text) { list.push_back({name, std::move(text), true}); };
+  add("seconds", of_result([](const RunResult& r) { return number(r.seconds); }));
+  add("minimisation_seconds", of_summary([](const MatchSummary& s) { return number(minimisation_seconds(s)); }));
+  add("peak_memory_mb", of_result([](const RunResult& r) { return fmt::format("{:.1f}", static_cast<double>(r.peak_memory_bytes) / 1e6); }));
+  add("threads", of_summary([](const MatchSummary& s) { return std::to_string(s.run.threads); }));
+  add("jobs", of_result([](const RunResult& r) { return std::to_string(r.jobs); }));
+  add("timings_taken", of_result([](const RunResult& r) { return std::string(r.jobs > 1 ? "in parallel" : "alone"); }));
+  add("load", of_result([](const RunResult& r) { return fmt::format("{:.2f}", r.load); }));
+  add("machine", [](const StudyRow& r) { return text_field(r.result.machine); });
+}
+
+Columns columns(const StudyTable& table) {
+  Columns list;
+  add_identity(list, table);
+  add_energies(list, table);
+  add_costs(list);
+  add_figures(list);
+  add_timings(list);
   return list;
 }
 
 }  // namespace
 
 std::string study_csv(const StudyTable& table) {
-  const std::vector<Column> list = columns(table);
+  const Columns list = columns(table);
   std::string csv;
   for (const Column& column : list) csv += (csv.empty() ? "" : ",") + column.name;
   csv += "\n";
@@ -215,8 +200,8 @@ std::string convergence_csv(const StudyTable& table) {
       "run,problem,solver,metric,repeat,iteration,energy,gap,evaluations,gradient_evaluations,seconds\n";
   for (const StudyRow& row : table.rows)
     for (const ConvergencePoint& p : row.finest)
-      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.run.name, row.run.problem, row.run.solver,
-                         row.run.metric, row.run.repeat, p.iteration, number(p.value),
+      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", text_field(row.run.name), text_field(row.run.problem),
+                         text_field(row.run.solver), row.run.metric, row.run.repeat, p.iteration, number(p.value),
                          number(relative_gap(p.value, row.best)), p.evaluations, p.gradient_evaluations,
                          p.seconds);
   return csv;

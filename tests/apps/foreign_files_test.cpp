@@ -152,6 +152,13 @@ TEST(ForeignFiles, AStudyReplacesNoTablesWhereNoStudyHasRun) {
   fs::create_directories(tmp / "own");
   fs::copy_file(tmp / "s.yaml", tmp / "own/study.yaml");
   EXPECT_EQ(run_program({"study", tmp / "own/study.yaml", "-o", tmp / "own", "-q"}).exit_code, 0);
+  // It stays there, also when another study is given.
+  const std::string own = contents_of(tmp / "own/study.yaml");
+  put(tmp / "other.yaml", fmt::format(study_text, 0.002));
+  const ProgramResult other = run_program({"study", tmp / "other.yaml", "-o", tmp / "own", "-q"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_TRUE(has(other.err, "study.yaml: is not replaced, since it has been written or edited by somebody")) << other.err;
+  EXPECT_EQ(contents_of(tmp / "own/study.yaml"), own);
 }
 
 TEST(ForeignFiles, OneDamagedSummaryDoesNotHideTheOthers) {

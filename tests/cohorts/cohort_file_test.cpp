@@ -44,7 +44,7 @@ TEST_F(CohortFile, TheLeastThatRuns) {
   ASSERT_EQ(cohort.subjects.size(), 2u);
   EXPECT_EQ(cohort.options.atlas.kind, AtlasKind::mean);
   EXPECT_EQ(cohort.options.atlas.shape, "circle") << "the first subject";
-  EXPECT_EQ(cohort.options.atlas.max_level, cohort.experiment.cascade.max_level);
+  EXPECT_EQ(cohort.round_level(), cohort.experiment.cascade.max_level);
 }
 
 TEST_F(CohortFile, PathsAreRelativeToTheFile) {

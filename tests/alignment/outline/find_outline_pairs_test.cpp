@@ -27,7 +27,7 @@ Similarity<2> similarity(double angle, double scale = 1, Vec<2> offset = Vec<2>:
 }
 
 Surface<2> moved(Surface<2> outline, const Similarity<2>& pose) {
-  apply_placement(pose, outline);
+  apply_similarity(pose, outline);
   return outline;
 }
 
@@ -131,6 +131,14 @@ TEST(FindOutlinePairs, SeveralCurvesAreFoundTogether) {
   EXPECT_NEAR(found.candidates[0].score_parts.unmatched, 0.5 * (1 - 1 / 1.9), 0.01);
 }
 
+TEST(FindOutlinePairs, ManyLikeCurvesAreAllOfTheOutline) {
+  Surface<2> outline = disc(1, {0, 0});
+  for (int k = 1; k < 60; ++k) outline = test::joined(outline, disc(1, {3.0 * (k % 8), 3.0 * (k / 8)}));
+  const OutlinePairs found = find_outline_pairs(outline, outline);
+  EXPECT_TRUE(found.candidates[0].is_identity);
+  EXPECT_LT(greatest_error(found, outline, {}), 1e-9);
+}
+
 TEST(FindOutlinePairs, CurvesHaveOnePartnerOfTheirKind) {
   const auto unmatched = [](const Surface<2>& a, const Surface<2>& b) {
     return find_outline_pairs(a, b).candidates[0].score_parts.unmatched;
@@ -154,6 +162,7 @@ TEST(FindOutlinePairs, AMirroredLeafNeedsMirror) {
   options.mirror = true;
   const OutlinePairs found = find_outline_pairs(leaf(), other, options);
   EXPECT_TRUE(found.candidates[0].is_mirrored);
+  EXPECT_EQ(found.candidates[0].score, found.candidates[0].score_parts.total()) << "a preference is no part of the score";
   EXPECT_LT(found.candidates[0].pose.rotation.determinant(), 0);
   EXPECT_LT(greatest_error(found, other, found.candidates[0].pose), 0.004);
   EXPECT_FALSE(find_outline_pairs(leaf(), moved(leaf(), similarity(2)), options).candidates[0].is_mirrored);

@@ -78,6 +78,13 @@ TEST(PlanarPose, AMirrorOnlyWhereItIsAllowedAndThere) {
   // Points on a line are their own mirror image.
   const std::vector<CorrespondingPointsIn<2>> line{{{0, 0}, {0, 0}, 1}, {{1, 0}, {0, 1}, 1}, {{2, 0}, {0, 2}, 1}};
   EXPECT_GT(fit_planar_pose(line, PoseKind::rigid, Mirroring::allowed).rotation.determinant(), 0);
+  // Two points fit both ways, and rounding does not choose.
+  for (int k = 0; k < 20; ++k) {
+    const Similarity<2> pose = motion(0.3 * k, 1.7, false);
+    std::vector<CorrespondingPointsIn<2>> two{{{0.1, 0.7 * k}, {}, 1}, {{1.3, 0.2}, {}, 1}};
+    for (auto& pair : two) pair.on_template = pose(pair.on_reference);
+    EXPECT_GT(fit_planar_pose(two, PoseKind::similarity, Mirroring::allowed).rotation.determinant(), 0) << k;
+  }
 }
 
 TEST(PlanarPose, NeedsTwoPointsApart) {

@@ -15,6 +15,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <ranges>
 
 namespace shellmatch {
 namespace {
@@ -136,6 +137,7 @@ TEST(FindPairs, AMirrorImageDoesNotLowerTheMargin) {
   }
   EXPECT_LT(other, same);
   EXPECT_EQ(found.margin, same);
+  for (const PairCandidate& c : found.candidates) EXPECT_EQ(c.score, 0.5 * (c.coarse_score.total() + c.score_parts.total()));
 }
 
 TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {
@@ -201,6 +203,14 @@ TEST(FindPairs, LandmarksTellWhatSpectraCannot) {
   EXPECT_LT(share_beyond(0.01, found, belongs), 0.01);
   EXPECT_LT(found.candidates[0].landmark_distance.value(), 0.01);
   EXPECT_EQ(found.candidates[0].landmark_trust, 1);
+  const std::size_t n_landmarks = found.candidates[0].n_landmarks;
+  EXPECT_GE(n_landmarks, 5u);  // the wrong one may name a vertex that has been named before
+  // Landmarks on a component that is left out do not take part, however near it lies.
+  const Surface<3> inner = test::box({0.03, 0.03, 0.03}, {0.97, 1.47, 2.17});
+  for (const Vec<3>& x : some(inner.vertices, inner.vertices, 40) | std::views::transform(&CorrespondingPoints::on_reference)) landmarks.push_back({x, x, 1});
+  const AutomaticPairs hollow = find_pairs(test::joined(box, test::reversed(inner)), test::joined(box, test::reversed(inner)), quick(), landmarks);
+  EXPECT_EQ(hollow.candidates[0].n_landmarks, n_landmarks);
+  EXPECT_LT(hollow.reference.share, 0.6);
   landmarks.resize(3);
   EXPECT_TRUE(find_pairs(box, box, quick(), landmarks).candidates[0].is_identity) << "too few";
 }

@@ -29,6 +29,9 @@ TEST(OrderCandidates, TheBestFirstAndTheOthersByScore) { EXPECT_EQ(ordered({{'a'
 TEST(OrderCandidates, OfThoseThatScoreAlikeTheOneThatTurnsLeast) {
   EXPECT_EQ(ordered({{'a', 1.00, 2}, {'b', 1.05, -1}, {'c', 1.10, -1.5}, {'d', 2, 0}}), "bacd");
   EXPECT_EQ(ordered({{'a', 1.00, 2}, {'b', 1.05, 0, false, true}}), "ab");
+  // Mirrored ones have to be clearly better.
+  EXPECT_EQ(ordered({{'a', 1.00, 2}, {'b', 0.95, 0, false, true}}), "ab");
+  EXPECT_EQ(ordered({{'a', 1.00, 2}, {'b', 0.70, 0, false, true}}), "ba");
 }
 
 TEST(OrderCandidates, OfThoseThatScoreAlikeTheIdentity) {
@@ -50,6 +53,9 @@ TEST(MarginOfFirst, LeavesSymmetriesOut) {
   EXPECT_FALSE(candidates[2].is_symmetry);
   candidates.resize(2);
   EXPECT_TRUE(std::isinf(margin_of_first(candidates, 0.01, symmetric_to_b)));
+  // On a shape that is its own mirror image the other handedness is as good, and as right.
+  candidates = {{'a', 1}, {'c', 1.1, 0, false, true}, {'d', 3}};
+  EXPECT_DOUBLE_EQ(margin_of_first(candidates, 0.01, symmetric_to_b), 3);
   candidates = {{'a', 0}, {'c', 0.02}};
   EXPECT_DOUBLE_EQ(margin_of_first(candidates, 0.01, symmetric_to_b), 2);
 }

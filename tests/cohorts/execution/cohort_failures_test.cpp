@@ -24,6 +24,29 @@ TEST_F(CohortProgram, ADamagedSubjectIsARow) {
   EXPECT_TRUE(csv_lines(text_of("out/subjects.csv")).at("e2").starts_with("e2,thick,finished,matched,")) << again.err;
 }
 
+TEST_F(CohortProgram, LandmarksThatCannotBeReadAreToldAsSuch) {
+  write_cohort(2, "{}");
+  write("table.csv", "id,file,landmarks\ne1,e1.csv,l1.csv\ne2,e2.csv,\n");
+  const std::vector<std::string> words{"--table", "table.csv", "--atlas", "e2.csv", "-o", "out", "--levels", "2:3", "--set", "landmarks=compare",
+                                       "--set", "align.mode=none", "--set", "pictures=none", "--set", "report=false"};
+  const ProgramResult missing = cohort(words);
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_TRUE(has(missing.err, "table.csv, line 2: ")) << missing.err;
+  EXPECT_TRUE(has(missing.err, "l1.csv: there is no such file of landmarks")) << missing.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  write("l1.csv", "name,x,y\ntop,0,zero\n");
+  const ProgramResult damaged = cohort(words);
+  EXPECT_EQ(damaged.exit_code, 2);
+  EXPECT_TRUE(has(damaged.err, "l1.csv, line 2")) << damaged.err;
+  EXPECT_FALSE(has(damaged.err, "matched again")) << damaged.err;
+  write("l1.csv", "name,x,y\ntop,0,0.86\n");
+  EXPECT_EQ(cohort(words).exit_code, 0);
+  // A result that is damaged is matched again.
+  write("out/runs/e1/output/summary.json", "{");
+  const ProgramResult torn = cohort(words);
+  EXPECT_TRUE(has(torn.err, "so that it is matched again")) << torn.err;
+}
+
 TEST_F(CohortProgram, WithoutAnyUsableSubjectThereIsNoMean) {
   const std::string file = write_cohort(2, "{kind: mean, shape: good.csv}");
   write_ellipse("good.csv", 1, 0.8);

@@ -111,9 +111,19 @@ TEST_F(CohortFiles, ADescriptionWithoutRunsIsSomebodys) {
   write("out/cohort.yaml", "mine");
   const ProgramResult result = cohort({"e1.csv", "e2.csv", "-o", "out", "--levels", "2:3"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(has(result.err, "describes another cohort")) << result.err;
+  EXPECT_TRUE(has(result.err, "out/cohort.yaml: is not replaced")) << result.err;
   EXPECT_EQ(text_of("out/cohort.yaml"), "mine");
   EXPECT_FALSE(exists("out/runs"));
+  // Nor is one that was edited after a run; the program's own copy is.
+  const std::vector<std::string> words{"cohort.yaml", "-o", "own", "-q"};
+  ASSERT_EQ(cohort(words).exit_code, 0);
+  const std::string copy = text_of("own/cohort.yaml");
+  write_cohort(2, "{kind: given, shape: e2}");
+  ASSERT_EQ(cohort(words).exit_code, 0);
+  EXPECT_NE(text_of("own/cohort.yaml"), copy);
+  write("own/cohort.yaml", "# my notes\n" + copy);
+  EXPECT_EQ(cohort(words).exit_code, 2);
+  EXPECT_EQ(text_of("own/cohort.yaml"), "# my notes\n" + copy);
 }
 
 }  // namespace

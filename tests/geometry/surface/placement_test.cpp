@@ -38,7 +38,7 @@ TEST(Placement, FitCentresBothShapesTogetherAndFillsTheLongestSide) {
     Box<3> placed;
     for (const Shape<3>* shape : {&a, &b}) {
       Surface<3> surface = shape->surface;
-      apply_placement(placement, surface);
+      apply_similarity(placement, surface);
       for (const Vec<3>& x : surface.vertices) placed.add(x);
     }
     EXPECT_LT((0.5 * (placed.min + placed.max) - Vec<3>::Constant(0.5)).norm(), 1e-14);

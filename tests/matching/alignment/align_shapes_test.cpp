@@ -188,7 +188,7 @@ TEST(MirroringPose, KeepsFacetsFacingOutward) {
     return sum;
   };
   const double before = volume(surface);
-  apply_placement(mirror, surface);
+  apply_similarity(mirror, surface);
   EXPECT_NEAR(volume(surface) / before, 1, 1e-9);
 }
 

@@ -145,14 +145,21 @@ TEST(ChooseStart, ThePreferredFirstIsTriedHoweverMuchLargerItsScoreIs) {
 
 TEST(ChooseStart, LandmarksTellWhetherPairsAreRight) {
   const ShapePair<2> circles = generated<2>("circle", "ellipse");
-  const double clear = 5;
-  Start<2> unlike = scored(1.5), like = scored(0.3);
-  EXPECT_TRUE(choice_of<2>(circles, {unlike}, clear, quick()).is_doubtful);
-  unlike.landmark_distance = 0.05;
-  EXPECT_FALSE(choice_of<2>(circles, {unlike}, clear, quick()).is_doubtful);
-  EXPECT_FALSE(choice_of<2>(circles, {like}, clear, quick()).is_doubtful);
-  like.landmark_distance = 0.4;
-  EXPECT_TRUE(choice_of<2>(circles, {like}, clear, quick()).is_doubtful);
+  const auto is_doubtful = [&](double score, std::optional<double> landmark_distance, bool landmarks_are_spread) {
+    Start<2> start = scored(score);
+    start.landmark_distance = landmark_distance;
+    Observer quiet;
+    const std::vector<Landmark<2>> no_landmarks;
+    const ExperimentOptions options = quick();
+    Trials<2> trials(circles, no_landmarks, options, quiet);
+    return choose_start<2>({{start}, 5, landmarks_are_spread}, options.align, trials).is_doubtful;
+  };
+  EXPECT_TRUE(is_doubtful(1.5, {}, false));
+  EXPECT_FALSE(is_doubtful(1.5, 0.05, true));
+  EXPECT_TRUE(is_doubtful(1.5, 0.05, false)) << "those on one part do not acquit";
+  EXPECT_FALSE(is_doubtful(0.3, {}, false));
+  EXPECT_TRUE(is_doubtful(0.3, 0.4, true));
+  EXPECT_TRUE(is_doubtful(0.3, 0.4, false)) << "but condemn";
 }
 
 TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
@@ -179,6 +186,17 @@ TEST(Trial, ReportsEnergyAndCoverage) {
   EXPECT_GT(right.with_pairs, right.energy);
   EXPECT_GT(right.energy, 0);
   EXPECT_LT(right.template_distance, 0.02);
+}
+
+TEST(Trial, GivesLandmarksTheirWholeWeight) {
+  const ShapePair<2> shapes = generated<2>("circle", "ellipse");
+  const std::vector<Landmark<2>> noisy{{"a", shapes.reference.original.vertices[0], shapes.template_shape.original.vertices[5]}};
+  const ExperimentOptions options = quick();
+  Observer quiet;
+  const Trials<2> trials(shapes, noisy, options, quiet);
+  Alignment<2> distrusted;
+  distrusted.landmark_trust = 0.01;
+  EXPECT_EQ(trials(distrusted).energy, trials({}).energy);
 }
 
 class TrialOfCircles : public ::testing::Test {

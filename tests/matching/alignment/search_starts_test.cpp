@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace shellmatch {
 namespace {
 
@@ -40,6 +42,43 @@ TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
   EXPECT_GT(with.starts[0].alignment.landmark_trust.value(), 0.5);
   ASSERT_GT(without.starts[0].alignment.spread, 1.05) << "far from isometric";
   EXPECT_LT(with.starts[0].alignment.spread - 1, 0.3 * (without.starts[0].alignment.spread - 1));
+  EXPECT_TRUE(with.landmarks_are_spread);
+  EXPECT_GT(with.n_landmarks, 70u);
+  EXPECT_LE(with.n_landmarks, landmarks.size());
+  EXPECT_TRUE(with.notes.empty());
+  // Those of one finger tell little of the others.
+  const Vec<3> tip = landmarks.front().on_template;
+  std::ranges::sort(landmarks, {}, [&](const Landmark<3>& l) { return (l.on_template - tip).norm(); });
+  landmarks.resize(8);
+  EXPECT_FALSE(search_starts(shapes, landmarks, options).landmarks_are_spread);
+}
+
+TEST(SearchStarts, SayWhichComponentsAreLeftOut) {
+  ShapePair<3> shapes;
+  const Surface<3> sphere = generated_surface("sphere", "", 0.05);
+  shapes.template_shape.surface = sphere;
+  shapes.reference.surface = test::joined(sphere, test::mapped<3>(sphere, [](const Vec<3>& x) { return Vec<3>(0.1 * x); }));
+  shapes.reference.source = "a.ply";
+  AlignOptions options;
+  options.search.functions = 40;
+  options.search.refined = 1;
+  const StartSearch<3> search = search_starts(shapes, {}, options);
+  ASSERT_EQ(search.notes.size(), 1u);
+  EXPECT_EQ(search.notes[0], "pairs are of the largest component of a.ply alone, 99 % of its area");
+}
+
+TEST(SearchPoses, LandmarksJudgeThem) {
+  const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
+  const ShapePair<3> shapes{shape("generate:ellipsoid/long"), shape("generate:ellipsoid/long")};
+  const auto& x = shapes.reference.original.vertices;
+  std::vector<Landmark<3>> agree, contradict;
+  for (std::size_t i = 0; i < x.size(); i += x.size() / 8) {
+    agree.push_back({"", x[i], x[i]});
+    contradict.push_back({"", x[i], x[(i + x.size() / 2) % x.size()]});
+  }
+  EXPECT_LT(search_poses(shapes, agree, {}).starts[0].landmark_distance.value(), 0.01);
+  EXPECT_GT(search_poses(shapes, contradict, {}).starts[0].landmark_distance.value(), 0.2);
+  EXPECT_FALSE(search_poses(shapes, {}, {}).starts[0].landmark_distance);
 }
 
 }  // namespace

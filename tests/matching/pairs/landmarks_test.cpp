@@ -1,6 +1,7 @@
 // Landmarks from the user's coordinates to the result: a limb gets where they say, with every kind of solver.
 
 #include "base/error.h"
+#include "matching/alignment/prepare_pair.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/derivative_check/gradient_report.h"
 #include "matching/input/shape_pair.h"
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shellmatch {
 namespace {
@@ -139,6 +141,29 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
   EXPECT_EQ(refused(limb_point(0.1, from), false), "");
   marks[2].template_origin = "points.csv, line 4";
   EXPECT_EQ(refused({50, 0}, true).find("points.csv, line 4: landmark 'at 2'"), 0u);
+}
+
+TEST(Landmarks, AreCheckedBeforeAnythingIsSearched) {
+  ShapePair<2> shapes{with_limb(from), with_limb(to)};
+  auto marks = landmarks(4);
+  marks[2].on_template = {0, 0};
+  marks[2].template_origin = "b.csv, line 4";
+  for (const MatchDirection direction : {MatchDirection::forward, MatchDirection::backward}) {
+    ExperimentOptions o = options_to(5);
+    o.align.mode = AlignMode::automatic;
+    o.align.direction = direction;
+    struct : Observer {
+      void stage(const std::string& name) override { EXPECT_NE(name, "alignment"); }
+    } observer;
+    const std::string told = message_of<InputError>([&] { prepare_pair(shapes, marks, o, observer); });
+    EXPECT_EQ(told.find("b.csv, line 4: landmark 'at 2': its point of the template lies"), 0u) << told;
+  }
+  // The shapes keep their names where the template is deformed.
+  const auto swapped = exchanged(marks);
+  EXPECT_EQ(swapped[2].reference_name, "template");
+  marks[2].on_template = {std::nan(""), 0};
+  Observer quiet;
+  EXPECT_NE(message_of<InputError>([&] { prepare_pair(shapes, marks, options_to(5), quiet); }).find("is not finite"), std::string::npos);
 }
 
 TEST(Landmarks, CheckGradientExaminesThem) {

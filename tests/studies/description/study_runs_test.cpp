@@ -51,6 +51,13 @@ TEST(StudyRuns, NamesAreFileNames) {
   for (const StudyRun& run : list) EXPECT_EQ(run.name.find_first_of("/: \""), std::string::npos) << run.name;
 }
 
+TEST(StudyRuns, AParameterMayBeOfOneLevel) {
+  const auto list = runs(head + "solvers: [lbfgs]\nparameters: {solver.levels.4.name: [newton, lbfgs]}\n");
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[0].name, "a-lbfgs-solver.levels.4.name=newton-r1");
+  EXPECT_NE(list[0].fingerprint, list[1].fingerprint);
+}
+
 // Equal functions, equal keys: only then are energies compared.
 TEST(StudyRuns, TheEnergysKeySeesWhatChangesTheEnergyAndNothingElse) {
   const std::string study = head + "solvers: [lbfgs]\n";

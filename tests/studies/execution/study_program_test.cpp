@@ -252,7 +252,9 @@ TEST_F(StudyProgram, MistakesAreRefusedWithOneClearLine) {
   refused({"study", "nowhere.yaml"}, "no such file");
   refused({"study", study, "--only", "leaf-newtn-energy.delta=1-r1"},
           "did you mean leaf-newton-energy.delta=1-r1?");
-  refused({"study", study, "--jobs", "0"}, "--jobs 0");
+  refused({"study", study, "--jobs", "0"}, "--jobs 0: expected a whole number from 1 to 1024");
+  refused({"study", study, "--collect", "--only", "leaf-newton-energy.delta=1-r1"}, "--collect is for the whole study");
+  refused({"study", study, "--set", "limits.memory_mb=1e30"}, "limits.memory_mb");
   refused({"study", study, "--program", "nowhere"}, "no program");
   refused({"study", study, "--set", "energy.detla=1"}, "energy.delta");
   fs::create_directories(folder_ / "mine");

@@ -89,13 +89,10 @@ TEST_F(StudyTableTest, AResultOfAnotherConfigurationIsNone) {
   EXPECT_EQ(out.result_of(runs_[0]).status, RunStatus::not_run);
 }
 
-TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
-  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
-  add_result(out, runs_[0], 1);
-  const std::string csv = study_csv(make_study_table(study_, runs_, out));
-  EXPECT_NE(csv.find("\"with, comma and \"\"quotes\"\"\""), std::string::npos) << csv;
-  std::size_t at = 0;
+// The number of commas outside of quotes on each line.
+std::vector<std::ptrdiff_t> commas_of(const std::string& csv) {
   std::vector<std::ptrdiff_t> commas;
+  std::size_t at = 0;
   for (std::size_t end; (end = csv.find('\n', at)) != std::string::npos; at = end + 1) {
     bool inside = false;
     commas.push_back(0);
@@ -104,7 +101,32 @@ TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
       commas.back() += c == ',' && !inside;
     }
   }
+  return commas;
+}
+
+TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
+  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
+  add_result(out, runs_[0], 1);
+  const std::string csv = study_csv(make_study_table(study_, runs_, out));
+  EXPECT_NE(csv.find("\"with, comma and \"\"quotes\"\"\""), std::string::npos) << csv;
+  const std::vector<std::ptrdiff_t> commas = commas_of(csv);
   EXPECT_EQ(commas, std::vector<std::ptrdiff_t>(9, commas.front()));
+}
+
+TEST_F(StudyTableTest, NamesWithCommasStayInTheirColumn) {
+  std::ofstream(folder_ / "lists.yaml")
+      << "version: 1\nproblems: {a: {set: {input: {reference: generate:circle, template: generate:ellipse}, cascade: {min_level: 3, max_level: 3}}}}\n"
+         "solvers: [newton]\nparameters: {solver.fallback: [[lbfgs], [lbfgs, nlopt_lbfgs]]}\n";
+  const Study study = read_study((folder_ / "lists.yaml").string());
+  const std::vector<StudyRun> runs = runs_of(study);
+  ASSERT_NE(runs[1].name.find(','), std::string::npos) << runs[1].name;
+  const RunsFolder out((folder_ / "out").string(), study_folder_kind, true);
+  for (const StudyRun& run : runs) add_result(out, run, 1);
+  const StudyTable table = make_study_table(study, runs, out);
+  for (const std::string& csv : {study_csv(table), convergence_csv(table)}) {
+    const std::vector<std::ptrdiff_t> commas = commas_of(csv);
+    EXPECT_EQ(commas, std::vector<std::ptrdiff_t>(commas.size(), commas.front())) << csv;
+  }
 }
 
 TEST_F(StudyTableTest, OnlyOneWorksOnTheWholeOfAFolder) {

@@ -1,0 +1,9 @@
+#include "energies/terms/term_values.h"
+
+#include "energies/terms/term_names.h"
+
+namespace shellmatch {
+
+TermValues::TermValues() : TermValues(n_all_terms) {}
+
+}  // namespace shellmatch
