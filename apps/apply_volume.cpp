@@ -1,7 +1,7 @@
 #include "apps/apply_volume.h"
 
 #include "apps/output_file.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/volume/sample_volume.h"

@@ -4,7 +4,7 @@
 #include "apps/commands.h"
 #include "apps/output_file.h"
 #include "apps/process/interrupt.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/text.h"

@@ -4,8 +4,8 @@
 #include "apps/experiment_overrides.h"
 #include "apps/process/interrupt.h"
 #include "apps/output_file.h"
-#include "apps/progress.h"
-#include "apps/words.h"
+#include "apps/terminal/progress.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "matching/run_gradient_check.h"
 

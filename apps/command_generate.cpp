@@ -3,7 +3,7 @@
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
 #include "apps/output_file.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"
 #include "matching/experiment/generated_source.h"

@@ -3,7 +3,7 @@
 #include "apps/commands.h"
 #include "apps/experiment_overrides.h"
 #include "apps/process/interrupt.h"
-#include "apps/progress.h"
+#include "apps/terminal/progress.h"
 #include "base/error.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/result/verdict.h"

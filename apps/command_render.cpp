@@ -3,7 +3,7 @@
 #include "apps/commands.h"
 #include "apps/output_file.h"
 #include "apps/process/interrupt.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/stop.h"
 #include "matching/map_file/deformation_file.h"

@@ -2,7 +2,7 @@
 
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "matching/self_test/self_test.h"

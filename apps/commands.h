@@ -2,6 +2,7 @@
 /// \file
 /// The commands of the program as plain data, and the functions that execute them.
 
+#include "apps/terminal/verbosity.h"
 #include "matching/experiment/options.h"
 
 #include <stdexcept>
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace shellmatch {
-
-/// How many messages a command writes. Errors are always reported.
-enum class Verbosity { quiet, normal, verbose };
 
 /// The settings that `match` and `run` share. A setting that was not given is an empty text.
 struct RunSettings {

@@ -16,4 +16,12 @@ std::string safe_file_name(std::string text) {
   return text;
 }
 
+std::string csv_field(std::string_view text) {
+  const bool has_blank_ends = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  if (!has_blank_ends && text.find_first_of(",;\"#\t\r\n") == text.npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
+  return field + '"';
+}
+
 }  // namespace shellmatch

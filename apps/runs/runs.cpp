@@ -1,7 +1,7 @@
 #include "apps/runs/runs.h"
 
 #include "apps/process/limits.h"
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/stop.h"
 #include "matching/progress/process_info.h"

@@ -1,5 +1,6 @@
 #include "cohorts/output/cohort_tables.h"
 
+#include "base/text.h"
 #include "cohorts/report/worst_first.h"
 #include "geometry/io/read_text.h"
 

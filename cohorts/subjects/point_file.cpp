@@ -1,5 +1,6 @@
 #include "cohorts/subjects/point_file.h"
 
+#include "base/text.h"
 #include "base/replace_file.h"
 #include "geometry/io/read_text.h"
 

@@ -3,7 +3,7 @@
 /// The names of the terms of energies/terms/list.h, known at compile time. energies/options.h has them at run time,
 /// without the terms themselves.
 
-#include "energies/terms/term_values.h"
+#include "energies/terms/term_place.h"
 #include "energies/terms/list.h"
 
 #include <array>

@@ -79,14 +79,6 @@ std::string csv_text(std::string_view field) {
   return text;
 }
 
-std::string csv_field(std::string_view text) {
-  const bool has_blank_ends = !text.empty() && (text.front() == ' ' || text.back() == ' ');
-  if (!has_blank_ends && text.find_first_of(",;\"#\t\r\n") == text.npos) return std::string(text);
-  std::string field = "\"";
-  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
-  return field + '"';
-}
-
 LineReader::LineReader(std::string path, std::string_view text, char comment)
     : path_(std::move(path)), text_(text), comment_(comment) {
   // A byte order mark is no part of the first word.

@@ -30,8 +30,6 @@ std::string_view next_word(std::string_view& rest, std::string_view separators =
 std::vector<std::string_view> csv_fields(std::string_view line);
 /// The text of such a field, without its quotes.
 std::string csv_text(std::string_view field);
-/// The text as such a field, in quotes where it needs them.
-std::string csv_field(std::string_view text);
 
 /// The lines of a text one by one; ends of line may be LF, CR LF or CR. Keeps a view of the text.
 class LineReader {

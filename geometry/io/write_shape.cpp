@@ -1,6 +1,7 @@
 #include "geometry/io/write_shape.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/replace_file.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"

@@ -1,6 +1,6 @@
 #include "studies/report/study_csv.h"
 
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 
 #include <fmt/format.h>
 

@@ -127,7 +127,7 @@ TEST_F(Cli, GenerateTakesParametersAndSaysWhichItDoesNotKnow) {
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobs=3"}, {"lobs", "lobes"});
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes"}, {"--set lobes", "parameter=value"});
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "=3"}, {"--set =3", "parameter=value"});
-  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes=many"}, {"lobes", "many", "not a number"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes=many"}, {"lobes", "many", "expected a number"});
   EXPECT_EQ(fs::file_size(file), size);
 }
 
@@ -277,11 +277,11 @@ TEST_F(Cli, ChecksThatCannotBeMadeSayWhy) {
     return words;
   };
   expect_refused(check({"--level", "6"}), {"--level 6", "3 to 5"});
-  expect_refused(check({"--level", "x"}), {"--level x", "an integer"});
+  expect_refused(check({"--level", "x"}), {"--level x", "a whole number"});
   expect_refused(check({"--state", "idenity"}), {"--state idenity", "identity", "random:AMPLITUDE"});
   expect_refused(check({"--state", "random:0.9"}), {"--state random:0.9", "folds", "smaller"});
   expect_refused(check({"--state", folder_.string()}), {"deformation.vtu"});
-  expect_refused(check({"--directions", "0"}), {"--directions 0", "integer >= 1"});
+  expect_refused(check({"--directions", "0"}), {"--directions 0", "whole number, at least 1"});
   expect_refused({"check-gradient", "none.yaml"}, {"none.yaml", "no such file"});
 }
 

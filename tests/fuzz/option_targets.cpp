@@ -136,7 +136,7 @@ void read_whole_cohort(std::string_view bytes) {
   words.overrides = overrides_of(parts);
   const Cohort cohort = read_cohort(file.path(), words);
   check_subject_list(cohort.subjects);
-  demand(cohort.options.atlas.max_level >= cohort.experiment.cascade.min_level && cohort.options.atlas.max_level <= cohort.experiment.cascade.max_level,
+  demand(cohort.round_level() >= cohort.experiment.cascade.min_level && cohort.round_level() <= cohort.experiment.cascade.max_level,
          "the rounds' level is one of the cascade's");
   const std::string text = to_yaml(cohort);
   const MemoryFile again(text);

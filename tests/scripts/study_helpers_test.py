@@ -84,7 +84,7 @@ class AlignmentStudy(unittest.TestCase):
         source = random.Random(2)
         points = [tuple(source.random() for _ in range(3)) for _ in range(400)]
         variants = dict(wrong_landmarks.variants(points, list(enumerate(points)), source))
-        size = wrong_landmarks.diagonal(points)
+        size = transforms.diagonal(points)
         errors = {name: [math.dist(points[i], points[j]) / size for i, j in lines] for name, lines in variants.items()}
         self.assertEqual(max(errors["exact"]), 0)
         self.assertEqual(sum(e > 0.3 for e in errors["one in ten wrong"]), 5)

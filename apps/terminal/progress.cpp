@@ -1,6 +1,6 @@
-#include "apps/progress.h"
+#include "apps/terminal/progress.h"
 
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 #include "base/printable.h"
 #include "base/stop.h"
 #include "matching/derivative_check/gradient_report.h"

@@ -1,4 +1,4 @@
-#include "apps/words.h"
+#include "apps/terminal/words.h"
 
 #include "base/error.h"
 #include "base/printable.h"

@@ -1,4 +1,4 @@
-#include "apps/time_left.h"
+#include "apps/terminal/time_left.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 /// \file
 /// Reports the progress of a run to the user.
 
-#include "apps/commands.h"
-#include "apps/time_left.h"
+#include "apps/terminal/time_left.h"
+#include "apps/terminal/verbosity.h"
 #include "matching/progress/observer.h"
 
 #include <chrono>
