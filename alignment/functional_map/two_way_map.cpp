@@ -1,5 +1,6 @@
 #include "alignment/functional_map/two_way_map.h"
 
+#include "base/error.h"
 #include "base/svd.h"
 #include "geometry/distance/surface_distance.h"
 
@@ -45,6 +46,7 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
     std::vector<Index> all;
     std::vector<bool> is_in(pair.shapes[s]->n_vertices(), false);
     const auto add = [&](Index v) {
+      SHELLMATCH_CHECK(v >= 0 && static_cast<std::size_t>(v) < is_in.size(), "landmarks are vertices of their surfaces");
       if (!is_in[v]) all.push_back(v);
       is_in[v] = true;
     };

@@ -152,7 +152,8 @@ TEST_F(KnownMap, LandmarksTellTheMedianOfTheirDistances) {
 
 TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
   std::vector<std::pair<Index, Index>> landmarks;
-  for (Index v = 0; v < 60; ++v) landmarks.emplace_back(20 * v, 20 * v);
+  const auto step = static_cast<Index>(shape_1_->n_vertices() / 60);
+  for (Index k = 0; k < 60; ++k) landmarks.emplace_back(step * k, step * k);
   const ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, landmarks);
   VertexMatches matches;
   for (int s = 0; s < 2; ++s) matches.from[s] = matches.to[s] = pair.dense[s].vertices;
@@ -169,8 +170,8 @@ TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
   EXPECT_LT(shared.landmark_noise, 0.6 * shared.landmarks);
   // Now each in a direction of its own.
   for (std::size_t j = 0; j < 60; ++j) {
-    const Vec<3> step = Eigen::AngleAxisd(static_cast<double>(j * j), Vec<3>(1, 2, 3).normalized()) * Vec<3>(0.06, 0, 0);
-    matches.to[0][j] = nearest(vertices[pair.landmarks[j].second] + step);
+    const Vec<3> away = Eigen::AngleAxisd(static_cast<double>(j * j), Vec<3>(1, 2, 3).normalized()) * Vec<3>(0.06, 0, 0);
+    matches.to[0][j] = nearest(vertices[pair.landmarks[j].second] + away);
   }
   const MapScore noisy = score_map(pair, matches, c);
   EXPECT_GT(noisy.landmark_noise, 0.8 * noisy.landmarks);
