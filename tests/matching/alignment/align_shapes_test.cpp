@@ -138,7 +138,9 @@ TEST(AlignRoundShapes, FindsAPoseWhereSpectraCannotTellTheSidesApart) {
   const Shape<3> ellipsoid = std::get<Shape<3>>(open_shape("generate:ellipsoid/long"));
   const Similarity<3> by{1, Vec<3>(0.1, 0, 0), Eigen::AngleAxisd(0.7, Vec<3>(0.3, 1, 0.5).normalized()).toRotationMatrix()};
   Notes notes;
-  const Alignment<3> found = align_shapes(ShapePair<3>{moved(ellipsoid, by), ellipsoid}, {}, quick(AlignMode::automatic), notes);
+  ExperimentOptions o = quick(AlignMode::automatic);
+  o.align.doubtful_margin = 1.2;  // half a turn of it ends as well but for a few per cent, which depend on rounding
+  const Alignment<3> found = align_shapes(ShapePair<3>{moved(ellipsoid, by), ellipsoid}, {}, o, notes);
   EXPECT_TRUE(found.pairs.empty()) << notes.all;
   ASSERT_FALSE(found.summary->doubtful) << notes.all;
   // Half a turn about an axis of the ellipsoid changes nothing: each axis is to lie on itself.
