@@ -31,6 +31,7 @@ namespace {
 // The last line of a log without the program's name, as "error: not enough memory; ...".
 std::string last_words(const std::string& log) {
   std::ifstream in(log, std::ios::binary | std::ios::ate);
+  if (!in) return "log.txt cannot be read";
   const std::streamoff end = in.tellg(), from = std::max<std::streamoff>(0, end - 2000);
   in.seekg(from);
   std::string last;
