@@ -7,16 +7,16 @@
 #include "matching/alignment/prepare_as_before.h"
 #include "matching/cascade/level_memory.h"
 #include "matching/cascade/size_estimate.h"
-#include "matching/checkpoint/checkpoints.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_placed_shapes.h"
 #include "matching/pairs/landmark_file.h"
+#include "matching/output/summary.h"
 #include "matching/pictures/level_picture.h"
 #include "matching/progress/process_info.h"
+#include "matching/run_checkpoints.h"
 #include "matching/write_result.h"
-#include "matching/output/summary.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -34,7 +34,7 @@ template <int Dim>
 class Run {
  public:
   Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer, RunClock& clock)
-      : options_(options), folder_(folder), recorder_(observer), clock_(clock), last_checkpoint_(clock.seconds()) {
+      : options_(options), folder_(folder), recorder_(observer), clock_(clock), checkpoints_(options.resume, recorder_, clock) {
     inputs_.shapes = std::move(shapes);
   }
 
@@ -73,12 +73,12 @@ class Run {
                     options_.cascade.max_level, folder_.final_path());
     // With start.map there are no checkpoints: the identity of a run does not cover the contents of that file.
     if (options_.resume.enabled && options_.start.map.empty()) {
-      open_checkpoints(run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
-      if (checkpoints_ && !restart) inputs_.checkpoint = read_checkpoint();
+      checkpoints_.open(folder_.final_path(), run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
+      if (!restart) inputs_.checkpoint = checkpoints_.read(reference.surface.vertices.size(), folder_.path_of("pictures"));
     }
     inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
-      write_checkpoint(end);
+      checkpoints_.write(end, folder_.path_of("pictures"));
     };
     MatchResult<Dim> result = match_placed_shapes(std::move(inputs_), options_, recorder_, clock_);
     write(result);
@@ -126,81 +126,7 @@ class Run {
     clock_.state(result.summary.run);
     write_summary(result.summary, folder_.path_of("summary.json"));
     folder_.commit();
-    if (checkpoints_ && !result.summary.interrupted) remove_checkpoint();
-  }
-
-  void open_checkpoints(RunIdentity identity) {
-    constexpr const char* consequence = "levels are not kept for the case that this run is stopped";
-    try {
-      checkpoints_.emplace(folder_.final_path(), std::move(identity));
-    } catch (const EnvironmentError& error) {
-      return recorder_.note(fmt::format("{}: {}", consequence, error.what()));
-    }
-    if (checkpoints_->is_foreign()) {
-      recorder_.note(fmt::format("{}: no run has written this, and it is left alone: {}", checkpoints_->path(), consequence));
-      checkpoints_.reset();
-    } else if (const std::string text = checkpoints_->foreign_text(); !text.empty()) {
-      recorder_.note(fmt::format("{}: {}; until that is moved elsewhere, {}", checkpoints_->path(), text, consequence));
-    }
-  }
-
-  // What another configuration has kept stays, unless this run has replaced it.
-  void remove_checkpoint() {
-    if (checkpoint_level_ == 0 && !checkpoints_->obstacle().empty()) return;
-    const std::string text = checkpoints_->foreign_text();
-    checkpoints_->remove();
-    if (!text.empty()) recorder_.note(fmt::format("{}: {}; that folder is not removed", checkpoints_->path(), text));
-  }
-
-  // The checkpoint of an earlier run of the same experiment, if there is one.
-  std::optional<MatchProgress<Dim>> read_checkpoint() {
-    std::string obstacle = checkpoints_->obstacle();
-    std::optional<MatchProgress<Dim>> checkpoint;
-    try {
-      if (obstacle.empty()) checkpoint = checkpoints_->read<Dim>(inputs_.shapes.reference.surface.vertices.size());
-    } catch (const InputError& error) {
-      obstacle = fmt::format("it cannot be read ({})", error.what());
-    }
-    if (!obstacle.empty())
-      recorder_.note(fmt::format("{}: {}; the run begins anew{}", checkpoints_->path(), obstacle,
-                                 checkpoints_->foreign_text().empty() ? " and replaces that folder once it keeps a level" : ""));
-    if (!checkpoint) return std::nullopt;
-    checkpoint_level_ = checkpoint->summary.levels.back().level;
-    recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", checkpoint_level_, checkpoints_->path(),
-                               checkpoint->summary.run.seconds));
-    checkpoints_->copy_pictures(folder_.path_of("pictures"));
-    return checkpoint;
-  }
-
-  // Writes a checkpoint of a finished level. Failure is reported but does not end the run, which may never need it.
-  void write_checkpoint(const LevelEnd<Dim>& end) {
-    if (!checkpoints_ || end.level.last.reason == StopReason::interrupted) return;
-    const double begin = clock_.seconds();
-    if (begin - last_checkpoint_ < options_.resume.min_seconds) return;
-    MatchSummary s = end.summary;
-    s.interrupted = true;
-    s.distance = s.levels.back().distance;
-    clock_.state(s.run);
-    try {
-      checkpoints_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s, end.levels}, folder_.path_of("pictures"));
-      checkpoint_level_ = end.level.start.level;
-    } catch (const InputError& error) {
-      note_failed_checkpoint(end.level.start.level, error.what());
-    } catch (const EnvironmentError& error) {
-      note_failed_checkpoint(end.level.start.level, error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-      note_failed_checkpoint(end.level.start.level, error.what());
-    } catch (const std::bad_alloc&) {
-      note_failed_checkpoint(end.level.start.level, "not enough memory");
-    }
-    last_checkpoint_ = clock_.seconds();
-    clock_.phases["keeping"] += last_checkpoint_ - begin;
-    // Writing runs within the phase output, which therefore counts it too.
-    clock_.phases["output"] -= last_checkpoint_ - begin;
-  }
-
-  void note_failed_checkpoint(int level, const std::string& why) {
-    recorder_.note(fmt::format("level {} is not kept for the case that the run is stopped: {}", level, why));
+    if (!result.summary.interrupted) checkpoints_.remove();
   }
 
   std::string stopped_text() const {
@@ -208,9 +134,9 @@ class Run {
                               : recorder_.level == 0 ? "before the first level"
                                                      : fmt::format("in level {} of {}", recorder_.level,
                                                                    options_.cascade.max_level);
-    if (checkpoint_level_ == 0) return fmt::format("stopped {}; nothing was written", where);
-    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, checkpoint_level_,
-                       checkpoints_->path());
+    if (checkpoints_.level() == 0) return fmt::format("stopped {}; nothing was written", where);
+    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, checkpoints_.level(),
+                       checkpoints_.path());
   }
 
   void picture(const LevelEnd<Dim>& end) {
@@ -241,9 +167,7 @@ class Run {
   Recorder recorder_;
   RunClock& clock_;
   MatchInputs<Dim> inputs_;  // moved from when the matching starts
-  std::optional<CheckpointFolder> checkpoints_;
-  int checkpoint_level_ = 0;  // 0: there is no checkpoint
-  double last_checkpoint_;
+  RunCheckpoints<Dim> checkpoints_;
   bool writing_ = false;
 };
 
