@@ -45,6 +45,41 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
   draw(folder, "pictures/energy.png", observer, [&](const std::string& path) { write_plot(energy_plot(result.history), path); });
 }
 
+// The vertices of a shape one ring after another.
+std::vector<Index> vertices_along_rings(const OriginalShape<2>& shape) {
+  std::vector<Index> order;
+  for (const std::vector<Index>& ring : shape.polygons) order.insert(order.end(), ring.begin(), ring.end());
+  return order;
+}
+
+OriginalShape<2> along_rings(const OriginalShape<2>& shape) {
+  const std::vector<Index> order = vertices_along_rings(shape);
+  const auto picked = [&]<class T>(const std::vector<T>& values) {
+    std::vector<T> result;
+    for (const Index v : order)
+      if (!values.empty()) result.push_back(values[v]);
+    return result;
+  };
+  OriginalShape<2> sorted{picked(shape.vertices), shape.polygons, {}};
+  for (const VertexAttribute& a : shape.attributes) sorted.attributes.push_back({a.name, a.type, picked(a.values), picked(a.texts)});
+  Index next = 0;
+  for (std::vector<Index>& ring : sorted.polygons)
+    for (Index& v : ring) v = next++;
+  return sorted;
+}
+
+void write_outlines(const MatchResult<2>& result, OutputFolder& folder) {
+  OriginalShape<2> deformed = along_rings(result.deformed);
+  const std::vector<Index> order = vertices_along_rings(result.template_shape);
+  std::vector<double> line(result.template_shape.vertices.size());
+  for (std::size_t k = 0; k < order.size(); ++k) line[order[k]] = static_cast<double>(k);
+  for (VertexAttribute& a : deformed.attributes)
+    if (a.name == "template_v0" || a.name == "template_v1")
+      for (double& v : a.values) v = line[static_cast<std::size_t>(v)];
+  write_outline_csv(folder.path_of("deformed.csv"), deformed);
+  write_outline_csv(folder.path_of("template.csv"), along_rings(result.template_shape));
+}
+
 }  // namespace
 
 void draw(OutputFolder& folder, const std::string& name, Observer& observer,
@@ -73,8 +108,7 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
     write_ply(folder.path_of("deformed.ply"), result.deformed);
     write_ply(folder.path_of("template.ply"), result.template_shape);
   } else {
-    write_outline_csv(folder.path_of("deformed.csv"), result.deformed);
-    write_outline_csv(folder.path_of("template.csv"), result.template_shape);
+    write_outlines(result, folder);
   }
   write_deformation(folder.path_of(deformation_file_name), result.map,
                     nodal_fields(result.moving_fields, result.target_fields, options),
@@ -96,17 +130,19 @@ void write_result_page(const MatchResult<Dim>& result, const ExperimentOptions& 
 }
 
 template <int Dim>
-void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force) {
+void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force,
+                         Observer* observer) {
   OutputFolder place(folder, force);
   Observer nobody;
-  write_result_files(result, options, place, nobody);
-  write_result_page(result, options, place, nobody);
+  Observer& told = observer == nullptr ? nobody : *observer;
+  write_result_files(result, options, place, told);
+  write_result_page(result, options, place, told);
   write_summary(result.summary, place.path_of("summary.json"));
   place.commit();
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
-  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool);          \
+  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool, Observer*); \
   template void write_result_page<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);         \
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
 SHELLMATCH_INSTANTIATE(2);

@@ -13,17 +13,20 @@
 namespace shellmatch {
 
 /// Writes deformed.ply and template.ply (.csv in the plane), deformation.vtu, history.csv, config.yaml, summary.json and, if
-/// `options.pictures` requests them, the pictures of the result; all files or none.
+/// `options.report` and `options.pictures` request them, report.html and the pictures of the result; all files or none, but for a
+/// report and pictures that cannot be made (draw()).
 /// \param options those of the matching
 /// \param folder the output folder; missing parents are created
 /// \param force whether to replace the folder of an earlier run
+/// \param observer is warned of what is missing; none: nobody is
 /// \throws InputError, EnvironmentError as OutputFolder (matching/output/output_folder.h)
 template <int Dim>
 void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder,
-                  bool force = false);
+                         bool force = false, Observer* observer = nullptr);
 
 /// Writes the same files without summary.json into a folder that the caller commits. The caller writes summary.json
-/// last, because it states the time spent on writing.
+/// last, because it states the time spent on writing. A file of outlines has the points of one ring after another and no others: where a
+/// program has given them otherwise, the lines are in that order, which the numbers in template_v0 and template_v1 follow.
 template <int Dim>
 void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
                         Observer& observer);

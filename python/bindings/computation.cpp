@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 
 // A thread that waits for the turn holds no lock of the interpreter's, so that who has the turn can always
 // call Python.
-std::recursive_mutex turn;
+std::recursive_timed_mutex turn;
 int depth = 0;  // of nested computations; belongs to whoever has the turn
 thread_local bool has_turn = false;
 std::atomic<bool> stop_wanted = false;  // read by all threads of the loops
@@ -27,10 +27,11 @@ struct KeptError {
 };
 thread_local KeptError kept;  // of stop_with_python_error()
 
+constexpr auto interval = std::chrono::milliseconds(50);  // between questions for signals
+
 // Asked before each chunk of each loop, by all its threads. Signals are Python's business, so the thread that
 // was called asks it.
 StopCause question() {
-  constexpr auto interval = std::chrono::milliseconds(50);
   if (stop_wanted.load(std::memory_order_relaxed)) return StopCause::request;
   if (!has_turn) return StopCause::none;
   const Clock::time_point now = Clock::now();
@@ -45,7 +46,11 @@ StopCause question() {
 }  // namespace
 
 Computation::Computation() : thread_state_(PyEval_SaveThread()) {
-  turn.lock();
+  while (!turn.try_lock_for(interval)) {
+    PyEval_RestoreThread(static_cast<PyThreadState*>(thread_state_));
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    thread_state_ = PyEval_SaveThread();
+  }
   has_turn = true;
   if (depth++ > 0) return;
   stop_wanted = false;

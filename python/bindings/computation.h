@@ -3,18 +3,21 @@
 /// Calls that compute: without the interpreter's lock, one at a time in the process, and stopped by Python's
 /// signals.
 
+#include "base/error.h"
 #include "base/stop.h"
 
+#include <new>
 #include <type_traits>
 
 namespace shellmatch::python {
 
 /// While it lives, the interpreter's lock is released, and this thread has the turn: other threads that want
-/// to compute wait. The stop question of the parallel loops (base/stop.h) asks Python for signals, at most
-/// every twentieth of a second. May be nested, in a callback of Python's. \pre the interpreter's lock is held
-/// where it begins and ends
+/// to compute wait. Python is asked for signals while a thread waits, and by the stop question of the
+/// parallel loops (base/stop.h), at most every twentieth of a second. May be nested, in a callback of
+/// Python's. \pre the interpreter's lock is held where it begins and ends
 class Computation {
  public:
+  /// \throws pybind11::error_already_set where a signal has raised while this thread waited
   Computation();
   ~Computation();
   Computation(const Computation&) = delete;
@@ -53,6 +56,16 @@ auto compute(Body&& body) {
   } catch (...) {  // of a worker, beside what ended the others
     throw_kept_error();
     throw;
+  }
+}
+
+/// compute(body) of a matching. \throws MemoryError with what needs less memory, where there is not enough
+template <class Body>
+auto compute_matching(Body&& body) {
+  try {
+    return compute(body);
+  } catch (const std::bad_alloc&) {
+    throw MemoryError("not enough memory; a lower finest level (levels) needs less");
   }
 }
 

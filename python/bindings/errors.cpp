@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
+#include "python/bindings/text.h"
 
 #include <pybind11/pybind11.h>
 
@@ -17,7 +18,7 @@ namespace {
 
 void raise(const char* type, const char* text) {
   const py::object error = py::module_::import("shellmatch.errors").attr(type);
-  PyErr_SetString(error.ptr(), text);
+  PyErr_SetObject(error.ptr(), text_of(text).ptr());
 }
 
 // The innermost of the classes that fits.
@@ -33,7 +34,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const MemoryError& error) {
     raise("OutOfMemoryError", error.what());
   } catch (const std::bad_alloc&) {
-    raise("OutOfMemoryError", "not enough memory; a lower finest level (levels) needs less");
+    raise("OutOfMemoryError", "not enough memory");
   } catch (const EnvironmentError& error) {
     raise("ResourceError", error.what());
   } catch (const Stopped& error) {

@@ -4,6 +4,7 @@
 #include "matching/experiment/yaml_options.h"
 #include "matching/pairs/landmark_file.h"
 #include "python/bindings/arrays.h"
+#include "python/bindings/computation.h"
 
 #include <cmath>
 #include <utility>
@@ -23,6 +24,8 @@ ExperimentOptions options_of(const std::string& config, const OptionTexts& texts
   options.input.reference = shapes[0].contents.index() == 0 ? shapes[0].name : "";
   options.input.template_file = shapes[1].contents.index() == 0 ? shapes[1].name : "";
   check_experiment(options);
+  if (!options.start.map.empty())
+    throw_input_error("start.map: is for the command line, whose runs have files; leave it out");
   return options;
 }
 
@@ -84,6 +87,20 @@ Vec<Dim> point_of(const GivenPoints& points, std::size_t i, const OriginalShape<
 }
 
 }  // namespace
+
+void check_all_but_template(const ShapeInput& reference, const OptionTexts& texts, const std::string& config,
+                            const py::object& landmarks) {
+  const GivenLandmarks given = landmarks_from(landmarks);
+  compute([&] {
+    const ExperimentOptions options = options_of(config, texts, {reference, reference});
+    std::visit(
+        [&]<int Dim>(const Shape<Dim>& shape) {
+          for (std::size_t i = 0; i < given.sides[0].size(); ++i)
+            point_of(given.sides[0], i, shape.original, shape.original.space, "reference");
+        },
+        open_shape(reference, options.input.close));
+  });
+}
 
 template <int Dim>
 std::vector<Landmark<Dim>> landmarks_of(const GivenLandmarks& given, const ExperimentOptions& options,

@@ -25,7 +25,7 @@ void bind_shape_input(pybind11::module_& module);
 using OptionTexts = std::vector<std::tuple<std::string, std::string, std::string>>;
 
 /// The options of a YAML file, where `config` names one, changed by these. `input` names the shapes that are
-/// files, and no others. \throws InputError
+/// files, and no others. \throws InputError, also for options of runs that have files alone
 ExperimentOptions options_of(const std::string& config, const OptionTexts& texts,
                              const std::array<ShapeInput, 2>& shapes);
 
@@ -43,6 +43,10 @@ struct GivenLandmarks {
   std::array<GivenPoints, 2> sides;  ///< on the reference, on the template; of one size
   std::vector<double> weights;       ///< one for each, or none
 };
+
+/// What match() would refuse whatever the template is: options, the reference, landmarks on it. \throws InputError
+void check_all_but_template(const ShapeInput& reference, const OptionTexts& texts, const std::string& config,
+                            const pybind11::object& landmarks);
 
 /// From None or (points, points, weights or None). \throws InputError
 GivenLandmarks landmarks_from(const pybind11::object& given);

@@ -13,6 +13,7 @@
 #include "python/bindings/inputs.h"
 #include "python/bindings/map.h"
 #include "python/bindings/observer.h"
+#include "python/bindings/text.h"
 
 #include <pybind11/stl.h>
 
@@ -60,7 +61,7 @@ Match match(const ShapeInput& reference, const ShapeInput& template_shape, const
   const GivenLandmarks given = landmarks_from(landmarks);
   PythonObserver observer(progress);
   Match made;
-  made.result = compute([&] {
+  made.result = compute_matching([&] {
     std::array<ShapeInput, 2> shapes{reference, template_shape};
     made.options = options_of(config, texts, shapes);
     return std::make_shared<const AnyMatchResult>(run(std::move(shapes), made.options, given, observer));
@@ -68,11 +69,6 @@ Match match(const ShapeInput& reference, const ShapeInput& template_shape, const
   made.notes = std::move(observer.notes);
   made.warnings = std::move(observer.warnings);
   return made;
-}
-
-// Files name columns in any encoding.
-py::str text_of(const std::string& bytes) {
-  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "backslashreplace"));
 }
 
 template <int Dim>
@@ -129,12 +125,16 @@ py::list history_of(const Match& match) {
   return rows;
 }
 
-void save(const Match& match, const std::string& folder, bool force) {
+// Returns what is missing from the folder.
+py::list save(const Match& match, const std::string& folder, bool force) {
   if (folder.empty()) throw_input_error("the name of the output folder is empty");
+  PythonObserver observer{py::none()};
   compute([&] {
-    std::visit([&](const auto& result) { write_result_folder(result, match.options, folder, force); },
-               *match.result);
+    std::visit(
+        [&](const auto& result) { write_result_folder(result, match.options, folder, force, &observer); },
+        *match.result);
   });
+  return texts_of(observer.warnings);
 }
 
 }  // namespace
@@ -154,14 +154,16 @@ void bind_match(py::module_& module) {
                              })
       .def_property_readonly("map", map_of)
       .def_property_readonly("summary_json",
-                             [](const Match& m) { return summary_json(summary_of(*m.result)); })
+                             [](const Match& m) { return text_of(summary_json(summary_of(*m.result))); })
       .def_property_readonly("history", history_of)
-      .def_property_readonly("options_yaml", [](const Match& m) { return to_yaml(m.options); })
-      .def_readonly("notes", &Match::notes)
-      .def_readonly("warnings", &Match::warnings)
+      .def_property_readonly("options_yaml", [](const Match& m) { return text_of(to_yaml(m.options)); })
+      .def_property_readonly("notes", [](const Match& m) { return texts_of(m.notes); })
+      .def_property_readonly("warnings", [](const Match& m) { return texts_of(m.warnings); })
       .def("save", save, py::arg("folder"), py::arg("force"));
   module.def("match", match, py::arg("reference"), py::arg("template_shape"), py::arg("options"),
              py::arg("config"), py::arg("landmarks"), py::arg("progress"));
+  module.def("check_all_but_template", check_all_but_template, py::arg("reference"), py::arg("options"),
+             py::arg("config"), py::arg("landmarks"));
 }
 
 }  // namespace shellmatch::python

@@ -2,6 +2,7 @@
 
 #include "base/stop.h"
 #include "python/bindings/computation.h"
+#include "python/bindings/text.h"
 
 namespace shellmatch::python {
 
@@ -16,8 +17,8 @@ bool PythonObserver::call(const char* kind, const std::string& text, const Level
   {
     py::gil_scoped_acquire lock;
     try {
-      const py::object answer = callback_(kind, text, start.level, start.substep, start.n_substeps, iteration,
-                                          energy, gradient_norm);
+      const py::object answer = callback_(kind, text_of(text), start.level, start.substep, start.n_substeps,
+                                          iteration, energy, gradient_norm);
       goes_on = answer.ptr() != Py_False;
     } catch (py::error_already_set& error) {
       error.restore();

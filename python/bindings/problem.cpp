@@ -7,6 +7,7 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/computation.h"
+#include "python/bindings/text.h"
 
 #include <pybind11/stl.h>
 
@@ -28,7 +29,7 @@ class Problem {
     if (is_called_back()) throw_input_error("a Problem cannot be made within a progress function");
     const GivenLandmarks given = landmarks_from(landmarks);
     PythonObserver observer(progress);
-    level_ = compute([&] {
+    level_ = compute_matching([&] {
       std::array<ShapeInput, 2> shapes{reference, template_shape};
       const ExperimentOptions options = options_of(config, texts, shapes);
       const int level = number.value_or(options.cascade.max_level);
@@ -53,7 +54,7 @@ class Problem {
   /// body(level), with no other evaluation meanwhile.
   template <class Body>
   auto use(Body&& body) {
-    return compute([&] {
+    return compute_matching([&] {
       if (is_used_)
         throw_input_error(
             "this Problem is being minimised; its functions cannot be called from that progress function");
@@ -154,12 +155,12 @@ py::dict minimise(Problem& problem, const Doubles& start, const OptionTexts& tex
   result["energy"] = s.final_value;
   result["solver"] = s.solver;
   result["reason"] = std::string(enum_name(s.reason));
-  result["message"] = s.message;
+  result["message"] = text_of(s.message);
   result["iterations"] = s.iterations;
   result["value_evaluations"] = s.value_evaluations;
   result["gradient_evaluations"] = s.gradient_evaluations;
   result["seconds"] = s.seconds;
-  result["notes"] = observer.notes;
+  result["notes"] = texts_of(observer.notes);
   result["history"] = history;
   return result;
 }
@@ -193,7 +194,7 @@ void bind_problem(py::module_& module) {
            py::arg("options"), py::arg("config"), py::arg("landmarks"), py::arg("progress"))
       .def_property_readonly("level", [](const Problem& p) { return p.level().number(); })
       .def_property_readonly("sizes", sizes)
-      .def_readonly("notes", &Problem::notes)
+      .def_property_readonly("notes", [](const Problem& p) { return texts_of(p.notes); })
       .def_property_readonly("x0", view<&Problem::x0>)
       .def_property_readonly("mass", view<&Problem::mass>)
       .def("energy", energy, py::arg("x"))

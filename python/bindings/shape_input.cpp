@@ -4,6 +4,7 @@
 #include "geometry/volume/make_volume.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/inputs.h"
+#include "python/bindings/text.h"
 
 #include <pybind11/stl.h>
 
@@ -20,30 +21,17 @@ ShapeInput file(const std::string& name) {
   return {name};
 }
 
-ShapeInput mesh(const std::string& name, const Doubles& vertices, const std::vector<Integers>& polygons) {
-  OriginalShape<3> shape;
-  shape.vertices = points_of<3>(vertices, name + " vertices");
+// Vertices in the order given, in which the result has them, too: also those of no polygon.
+template <int Dim>
+ShapeInput of_polygons(const std::string& name, const Doubles& vertices,
+                       const std::vector<Integers>& polygons) {
+  OriginalShape<Dim> shape;
+  shape.vertices = points_of<Dim>(vertices, name + " vertices");
   for (const Integers& block : polygons)
-    for (std::vector<Index>& polygon : polygons_of(block, shape.vertices.size(), name + " faces"))
+    for (std::vector<Index>& polygon :
+         polygons_of(block, shape.vertices.size(), name + (Dim == 3 ? " faces" : " rings")))
       shape.polygons.push_back(std::move(polygon));
-  if (shape.polygons.empty()) throw_input_error("{}: no faces", name);
-  return {name, std::move(shape)};
-}
-
-ShapeInput rings(const std::string& name, const std::vector<Doubles>& given) {
-  OriginalShape<2> shape;
-  for (const Doubles& ring : given) {
-    std::vector<Vec<2>> points = points_of<2>(ring, name);
-    if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-    if (points.size() < 3)
-      throw_input_error("{}: a ring of {} different points; expected 3 or more", name, points.size());
-    std::vector<Index>& polygon = shape.polygons.emplace_back();
-    for (const Vec<2>& x : points) {
-      polygon.push_back(static_cast<Index>(shape.vertices.size()));
-      shape.vertices.push_back(x);
-    }
-  }
-  if (shape.polygons.empty()) throw_input_error("{}: no rings", name);
+  if (shape.polygons.empty()) throw_input_error("{}: no {}", name, Dim == 3 ? "faces" : "rings");
   return {name, std::move(shape)};
 }
 
@@ -73,11 +61,11 @@ void bind_shape_input(py::module_& module) {
       module, "ShapeInput",
       "A shape as a name, as arrays or as voxels; shellmatch makes it of whatever register() is given.")
       .def_static("file", file, py::arg("name"))
-      .def_static("mesh", mesh, py::arg("name"), py::arg("vertices"), py::arg("polygons"))
-      .def_static("rings", rings, py::arg("name"), py::arg("rings"))
+      .def_static("mesh", of_polygons<3>, py::arg("name"), py::arg("vertices"), py::arg("polygons"))
+      .def_static("rings", of_polygons<2>, py::arg("name"), py::arg("vertices"), py::arg("rings"))
       .def_static("volume", volume, py::arg("name"), py::arg("values"), py::arg("affine"),
                   py::arg("is_integer"), py::arg("labels"), py::arg("above"), py::arg("is_lps"))
-      .def_property_readonly("name", [](const ShapeInput& input) { return input.name; });
+      .def_property_readonly("name", [](const ShapeInput& input) { return text_of(input.name); });
 }
 
 }  // namespace shellmatch::python

@@ -86,7 +86,9 @@ Eigen::VectorXd mean_area_weights(const PointSets& sets, const std::vector<std::
 py::array_t<double> weights_by_area(const Doubles& points, const Integers& faces) {
   const PointSets sets = sets_of(points);
   const auto polygons = polygons_of(faces, static_cast<std::size_t>(sets.n_points()), "faces");
-  return array_from(sets.dimension == 2 ? mean_area_weights<2>(sets, polygons) : mean_area_weights<3>(sets, polygons));
+  return array_from(compute([&] {
+    return sets.dimension == 2 ? mean_area_weights<2>(sets, polygons) : mean_area_weights<3>(sets, polygons);
+  }));
 }
 
 // In the frame of the first shape.
@@ -147,6 +149,11 @@ py::array_t<double> shapes_of_scores(const Doubles& scores, const Doubles& mean,
   return shapes_from(std::move(shapes), static_cast<int>(mean.shape(mean.ndim() - 1)));
 }
 
+py::array_t<double> sample_scores(const Doubles& variances, int n, std::uint64_t seed) {
+  const Eigen::VectorXd of_modes = vector_of(variances);
+  return rows_from(compute([&] { return normal_scores(of_modes, n, seed); }));
+}
+
 py::dict curves(const Doubles& variances, const Doubles& scores, double total_variance, int n_samples, std::uint64_t seed) {
   ShapeModel model;  // its points are not needed
   model.variances = vector_of(variances);
@@ -198,10 +205,7 @@ void bind_statistics(py::module_& module) {
   module.def("scores_of_shapes", scores_of_shapes, py::arg("points"), py::arg("weights"), py::arg("mean"), py::arg("modes"),
              py::arg("kind"), py::arg("enlargement"));
   module.def("shapes_of_scores", shapes_of_scores, py::arg("scores"), py::arg("mean"), py::arg("modes"));
-  module.def(
-      "sample_scores",
-      [](const Doubles& variances, int n, std::uint64_t seed) { return rows_from(normal_scores(vector_of(variances), n, seed)); },
-      py::arg("variances"), py::arg("n"), py::arg("seed"));
+  module.def("sample_scores", sample_scores, py::arg("variances"), py::arg("n"), py::arg("seed"));
   module.def("model_curves", curves, py::arg("variances"), py::arg("scores"), py::arg("total_variance"), py::arg("n_samples"),
              py::arg("seed"));
   module.def("group_difference", compare_groups, py::arg("points"), py::arg("weights"), py::arg("kind"), py::arg("in_b"),

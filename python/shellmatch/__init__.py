@@ -5,8 +5,9 @@
     result.vertices          # the reference, moved
     result.apply(points)     # anything else in space
 
-register() finds the map, register_cohort() those of one shape onto many, Problem has the energies for solvers from elsewhere, load() reads the map of an output folder. ShapeModel,
-procrustes(), model_curves() and group_difference() are statistics of shapes whose points correspond.
+register() finds the map, register_cohort() those of one shape onto many, Problem has the energies for solvers from elsewhere, load()
+reads the map of an output folder. ShapeModel, procrustes(), model_curves() and group_difference() are statistics of shapes whose points
+correspond.
 Documentation: docs/python.md.
 """
 

@@ -15,6 +15,8 @@ Floats = NDArray[np.float64]
 
 def as_array(value: Any, name: str) -> Array:
     """A numeric array of any shape, without a copy where it is one already."""
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise InputError(f"{name}: some values are masked, and what lies under a mask is no value; fill it first: filled(number)")
     try:
         array = np.asarray(value)
     except (ValueError, TypeError) as error:  # rows of different lengths

@@ -1,21 +1,22 @@
 # The types of the compiled module; python/tests/stubs_test.py compares them with it.
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
 Floats = NDArray[np.float64]
+Text = Union[str, bytes]
 
 version: str
 
 class ShapeInput:
     @staticmethod
-    def file(name: str) -> ShapeInput: ...
+    def file(name: Text) -> ShapeInput: ...
     @staticmethod
     def mesh(name: str, vertices: Array, polygons: Sequence[Array]) -> ShapeInput: ...
     @staticmethod
-    def rings(name: str, rings: Sequence[Array]) -> ShapeInput: ...
+    def rings(name: str, vertices: Array, rings: Sequence[Array]) -> ShapeInput: ...
     @staticmethod
     def volume(
         name: str, values: Array, affine: Array, is_integer: bool, labels: Sequence[float], above: float, is_lps: bool
@@ -53,7 +54,7 @@ class Match:
     def notes(self) -> List[str]: ...
     @property
     def warnings(self) -> List[str]: ...
-    def save(self, folder: str, force: bool) -> None: ...
+    def save(self, folder: Text, force: bool) -> List[str]: ...
 
 class Problem:
     def __init__(
@@ -62,8 +63,8 @@ class Problem:
         template_shape: ShapeInput,
         level: Optional[int],
         from_coarser: bool,
-        options: Sequence[Tuple[str, str, str]],
-        config: str,
+        options: Sequence[Tuple[str, Text, Text]],
+        config: Text,
         landmarks: Optional[Tuple[Array, Array, Optional[Array]]],
         progress: Optional[Callable[..., Optional[bool]]],
     ) -> None: ...
@@ -83,7 +84,7 @@ class Problem:
     def model_times(self, x: Array, v: Array) -> Floats: ...
     def map(self, x: Array) -> Map: ...
     def minimize(
-        self, x0: Array, options: Sequence[Tuple[str, str, str]], progress: Optional[Callable[..., Optional[bool]]]
+        self, x0: Array, options: Sequence[Tuple[str, Text, Text]], progress: Optional[Callable[..., Optional[bool]]]
     ) -> Dict[str, Any]: ...
 
 def area_weights(points: Array, faces: Array) -> Floats: ...
@@ -96,12 +97,18 @@ def model_curves(variances: Array, scores: Array, total_variance: float, n_sampl
 def group_difference(
     points: Array, weights: Array, kind: str, in_b: Sequence[bool], n_permutations: int, seed: int
 ) -> Dict[str, Any]: ...
-def load_map(path: str) -> Map: ...
+def load_map(path: Text) -> Map: ...
 def match(
     reference: ShapeInput,
     template_shape: ShapeInput,
-    options: Sequence[Tuple[str, str, str]],
-    config: str,
+    options: Sequence[Tuple[str, Text, Text]],
+    config: Text,
     landmarks: Optional[Tuple[Array, Array, Optional[Array]]],
     progress: Optional[Callable[..., Optional[bool]]],
 ) -> Match: ...
+def check_all_but_template(
+    reference: ShapeInput,
+    options: Sequence[Tuple[str, Text, Text]],
+    config: Text,
+    landmarks: Optional[Tuple[Array, Array, Optional[Array]]],
+) -> None: ...

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import numbers
+import os
 import re
-from typing import Any, Iterator, Mapping
+from typing import Any, Iterator, Mapping, Optional
 
 import numpy as np
 
+from ._inputs import OptionText, file_name, landmark_input
 from .errors import InputError
 
 _plain = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
@@ -29,7 +31,7 @@ def _text_of(value: Any, key: str, within_list: bool = False) -> str:
     if isinstance(value, str):
         return value if not within_list or _plain.fullmatch(value) else json.dumps(value, ensure_ascii=False)
     if hasattr(value, "__fspath__"):
-        return str(value.__fspath__())
+        return os.fsdecode(value)
     if isinstance(value, (list, tuple)) and not within_list:
         return "[" + ", ".join(_text_of(item, key, True) for item in value) + "]"
     raise InputError(
@@ -39,7 +41,7 @@ def _text_of(value: Any, key: str, within_list: bool = False) -> str:
 
 def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
     for name, value in values.items():
-        if not isinstance(name, str) or not name:
+        if not isinstance(name, str) or not name or not name.isprintable():
             raise InputError(f"option {path or 'at the top'}: the key {name!r} is no word")
         key = f"{path}.{name}" if path else name
         if isinstance(value, Mapping):
@@ -56,16 +58,20 @@ def _printable(text: str) -> str:
     return text if len(text) <= 100 else text[:100] + "..."
 
 
-def option_texts(options: Mapping[str, Any]) -> list[tuple[str, str, str]]:
-    """Key, value and beginning of messages of nested dictionaries or dotted names. A section twice is one section."""
-    texts = []
+def option_texts(options: Mapping[str, Any]) -> list[OptionText]:
+    """Of nested dictionaries or dotted names. A section twice is one section."""
+    texts: list[OptionText] = []
     for key, value in _flat(options, ""):
         text = _text_of(value, key)
-        texts.append((key, text, f"option {key}={_printable(text)}"))
+        origin = f"option {key}={_printable(text)}"
+        try:
+            texts.append((key, text.encode("utf-8", "surrogateescape"), origin))  # names of files may be no text
+        except UnicodeEncodeError:
+            raise InputError(f"{origin}: this is no text") from None
     return texts
 
 
-def level_texts(levels: Any) -> list[tuple[str, str, str]]:
+def level_texts(levels: Any) -> list[OptionText]:
     """Of the argument `levels`, (coarsest, finest); None leaves them to the other options."""
     if levels is None:
         return []
@@ -82,11 +88,17 @@ def level_texts(levels: Any) -> list[tuple[str, str, str]]:
     ]
 
 
-def argument_texts(align: Any, landmarks: Any, levels: Any, options: Mapping[str, Any]) -> list[tuple[str, str, str]]:
-    """Of the arguments that register() and Problem() share. Later ones win: options of their own over `align` and `levels`."""
+def matching_arguments(
+    landmarks: Any, align: Any, levels: Any, config: Any, options: Mapping[str, Any]
+) -> tuple[list[OptionText], bytes, Optional[tuple[Any, Any, Any]]]:
+    """Options, file of options and landmarks, as the library takes them, of the arguments that register() and Problem() share.
+
+    Later options win: those of their own over `align` and `levels`.
+    """
+    of_files, points = landmark_input(landmarks)
     texts = level_texts(levels)
     if align is not None:
         texts += option_texts({"align": align if isinstance(align, Mapping) else {"mode": align}})
     if isinstance(landmarks, Mapping):
         texts += option_texts({"landmarks": landmarks})
-    return texts + option_texts(options)
+    return texts + option_texts(options) + of_files, b"" if config is None else file_name(config, "config"), points

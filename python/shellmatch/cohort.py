@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple
 
 import numpy as np
 
+from . import _core
 from ._arrays import Array, Floats, as_indices, as_rows
-from .errors import Error, InputError
+from ._inputs import shape_input
+from ._options import matching_arguments
+from .errors import Error, InputError, InternalError
 from .registration import Result, register
 from .shape_model import ShapeModel
-from .statistics import as_whole, procrustes as aligned_sets
+from .statistics import as_kind, as_whole, procrustes as aligned_sets
 
 _OUTCOMES = ("matched", "look-here", "not-matched")
 
@@ -51,9 +54,24 @@ def _atlas_arrays(atlas: Any) -> Tuple[Floats, Array]:
     return outline, np.stack([numbers, np.roll(numbers, -1)], axis=1)
 
 
+def _check_all_but_subjects(
+    atlas: Any, landmarks: Any = None, align: Any = None, levels: Any = None, *, config: Any = None, **options: Any
+) -> None:
+    """Raises once what register() would raise for every subject."""
+    _core.check_all_but_template(shape_input(atlas, "atlas"), *matching_arguments(landmarks, align, levels, config, options))
+
+
+def _why_none(results: List[Optional[Result]], errors: Dict[int, str]) -> str:
+    if not results:
+        return "there are none"
+    first = results[0]
+    told = errors[0] if first is None else f"its verdict is {first.verdict.outcome}"
+    return f"none can be used for the mean; the first: {told}"
+
+
 def register_cohort(
     atlas: Any,
-    subjects: Sequence[Any],
+    subjects: Iterable[Any],
     *,
     rounds: int = 0,
     include: str = "look-here",
@@ -64,27 +82,32 @@ def register_cohort(
     """Matches the atlas onto every subject.
 
     atlas: (vertices, triangles), or in the plane an outline (V, 2) or (vertices, segments).
-    subjects: shapes as register() takes them.
+    subjects: shapes as register() takes them; each is matched once in each round, and all are kept.
     rounds: how often the mean of the atlas' images, after Procrustes analysis, becomes the atlas, before the last matchings.
     include: the worst verdict with which a subject is part of mean and points: "matched", "look-here" or "not-matched".
     progress: called with the round (rounds for the last matchings), the number of the subject and its Result, or None.
     arguments: of register(), for all subjects.
 
-    A subject that cannot be read or matched is told in `errors`, and the others go on. Large cohorts: `shellmatch cohort` keeps what is done
-    and works on many cores and machines (docs/cohorts.md). Raises InputError for an atlas or arguments that cannot be used, and where no
-    subject can be used for a mean.
+    A subject that cannot be read or matched is told in `errors`, and the others go on. Large cohorts: `shellmatch cohort` keeps what is
+    done and works on many cores and machines (docs/cohorts.md). Raises InputError, before any matching, for an atlas or arguments that
+    cannot be used; InputError where no subject can be used for a mean; InternalError at once.
     """
     vertices, faces = _atlas_arrays(atlas)
     as_whole(rounds, "rounds", 0, 1000)
     if include not in _OUTCOMES:
         raise InputError(f"include={include!r}: expected one of {', '.join(_OUTCOMES)}")
+    as_kind(procrustes)
     worst = _OUTCOMES.index(include)
+    subjects = list(subjects)  # an iterator would be used up by the first round
     for stage in range(rounds + 1):
         results: List[Optional[Result]] = []
         errors: Dict[int, str] = {}
+        _check_all_but_subjects((vertices, faces), **arguments)
         for number, subject in enumerate(subjects):
             try:
                 results.append(register((vertices, faces), subject, **arguments))
+            except InternalError:
+                raise
             except Error as error:
                 results.append(None)
                 errors[number] = str(error)
@@ -96,7 +119,6 @@ def register_cohort(
         if stage == rounds:
             break
         if not included:
-            told = errors.get(0, "its verdict is not-matched")
-            raise InputError(f"subjects: none can be used for the mean; the first: {told}")
+            raise InputError(f"subjects: {_why_none(results, errors)}")
         vertices = aligned_sets(points, faces, procrustes=procrustes, start=vertices).mean
     return Cohort(vertices, faces, points, np.array(included, dtype=np.int64), results, errors)

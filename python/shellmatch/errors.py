@@ -14,7 +14,7 @@ class ResourceError(Error):
 
 
 class OutOfMemoryError(ResourceError, MemoryError):
-    """There is not enough memory; a lower finest level needs less."""
+    """There is not enough memory; a matching with a lower finest level needs less."""
 
 
 class InternalError(Error, RuntimeError):

@@ -7,6 +7,7 @@ from typing import Any, Union
 
 from . import _core
 from ._arrays import Floats, as_points
+from ._inputs import file_name
 
 
 def _without_axis(rows: Floats, single: bool) -> Floats:
@@ -65,4 +66,4 @@ class Map:
 
 def load(folder: Union[str, "os.PathLike[str]"]) -> Map:
     """The map of an output folder, of Result.save() or of the command line; or of its deformation.vtu."""
-    return Map(_core.load_map(os.fspath(folder)))
+    return Map(_core.load_map(file_name(folder, "folder")))

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _core
 from ._arrays import Floats, as_vector
-from ._inputs import landmark_input, shape_input
-from ._options import argument_texts, option_texts
+from ._inputs import shape_input
+from ._options import matching_arguments, option_texts
 from .errors import InputError
 from .map import Map
 from .registration import Path, Progress, core_progress
@@ -65,15 +64,12 @@ class Problem:
             raise InputError(f"start={start!r}: expected 'identity' or 'coarser'")
         if level is not None and (isinstance(level, bool) or not isinstance(level, (int, np.integer)) or not 0 < level < 100):
             raise InputError(f"level={level!r}: expected the number of a level")
-        texts, points = landmark_input(landmarks)
         self._core = _core.Problem(
             shape_input(reference, "reference"),
             shape_input(template, "template"),
             None if level is None else int(level),
             start == "coarser",
-            argument_texts(align, landmarks, levels, options) + texts,
-            "" if config is None else os.fspath(config),
-            points,
+            *matching_arguments(landmarks, align, levels, config, options),
             core_progress(progress),
         )
 
@@ -155,7 +151,7 @@ class Problem:
         solver: options of that section, as name="lbfgs", metric="l2", stop={"max_iterations": 50}; the rest as the Problem was made.
         """
         start = self.x0 if x0 is None else as_vector(x0, "x0")
-        texts = [(f"solver.{key}", value, f"option solver.{key}={value}") for key, value, _ in option_texts(solver)]
+        texts = option_texts({"solver": solver} if solver else {})
         return Minimum(**self._core.minimize(start, texts, core_progress(progress)))
 
     def __repr__(self) -> str:

@@ -9,10 +9,12 @@ import os
 import warnings
 from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 
+import numpy as np
+
 from . import _core
 from ._arrays import Floats
-from ._inputs import landmark_input, shape_input
-from ._options import argument_texts
+from ._inputs import file_name, shape_input
+from ._options import matching_arguments
 from .errors import ShellmatchWarning
 from .map import Map
 
@@ -90,7 +92,7 @@ class Result:
 
     @property
     def vertices(self) -> Floats:
-        """The vertices of the reference in their order, moved; (V, d), read only, no copy."""
+        """The vertices of the reference in their order, moved, also those of no facet; (V, d), read only, no copy."""
         return self._core.vertices
 
     @property
@@ -177,11 +179,13 @@ class Result:
         return self._core.options_yaml
 
     def save(self, folder: Path, force: bool = False) -> None:
-        """Writes the output folder of the command line, all of it or nothing, without pictures of single levels (docs/output.md).
+        """Writes the output folder of the command line, without pictures of single levels, or nothing (docs/output.md).
 
         force: replace the folder of an earlier run. config.yaml names the shapes that were files; arrays it cannot name.
+        A picture or report that cannot be made is missing there, and a ShellmatchWarning says so.
         """
-        self._core.save(os.fspath(folder), bool(force))
+        for text in self._core.save(file_name(folder, "folder"), bool(force)):
+            warnings.warn(text, ShellmatchWarning, stacklevel=2)
 
     def __repr__(self) -> str:
         return (
@@ -196,7 +200,11 @@ def core_progress(progress: Optional[Progress]) -> Optional[Callable[..., Option
     if not callable(progress):
         raise TypeError(f"progress: a {type(progress).__name__} is no function")
     told = progress
-    return lambda *values: told(Event(*values))
+
+    def call(*values: Any) -> Optional[bool]:
+        answer = told(Event(*values))
+        return bool(answer) if isinstance(answer, np.bool_) else answer  # comparisons of numpy's numbers give these
+    return call
 
 
 def register(
@@ -217,8 +225,8 @@ def register(
         an array (V, 2) of points along a closed outline, a list of such rings, or (vertices, segments) of the plane;
         a Volume of voxels; a mesh object of trimesh, pyvista or meshio, or one with the same attributes;
         the name of a file, or of a built-in shape, as on the command line.
-    landmarks: (points of the reference, points of the template[, weights]), points as rows of coordinates or as numbers of
-        vertices; or one or two files (docs/landmarks.md); or a dictionary of options of that section.
+    landmarks: (points of the reference, points of the template[, weights]), points as rows of coordinates or numbers of vertices; or
+        one or two files (docs/landmarks.md); or a dictionary of options of that section.
     align: "auto", "none", "rigid", "similarity" or "landmarks", or a dictionary of options of that section (docs/alignment.md).
         None: as the profile or `config` has it, "auto" by default.
     levels: the coarsest and the finest level. None: as the profile or `config` has them, (3, 7) by default.
@@ -227,18 +235,14 @@ def register(
     options: every option of docs/options.md, as energy={"delta": 0.5} or **{"energy.delta": 0.5}; threads=1.
 
     The result is that of the command line to the bit, for the same options and vertices. The run holds no lock of the interpreter's;
-    one runs at a time in a process, others wait. Ctrl-C ends it with KeyboardInterrupt.
-
-    Raises InputError for shapes, arrays and options that cannot be used, ResourceError (OutOfMemoryError) where the machine lacks
-    something; warns (ShellmatchWarning) where the result lacks something or is doubtful.
+    one runs at a time in a process, others wait. Ctrl-C ends running and waiting with KeyboardInterrupt. Raises InputError for shapes,
+    arrays and options that cannot be used, ResourceError (OutOfMemoryError) where the machine lacks something; warns
+    (ShellmatchWarning) where the result lacks something or is doubtful.
     """
-    texts, points = landmark_input(landmarks)
     match = _core.match(
         shape_input(reference, "reference"),
         shape_input(template, "template"),
-        argument_texts(align, landmarks, levels, options) + texts,
-        "" if config is None else os.fspath(config),
-        points,
+        *matching_arguments(landmarks, align, levels, config, options),
         core_progress(progress),
     )
     for text in match.warnings:

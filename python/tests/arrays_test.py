@@ -82,6 +82,55 @@ class Inputs(unittest.TestCase):
             mesh = types.SimpleNamespace(points=points, cells=[("line", lines)])
             self.assertTrue(np.array_equal(shellmatch.register(mesh, shapes.ellipse(60), **options).vertices, expected))
 
+    def test_vertices_of_segments_keep_their_order(self):
+        """Those of no segment, too: they move by the map. Numbers of landmarks are those of the array."""
+        ring, template, n = shapes.ellipse(60, 1.2, 0.8), shapes.ellipse(60), 60
+        places = np.random.default_rng(4).permutation(n + 5)[:n]
+        vertices = np.full((n + 5, 2), 0.25)
+        vertices[places] = ring
+        segments = np.stack([places, np.roll(places, -1)], axis=1)
+        expected = shellmatch.register(ring, template, **options).vertices
+        lines = types.SimpleNamespace(points=np.c_[vertices, np.zeros(n + 5)], cells=[("line", segments)])
+        for given in ((vertices, segments), lines):
+            result = shellmatch.register(given, template, **options)
+            self.assertTrue(np.array_equal(result.vertices[places], expected))
+            self.assertTrue(np.array_equal(result.vertices, result.apply(vertices)))
+        chosen, landmarks = np.array([0, 20, 40]), {**options, "landmarks.weight": 5, "landmarks.max_distance": 0.2}
+        by_number = shellmatch.register((vertices, segments), template, (places[chosen], template[chosen + 3]), **landmarks)
+        by_place = shellmatch.register((vertices, segments), template, (ring[chosen], template[chosen + 3]), **landmarks)
+        self.assertTrue(np.array_equal(by_number.vertices, by_place.vertices))
+        self.assertFalse(np.array_equal(by_number.vertices[places], expected))
+
+    def test_a_point_repeated_at_the_end_of_a_ring_stays(self):
+        ring, template = shapes.ellipse(60, 1.2, 0.8), shapes.ellipse(60)
+        expected = shellmatch.register(ring, template, **options).vertices
+        closed, places = np.vstack([ring, ring[:1]]), np.r_[np.arange(60), 0]
+        result = shellmatch.register(closed, np.vstack([template, template[:1]]), **options)
+        self.assertTrue(np.array_equal(result.vertices, expected[places]))
+        self.assertEqual(len(result.distances.template_to_deformed), 61)
+        self.assertIn("reference: 1 repeated point left out", result.notes)
+        hole = shapes.ellipse(40, 0.4, 0.4)[::-1]
+        two = shellmatch.register([closed, hole], [template, hole], **options)
+        self.assertTrue(np.array_equal(two.vertices[60], two.vertices[0]))
+        self.assertTrue(np.array_equal(two.vertices, two.apply(np.vstack([closed, hole]))))
+
+    def test_masked_values_are_no_values(self):
+        mask = np.zeros(self.vertices.shape, bool)
+        self.same((np.ma.array(self.vertices, mask=mask), np.ma.array(self.faces)))
+        mask[7, 1] = True
+        masked, some = np.ma.array(self.vertices, mask=mask), np.ma.masked_equal(np.eye(6)[None].repeat(6, 0), 1)
+        faces = np.ma.masked_equal(self.faces, 5)
+        for wrong in (
+            (masked, self.faces),
+            (self.vertices, faces),
+            types.SimpleNamespace(vertices=masked, faces=self.faces),
+            types.SimpleNamespace(points=self.vertices, cells=[("triangle", faces)]),
+            shellmatch.Volume(some),
+            [np.ma.masked_less(shapes.ellipse(40), 0)],
+        ):
+            with self.assertRaisesRegex(shellmatch.InputError, "fill it first"):
+                shellmatch.register(wrong, self.template, **options)
+
     def test_images_like_those_of_nibabel(self):
         i, j, k = np.meshgrid(*[np.arange(18)] * 3, indexing="ij")
         values = ((i - 9) ** 2 + (j - 9) ** 2 + (k - 9) ** 2 < 36).astype(np.uint8)

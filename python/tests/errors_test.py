@@ -209,6 +209,11 @@ class Refused(unittest.TestCase):
             volume((values * 2**40).astype(np.int64), affine),
         ):
             self.shape_refused(wrong)
+        for kind in (np.int64, float):  # of single precision these are the label 2**24 as well
+            self.shape_refused(volume((values * (2**24 + 1)).astype(kind), affine, label=2**24), "16777216")
+            self.shape_refused(volume(values.astype(kind), affine, label=2**24 + 1), "16777217")
+        for several in ([], [0.5, 0.7], np.ones((2, 2))):
+            self.shape_refused(volume(values, affine, above=several), "above", "expected one")
 
     def test_landmarks(self):
         v, n = self.ball[0], np.arange(5)

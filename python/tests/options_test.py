@@ -49,6 +49,17 @@ class Options(unittest.TestCase):
         self.set_to("max_level", "4", levels=(3, 3), **{"cascade.max_level": 4})
         self.set_to("mode", "none", align="auto", **{"align.mode": "none"})
 
+    def test_files_of_options_are_named(self):
+        for wrong in (3, True, ["a.yaml"]):
+            self.refused(["config", type(wrong).__name__], config=wrong)
+        self.refused(["config", r"\ud800"], config="\ud800.yaml")
+        self.refused(["not-there.yaml"], config="not-there.yaml")
+
+    def test_maps_of_files_are_no_start(self):
+        for call in (shellmatch.register, shellmatch.Problem):
+            with self.assertRaisesRegex(shellmatch.InputError, "start.map"):
+                call(*pair, levels=(3, 3), align="none", **{"start.map": "somewhere"})
+
     def test_misspelt_keys_are_refused_with_the_nearest(self):
         self.refused(["unknown key", "did you mean energy.delta?"], energy={"delat": 1})
         self.refused(["unknown key", "did you mean energy.delta?"], **{"energy.delat": 1})

@@ -1,5 +1,6 @@
 """Progress, stopping, Ctrl-C, and other threads meanwhile."""
 
+import contextlib
 import os
 import signal
 import threading
@@ -10,6 +11,28 @@ import numpy as np
 import shapes
 
 import shellmatch
+from shellmatch import _core
+
+
+@contextlib.contextmanager
+def turn_is_taken():
+    """Another thread computes, and waits in its progress function; yields a function that lets it go on."""
+    taken, goes_on = threading.Event(), threading.Event()
+
+    def wait(event):
+        taken.set()
+        goes_on.wait(60)
+
+    thread = threading.Thread(
+        target=lambda: shellmatch.register("generate:circle", "generate:ellipse/long", levels=(3, 3), progress=wait)
+    )
+    thread.start()
+    try:
+        taken.wait(60)
+        yield goes_on.set
+    finally:
+        goes_on.set()
+        thread.join()
 
 
 class Progress(unittest.TestCase):
@@ -33,6 +56,13 @@ class Progress(unittest.TestCase):
         self.assertEqual(result.summary["levels"][-1]["level"], 4)
         whole = shellmatch.register(*self.pair, progress=lambda e: None, **self.options)
         self.assertFalse(whole.interrupted)
+
+    def test_false_of_numpy_is_false(self):
+        stops = shellmatch.register(*self.pair, progress=lambda e: np.bool_(e.kind != "step" or e.level < 4), **self.options)
+        self.assertTrue(stops.interrupted)
+        self.assertEqual(stops.summary["levels"][-1]["level"], 4)
+        goes_on = shellmatch.register(*self.pair, progress=lambda e: np.bool_(True), **self.options)
+        self.assertFalse(goes_on.interrupted)
 
     def test_exceptions_go_through(self):
         class Mine(Exception):
@@ -109,6 +139,33 @@ class Interrupted(unittest.TestCase):
         )  # noqa: E731
         self.assertLess(self.interrupted(slow, 0.5), 3)
         self.assertTrue(np.isfinite(problem.energy(problem.x0)))
+
+    def test_ctrl_c_while_another_thread_computes(self):
+        with turn_is_taken() as go_on:
+            late = threading.Timer(10, go_on)  # whoever does not hear the signal gets the turn then
+            late.start()
+            waits = lambda: shellmatch.register("generate:circle", "generate:circle", levels=(3, 3))  # noqa: E731
+            self.assertLess(self.interrupted(waits, 0.3), 5)
+            late.cancel()
+
+    def test_statistics_wait_for_their_turn(self):
+        """So they compute without the interpreter's lock."""
+        points = np.random.default_rng(2).random((4, 30, 2))
+        segments = np.stack([np.arange(30), (np.arange(30) + 1) % 30], axis=1)
+        model = shellmatch.ShapeModel().fit(points)
+        calls = (
+            lambda: _core.sample_scores(model.variances_, 3, 1),
+            lambda: _core.area_weights(points, segments),
+        )
+        for call in calls:
+            with turn_is_taken() as go_on:
+                thread = threading.Thread(target=call)
+                thread.start()
+                thread.join(0.3)
+                self.assertTrue(thread.is_alive())
+                go_on()
+                thread.join(60)
+                self.assertFalse(thread.is_alive())
 
     def test_other_threads_run_meanwhile(self):
         """The interpreter's lock is not held: a thread of Python counts on while another one matches."""

@@ -15,7 +15,8 @@ export function integer(n) {
 }
 
 export function seconds(s) {
-  if (s >= 120) return `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`;
+  const whole = Math.round(s);
+  if (whole >= 120) return `${Math.floor(whole / 60)} min ${whole % 60} s`;
   return `${figure(s)} s`;
 }
 

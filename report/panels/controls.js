@@ -19,6 +19,7 @@ export function addControls(container, model, colorings, state, changed, reset) 
   });
   time.box.title = "φ_t = (1 − t) id + t φ";
   time.box.prepend(player.button);
+  time.box.querySelector("input").addEventListener("input", player.stop);
 
   const names = model.levels.map(({ level }) => String(level));
   const level = slider("level", "Level", 0, names.length - 1, 1, state.level, (value) => Object.assign(state, { level: value }), changed, (i) => names[i]);

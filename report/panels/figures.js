@@ -19,7 +19,7 @@ export function figuresPanel(model) {
   const spread = (d, unit) => `${figure(d.p5 ?? d.min)} to ${figure(d.p95 ?? d.max)}${unit}`;
   if (summary.distance?.uncovered !== undefined) rows.push(["template not reached within 1 % of its diagonal", percent(summary.distance.uncovered)]);
   if (summary.area_distortion) rows.push([`${model.dimension === 3 ? "area" : "length"} ratio, 90 % of the ${model.dimension === 3 ? "surface" : "curve"}`, spread(summary.area_distortion, "")]);
-  if (summary.angle_distortion) rows.push(["change of angles, 90 % of the surface", spread(summary.angle_distortion, "°")]);
+  if (summary.angle_distortion) rows.push(["largest turn of a direction, 90 % of the surface", spread(summary.angle_distortion, "°")]);
   if (summary.flipped_share !== undefined) rows.push(["facing away from the template", percent(summary.flipped_share)]);
   rows.push(["smallest det Dφ", figure(last.folds.min_determinant)], ["folded cells", integer(last.folds.folded_cells)]);
   if (summary.correspondence_error !== undefined) rows.push(["mean error of known correspondences, of the diagonal", percent(summary.correspondence_error)]);

@@ -35,7 +35,8 @@ export function listenToKeys(stage, view, controls, reset) {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const inControl = event.target.closest?.("input, select, button, summary");
-    const action = document.activeElement === stage && onStage[event.key] ? onStage[event.key] : inControl ? null : anywhere[event.key];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key; // letters with Shift or Caps Lock as well
+    const action = document.activeElement === stage && onStage[key] ? onStage[key] : inControl ? null : anywhere[key];
     if (!action) return;
     event.preventDefault();
     action();

@@ -57,8 +57,9 @@ export function colorings(model) {
   };
   if (a.angle_change)
     list.angle = {
-      name: "Angle distortion", note: "The largest change of an angle by the map, at each place.",
-      ...scaled(fromZero([a.angle_change], "change of angles (degrees)"), a.angle_change),
+      name: "Angle distortion",
+      note: "How far a tangent direction turns at most against the principal ones, at each place: half of the largest change of an angle.",
+      ...scaled(fromZero([a.angle_change], "largest turn of a direction (degrees)"), a.angle_change),
     };
   list.curvature = {
     name: "Curvature mismatch", note: `${space ? "Mean curvature" : "Curvature"} of the template next to the image, minus that of the reference.`,

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """report.html as a browser shows it: no complaint, no network, and what is clicked or moved changes what is seen."""
 
+import base64
 import json
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 import page_case
@@ -91,6 +93,22 @@ class ReportTest(page_case.PageCase):
             self.changes(lambda: self.browser.set("overlay", not shown), changed=["pane-result"], same=left)
             self.assertEqual(self.browser.run(panes), heights)
 
+    def test_the_time_slider_stops_the_animation(self):
+        self.open("leaf")
+        self.browser.run("document.getElementById('play').click()")
+        self.browser.settle()
+        self.assertLess(self.browser.run("return window.shellmatchReport.state.t"), 1)
+        self.browser.set("time", 0.3)
+        time.sleep(0.3)  # frames that would go on
+        shown = self.browser.run("return [window.shellmatchReport.state.t, document.getElementById('play').getAttribute('aria-label')]")
+        self.assertEqual(shown, [0.3, "Play"])
+
+    def test_angles_are_turns_of_directions(self):
+        self.open("hand")
+        self.browser.set("coloring", "angle")
+        for part, text in (("legend", "largest turn of a direction (degrees)"), ("panels", "largest turn of a direction, 90 % of the surface")):
+            self.assertIn(text, self.browser.run("return document.getElementById(arguments[0]).textContent", part))
+
     def test_a_slice_moves_and_cuts(self):
         self.open("hand")
         self.browser.set("grid", "2")
@@ -123,6 +141,9 @@ class ReportTest(page_case.PageCase):
         self.changes(lambda: ActionChains(self.browser.driver).send_keys("c").perform(), changed=["pane-result", "legend"])
         self.changes(lambda: ActionChains(self.browser.driver).send_keys("d").perform(), changed=["pane-result", "panels"])
         self.assertNotEqual(self.browser.run(back), light)
+        self.changes(lambda: ActionChains(self.browser.driver).send_keys("C").perform(), changed=["pane-result", "legend"])
+        self.changes(lambda: ActionChains(self.browser.driver).send_keys("D").perform(), changed=["pane-result", "panels"])
+        self.assertEqual(self.browser.run(back), light)
 
     def test_a_place_of_the_verdict_is_flown_to_and_labels_have_units(self):
         self.open("unlike")
@@ -153,6 +174,16 @@ class ReportTest(page_case.PageCase):
         self.assertEqual(self.browser.open(damaged)[0], "failed")
         self.assertIn("cannot be shown", self.browser.run("return document.body.textContent"))
         self.assertTrue(self.browser.errors())
+
+
+class FormatTest(page_case.PageCase):
+    def test_seconds_are_rounded_before_they_become_minutes(self):
+        source = (pathlib.Path(__file__).resolve().parents[2] / "report/data/format.js").read_bytes()
+        self.browser.driver.get("about:blank")
+        texts = self.browser.driver.execute_async_script(
+            "const [url, values, done] = arguments; import(url).then((m) => done(values.map(m.seconds)));",
+            "data:text/javascript;base64," + base64.b64encode(source).decode(), [1.234, 119.4, 119.996, 179.7, 180.4])
+        self.assertEqual(texts, ["1.23 s", "119 s", "2 min 0 s", "3 min 0 s", "3 min 0 s"])
 
 
 class WithoutWebGL(unittest.TestCase):
