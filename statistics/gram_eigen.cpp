@@ -10,11 +10,10 @@
 namespace shellmatch {
 
 GramEigen gram_eigen(const Eigen::MatrixXd& gram, double least) {
-  constexpr double rounding = 1e-12;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
   SHELLMATCH_CHECK(solver.info() == Eigen::Success, "the inner products of shapes have eigenvalues");
   const Eigen::Index n = gram.rows();
-  const double limit = n == 0 ? 0 : std::max(least, rounding * solver.eigenvalues()[n - 1]);
+  const double limit = n == 0 ? 0 : std::max(least, least_variance_share * solver.eigenvalues()[n - 1]);
   Eigen::Index kept = 0;
   while (kept < n && solver.eigenvalues()[n - 1 - kept] > limit) ++kept;
   return {solver.eigenvalues().reverse().head(kept), solver.eigenvectors().rowwise().reverse().leftCols(kept)};

@@ -6,6 +6,9 @@
 
 namespace shellmatch {
 
+/// Eigenvalues of this share of the greatest, or less, are rounding.
+inline constexpr double least_variance_share = 1e-12;
+
 /// Eigenvalues, descending, and the corresponding orthonormal eigenvectors as columns.
 struct GramEigen {
   Eigen::VectorXd values;
@@ -13,7 +16,7 @@ struct GramEigen {
 };
 
 /// By Householder's tridiagonal form and the QR iteration, 9 n^3 floating point operations: a minute for n = 2000.
-/// \param least eigenvalues at or below it are left out, and so are those that are rounding: 1e-12 of the greatest or less
+/// \param least eigenvalues at or below it are left out, and so are those that are rounding
 /// \pre gram is symmetric and finite
 GramEigen gram_eigen(const Eigen::MatrixXd& gram, double least);
 

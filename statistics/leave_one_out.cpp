@@ -1,5 +1,7 @@
 #include "statistics/leave_one_out.h"
 
+#include "statistics/gram_eigen.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -146,8 +148,16 @@ Eigen::VectorXd left_out_distances(const Eigen::VectorXd& values, const Eigen::V
   for (Eigen::Index k = 0; k < poles.size(); ++k) components.push_back(equation.solve(k));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.first > b.first; });
+  // A direction in which the others do not vary is no mode of theirs: what the shape has of it, no number of modes approximates.
+  const double rounding = least_variance_share * values[0];
+  const auto is_mode = [&](const Component& component) { return component.first > rounding; };
+  for (const Component& component : components)
+    if (!is_mode(component)) squares[n_modes] += component.second;
   // What M modes leave are the components along the others. Nothing is subtracted, so that small distances keep their digits.
-  for (Eigen::Index k = n_modes; k-- > 0;) squares[k] = squares[k + 1] + components[static_cast<std::size_t>(k)].second;
+  for (Eigen::Index k = n_modes; k-- > 0;) {
+    const Component& component = components[static_cast<std::size_t>(k)];
+    squares[k] = squares[k + 1] + (is_mode(component) ? component.second : 0);
+  }
   return squares;
 }
 

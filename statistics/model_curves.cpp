@@ -39,13 +39,13 @@ void summarise(const Eigen::MatrixXd& distances, std::vector<double>& mean, std:
 void add_generalisation(const ShapeModel& model, ModelCurves& curves) {
   const Eigen::Index n = model.scores.rows(), n_modes = model.variances.size();
   const Eigen::VectorXd values = static_cast<double>(n - 1) * model.variances;
-  Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n, n - 2);
+  Eigen::MatrixXd distances(n, n - 2);
   parallel_for(
       static_cast<std::size_t>(n),
       [&](std::size_t i) {
         const auto row = static_cast<Eigen::Index>(i);
         const Eigen::VectorXd squares = left_out_distances(values, model.scores.row(row).transpose(), n);
-        for (Eigen::Index m = 1; m <= std::min(n - 2, n_modes); ++m) distances(row, m - 1) = std::sqrt(squares[m]);
+        for (Eigen::Index m = 1; m <= n - 2; ++m) distances(row, m - 1) = std::sqrt(squares[std::min(m, n_modes)]);
       },
       1);
   summarise(distances, curves.generalisation, curves.generalisation_error);

@@ -14,8 +14,8 @@ namespace shellmatch {
 struct ModelCurves {
   /// C(M): share of the total variance in the first M modes. 1 where there is no variance.
   std::vector<double> compactness;
-  /// G(M): mean over the shapes of the distance of a shape to its best approximation by M modes of the model of all others; M up
-  /// to n - 2.
+  /// G(M): mean over the shapes of the distance of a shape to its best approximation by M modes of the model of all others, or by
+  /// all modes of that model where it has fewer; M up to n - 2.
   std::vector<double> generalisation, generalisation_error;
   /// S(M): mean over random shapes of the model with M modes of the distance to the nearest shape of the cohort.
   std::vector<double> specificity, specificity_error;

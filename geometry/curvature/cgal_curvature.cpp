@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace shellmatch {
 
@@ -49,18 +50,38 @@ std::vector<std::vector<Index>> vertex_neighbours(const Surface<3>& surface) {
   return neighbours;
 }
 
-/// v itself and its neighbours: n_rings of them, and then more until there are n_points.
-std::vector<Index> neighbourhood(const std::vector<std::vector<Index>>& neighbours, Index v, int n_rings,
-                                 std::size_t n_points) {
-  std::vector<Index> found{v}, ring{v};
-  for (int r = 0; !ring.empty() && (r < n_rings || found.size() < n_points); ++r) {
-    std::vector<Index> next;
-    for (const Index w : ring)
-      for (const Index u : neighbours[w])
-        if (std::find(found.begin(), found.end(), u) == found.end()) found.push_back(u), next.push_back(u);
-    ring = std::move(next);
+/// Finds the vertices around one after another.
+class Neighbourhood {
+ public:
+  explicit Neighbourhood(const std::vector<std::vector<Index>>& neighbours)
+      : neighbours_(neighbours), found_for_(neighbours.size(), no_index) {}
+
+  /// v itself and its neighbours: n_rings of them, and then more until there are n_points.
+  std::vector<Index> of(Index v, int n_rings, std::size_t n_points) {
+    std::vector<Index> found{v};
+    found_for_[v] = v;
+    std::size_t begin = 0;  // of the last ring
+    for (int r = 0; begin < found.size() && (r < n_rings || found.size() < n_points); ++r)
+      for (const std::size_t end = found.size(); begin < end; ++begin)
+        for (const Index u : neighbours_[found[begin]])
+          if (std::exchange(found_for_[u], v) != v) found.push_back(u);
+    return found;
   }
-  return found;
+
+ private:
+  const std::vector<std::vector<Index>>& neighbours_;
+  std::vector<Index> found_for_;  // the last vertex around which each one was found
+};
+
+/// Leaves the first vertex and those that are nearest to it, `most` in all. Two rings of an ordinary mesh have twenty; around a vertex of
+/// thousands of edges everybody has thousands, and the fits of all would take the square of that.
+void keep_nearest(const Surface<3>& surface, std::size_t most, std::vector<Index>& vertices) {
+  if (vertices.size() <= most) return;
+  const Vec<3> x = surface.vertices[vertices[0]];
+  const auto place = [&](Index v) { return std::pair((surface.vertices[v] - x).squaredNorm(), v); };
+  std::partial_sort(vertices.begin() + 1, vertices.begin() + static_cast<std::ptrdiff_t>(most), vertices.end(),
+                    [&](Index a, Index b) { return place(a) < place(b); });
+  vertices.resize(most);
 }
 
 VertexCurvature fit(const std::vector<Kernel::Point_3>& points, const Vec<3>& outward, int degree) {
@@ -92,17 +113,23 @@ std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Vec<3> no_vector = Vec<3>::Constant(nan);
   std::vector<VertexCurvature> result(surface.vertices.size(), {nan, nan, no_vector, no_vector, no_vector});
-  parallel_for(
-      surface.vertices.size(),
-      [&](std::size_t v) {
-        std::vector<Kernel::Point_3> points;
-        for (const Index w : neighbourhood(neighbours, static_cast<Index>(v), options.n_rings, n_points)) {
-          const Vec<3>& x = surface.vertices[w];
-          points.emplace_back(x.x(), x.y(), x.z());
-        }
-        if (points.size() >= n_points) result[v] = fit(points, normals[v], options.degree);
-      },
-      64);
+  // Ten times as many as rings of six edges at each vertex have.
+  const auto most = static_cast<std::size_t>(std::max(200, 10 * (1 + 3 * options.n_rings * (options.n_rings + 1))));
+  // Each chunk has marks of its own for all vertices: of few chunks that is no memory.
+  const std::size_t n_vertices = surface.vertices.size(), chunk_size = std::max<std::size_t>(64, n_vertices / 64);
+  parallel_chunks(n_vertices, chunk_size, [&](const Chunk& chunk) {
+    Neighbourhood neighbourhood(neighbours);
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      std::vector<Index> vertices = neighbourhood.of(static_cast<Index>(v), options.n_rings, n_points);
+      keep_nearest(surface, most, vertices);
+      std::vector<Kernel::Point_3> points;
+      for (const Index w : vertices) {
+        const Vec<3>& x = surface.vertices[w];
+        points.emplace_back(x.x(), x.y(), x.z());
+      }
+      if (points.size() >= n_points) result[v] = fit(points, normals[v], options.degree);
+    }
+  });
   return result;
 }
 

@@ -24,6 +24,8 @@ struct CurvatureOptions {
       2;  ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
   int n_rings = 2;  ///< of neighbours for the fit, >= 1; more where these are too few
 };
+// Where a vertex has very many edges, rings are large: the nearest 200 vertices of them are taken, or 10 times as many as such rings
+// have where all vertices have six edges if that is more.
 
 /// The curvatures at each vertex. All entries are NaN where the connected part has fewer vertices than the
 /// polynomial has coefficients, or the vertex has no facet.

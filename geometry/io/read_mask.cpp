@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace shellmatch {
@@ -16,12 +15,29 @@ constexpr float level = 0.5f;
 constexpr double min_ring_length = 8;     // pixels
 constexpr double max_area_change = 0.02;  // relative, beyond which a note says so
 
-void check_foreground(const GreyImage& image, const std::string& source) {
+// The brightness that counts: of an image of two tones, whichever they are, 1 for the brighter one and 0 for the other.
+class Brightness {
+ public:
+  explicit Brightness(const GreyImage& image) {
+    const auto extremes = std::minmax_element(image.values.begin(), image.values.end());
+    const float low = *extremes.first;
+    high_ = *extremes.second;
+    has_two_tones_ = low < high_ && std::ranges::all_of(image.values, [&](float v) { return v == low || v == high_; });
+  }
+  bool has_two_tones() const { return has_two_tones_; }
+  float operator()(float value) const { return has_two_tones_ ? (value == high_ ? 1.0f : 0.0f) : value; }
+
+ private:
+  float high_;
+  bool has_two_tones_;
+};
+
+void check_foreground(const GreyImage& image, const Brightness& brightness, const std::string& source) {
   float brightest = 0;
   std::int64_t n_rim = 0;
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column) {
-      const float value = image.at(column, row);
+      const float value = brightness(image.at(column, row));
       brightest = std::max(brightest, value);
       const bool rim = row == 0 || column == 0 || row == image.height - 1 || column == image.width - 1;
       n_rim += rim && value > level ? 1 : 0;
@@ -38,20 +54,13 @@ void check_foreground(const GreyImage& image, const std::string& source) {
         source, counted(n_rim, "pixel", "pixels"));
 }
 
-// Does every pixel have one of two values?
-bool is_binary(const GreyImage& image) {
-  const auto extremes = std::minmax_element(image.values.begin(), image.values.end());
-  const float low = *extremes.first, high = *extremes.second;
-  return std::all_of(image.values.begin(), image.values.end(), [&](float v) { return v == low || v == high; });
-}
-
-// Adds dark pixels all around.
-GreyImage padded(const GreyImage& image, int width) {
+// The image as it counts, with dark pixels all around.
+GreyImage padded(const GreyImage& image, const Brightness& brightness, int width) {
   GreyImage result{image.width + 2 * width, image.height + 2 * width, {}};
   result.values.assign(static_cast<std::size_t>(result.width) * result.height, 0.0f);
   for (int row = 0; row < image.height; ++row)
-    std::copy_n(image.values.begin() + static_cast<std::ptrdiff_t>(row) * image.width, image.width,
-                result.values.begin() + static_cast<std::ptrdiff_t>(row + width) * result.width + width);
+    for (int column = 0; column < image.width; ++column)
+      result.values[static_cast<std::size_t>(row + width) * result.width + column + width] = brightness(image.at(column, row));
   return result;
 }
 
@@ -168,10 +177,11 @@ double length(const std::vector<Vec<2>>& ring) {
 
 OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
                             std::vector<std::string>& notes) {
-  check_foreground(image, source);
+  const Brightness brightness(image);
+  check_foreground(image, brightness, source);
   constexpr int pad = 6;  // more than the smoothing reaches
-  GreyImage smoothed = padded(image, pad);
-  smooth(smoothed, is_binary(image) ? 1.0 : 0.5);
+  GreyImage smoothed = padded(image, brightness, pad);
+  smooth(smoothed, brightness.has_two_tones() ? 1.0 : 0.5);
   OriginalShape<2> shape;
   std::size_t n_specks = 0;
   double area = 0;
@@ -191,8 +201,9 @@ OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
   }
   if (n_specks > 0) notes.push_back(counted(n_specks, "ring", "rings") + " shorter than 8 pixels left out");
   // Each pixel counts as far as it is bright; thin lines and small spots lose that in the smoothing.
-  const double bright = std::accumulate(image.values.begin(), image.values.end(), 0.0);
-  if (is_binary(image) && std::abs(area - bright) > max_area_change * bright)
+  double bright = 0;
+  for (const float v : image.values) bright += brightness(v);
+  if (brightness.has_two_tones() && std::abs(area - bright) > max_area_change * bright)
     notes.push_back(
         fmt::format("smoothing the border changed the area by {:.1f} %: thin or small parts went, a finer "
                     "image would keep them",

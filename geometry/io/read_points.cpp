@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::string_view separators = " \t,;";
 
+// The next word without the quotes around it.
+std::string_view next_value(std::string_view& rest) {
+  const std::string_view word = next_word(rest, separators);
+  return word.size() > 1 && word.front() == '"' && word.back() == '"' ? word.substr(1, word.size() - 2) : word;
+}
+
 std::vector<std::string_view> split(const LineReader& lines) {
   std::string_view rest = lines.line();
   char before = ' ';
@@ -18,11 +24,22 @@ std::vector<std::string_view> split(const LineReader& lines) {
     if (c != ' ' && c != '\t') before = c;
   }
   std::vector<std::string_view> words;
-  for (auto word = next_word(rest, separators); !word.empty(); word = next_word(rest, separators)) {
-    if (word.size() > 1 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
-    words.push_back(word);
-  }
+  while (rest.find_first_not_of(separators) != rest.npos) words.push_back(next_value(rest));
   return words;
+}
+
+// The names in a line, which are those of CSV where there are commas in it.
+std::vector<std::string> names_of(const LineReader& lines) {
+  std::vector<std::string> names;
+  if (lines.line().find(',') == std::string_view::npos) {
+    for (const std::string_view word : split(lines)) names.emplace_back(word);
+    return names;
+  }
+  for (const std::string_view field : csv_fields(lines.line())) names.push_back(csv_text(field));
+  // Lines may end with a comma.
+  if (names.back().empty()) names.pop_back();
+  if (std::ranges::find(names, "") != names.end()) lines.fail("a column is empty");
+  return names;
 }
 
 // Is it the name of a column that may hold texts?
@@ -43,9 +60,9 @@ struct Columns {
 constexpr std::string_view axis_names = "xyz";
 
 template <int Dim>
-Columns<Dim> named_columns(const std::vector<std::string_view>& words, const LineReader& lines) {
+Columns<Dim> named_columns(const std::vector<std::string>& words, const LineReader& lines) {
   Columns<Dim> columns;
-  columns.names.assign(words.begin(), words.end());
+  columns.names = words;
   std::iota(columns.coordinates.begin(), columns.coordinates.end(), std::size_t{0});
   const auto column_of = [&](std::size_t axis) {
     return static_cast<std::size_t>(
@@ -114,29 +131,24 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
       if (!lines.only_comment()) end_block();
       continue;
     }
-    // Texts may hold blanks and, in quotes, commas; so may the names of columns.
-    const std::vector<std::string_view> fields = is_comma_separated || values.empty() ? csv_fields(lines.line()) : std::vector<std::string_view>();
-    const bool has_fields = is_comma_separated && fields.size() == values.size() &&
-                            std::ranges::find(columns.is_text, true) != columns.is_text.end();
-    std::vector<std::string_view> words;
-    if (has_fields) words = fields;
-    else words = split(lines);
-    if (words.empty()) lines.fail("separators, but no numbers");
+    if (lines.line().find_first_not_of(separators) == std::string_view::npos) lines.fail("separators, but no numbers");
     if (values.empty()) {
-      const bool header = !to_double(words[0]);
-      columns = header ? named_columns<Dim>(words, lines) : unnamed_columns<Dim>(words.size(), lines);
-      values.resize(words.size());
-      texts.resize(words.size());
-      is_comma_separated = header && fields.size() == words.size() && fields.size() > 1;
-      if (header) {
-        for (const std::string& name : columns.names) columns.is_text.push_back(names_texts(name));
-        for (const std::size_t c : columns.coordinates) columns.is_text[c] = false;
-        continue;
-      }
+      std::string_view rest = lines.line();
+      const bool header = !to_double(next_value(rest));
+      columns = header ? named_columns<Dim>(names_of(lines), lines) : unnamed_columns<Dim>(split(lines).size(), lines);
+      values.resize(columns.names.size());
+      texts.resize(columns.names.size());
+      for (const std::string& name : columns.names) columns.is_text.push_back(names_texts(name));
+      for (const std::size_t c : columns.coordinates) columns.is_text[c] = false;
+      is_comma_separated = values.size() > 1 && csv_fields(lines.line()).size() == values.size();
+      if (header) continue;
     }
+    // Texts may hold blanks and, in quotes, commas.
+    const bool has_texts = is_comma_separated && std::ranges::find(columns.is_text, true) != columns.is_text.end();
+    std::vector<std::string_view> words = has_texts ? csv_fields(lines.line()) : std::vector<std::string_view>();
+    if (words.size() != values.size()) words = split(lines);
     if (words.size() != values.size())
       lines.fail("{}, the lines above have {}", counted(words.size(), "column", "columns"), values.size());
-    columns.is_text.resize(words.size(), false);
     for (std::size_t c = 0; c < words.size(); ++c) {
       if (columns.is_text[c]) {
         texts[c].push_back(csv_text(words[c]));

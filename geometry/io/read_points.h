@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// Tables of points as text: one point per line, columns separated by comma, semicolon, tab or blanks, an
-/// optional line of column names, comments from '#'. In the plane, blank lines separate rings.
+/// optional line of column names, comments from '#'. In the plane, blank lines separate rings. A line of names with commas is one of
+/// CSV: names may hold blanks and, in quotes, commas.
 
 #include "geometry/surface/surface.h"
 

@@ -19,6 +19,21 @@ std::string shown(std::string_view word) {
   return word.size() > 24 ? text + "..." : text;
 }
 
+// Where the comment of a line begins. In the quotes around a field there is none; a quote that is not closed is a letter.
+std::size_t comment_in(std::string_view line, char comment) {
+  if (!comment) return line.npos;
+  std::size_t at = line.find(comment);
+  for (std::size_t k = line.find('"'); k < at; k = line.find('"', k + 1)) {
+    if (k > 0 && std::string_view(" \t,;").find(line[k - 1]) == line.npos) continue;
+    std::size_t end = line.find('"', k + 1);
+    while (end < line.size() && line.substr(end + 1).starts_with('"')) end = line.find('"', end + 2);
+    if (end == line.npos) break;
+    k = end;
+    if (at < k) at = line.find(comment, k);
+  }
+  return at;
+}
+
 }  // namespace
 
 std::optional<double> to_double(std::string_view word) {
@@ -100,7 +115,7 @@ bool LineReader::next_line() {
   line_ = text_.substr(position_, end - position_);
   position_ = std::min(end + 1, text_.size());
   if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++position_;
-  const std::size_t comment = comment_ ? line_.find(comment_) : std::string_view::npos;
+  const std::size_t comment = comment_in(line_, comment_);
   if (comment != std::string_view::npos) line_ = line_.substr(0, comment);
   line_.remove_prefix(std::min(line_.find_first_not_of(blanks), line_.size()));
   line_ = line_.substr(0, line_.find_last_not_of(blanks) + 1);

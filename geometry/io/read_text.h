@@ -34,7 +34,7 @@ std::string csv_text(std::string_view field);
 /// The lines of a text one by one; ends of line may be LF, CR LF or CR. Keeps a view of the text.
 class LineReader {
  public:
-  /// `comment`: from this character on the rest of a line is ignored; 0: nothing is.
+  /// `comment`: from this character on the rest of a line is ignored, unless it stands in quotes around a field; 0: nothing is.
   LineReader(std::string path, std::string_view text, char comment = '#');
 
   /// Goes to the next line that is not blank; false at the end of the text.

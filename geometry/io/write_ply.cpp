@@ -55,6 +55,11 @@ std::string word_of(std::string name) {
   return name.empty() ? "unnamed" : name;
 }
 
+bool is_of_ply(const std::string& word) {
+  const std::string_view axis = word.starts_with('n') ? std::string_view(word).substr(1) : word;
+  return axis == "x" || axis == "y" || axis == "z";
+}
+
 void declare(const std::vector<DetailColumn>& columns, std::string& header) {
   for (const DetailColumn& c : columns)
     header += c.count_type.empty() ? fmt::format("property {} {}\n", c.type, c.name) : fmt::format("property list {} {} {}\n", c.count_type, c.type, c.name);
@@ -78,6 +83,17 @@ std::string space_comment(std::string_view begin, Space space) {
   return space == Space::unsaid ? "" : fmt::format("{}SPACE={}\n", begin, space_name(space));
 }
 
+std::vector<std::string> ply_names(const OriginalShape<3>& shape) {
+  std::vector<std::string> names;
+  for (const VertexAttribute& a : shape.attributes) {
+    const std::string word = word_of(a.name);
+    std::string name = word;
+    for (int n = 2; is_of_ply(name) || std::ranges::find(names, name) != names.end(); ++n) name = fmt::format("{}_{}", word, n);
+    names.push_back(name);
+  }
+  return names;
+}
+
 void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
   static const MeshDetails no_details;
   const MeshDetails& details = shape.details ? *shape.details : no_details;
@@ -90,15 +106,17 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + space_comment("comment ", shape.space);
   for (const std::string& comment : details.ply_comments) bytes += comment + "\n";
   bytes += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n", shape.vertices.size());
+  const std::vector<std::string> names = ply_names(shape);
   std::vector<PlyType> types;
   std::vector<const VertexAttribute*> columns;
-  for (const VertexAttribute& a : shape.attributes) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const VertexAttribute& a = shape.attributes[k];
     if (a.type == "text") continue;
     SHELLMATCH_CHECK(a.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
     // PLY has no integers of 64 bits.
     types.push_back(ply_type(a.type).value_or(PlyType::float64));
     columns.push_back(&a);
-    bytes += fmt::format("property {} {}\n", ply_type_name(types.back()), word_of(a.name));
+    bytes += fmt::format("property {} {}\n", ply_type_name(types.back()), names[k]);
   }
   if (!shape.polygons.empty()) {
     bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(), ply_type_name(count_type));

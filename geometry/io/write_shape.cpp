@@ -1,8 +1,9 @@
 #include "geometry/io/write_shape.h"
 
 #include "base/error.h"
-#include "base/text.h"
+#include "base/printable.h"
 #include "base/replace_file.h"
+#include "base/text.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
 #include "geometry/polydata/write_polydata.h"
@@ -40,7 +41,7 @@ template <int Dim>
 void write_csv(const std::string& path, const OriginalShape<Dim>& shape, Existing existing) {
   check_attributes(shape);
   std::string text = Dim == 2 ? "x,y" : "x,y,z";
-  for (const VertexAttribute& a : shape.attributes) text += fmt::format(",{}", a.name);
+  for (const VertexAttribute& a : shape.attributes) text += "," + csv_field(a.name.empty() ? "unnamed" : a.name);
   text.push_back('\n');
   // True for the last point of each ring.
   std::vector<bool> last(shape.vertices.size(), false);
@@ -150,6 +151,12 @@ std::vector<std::string> left_out(const std::string& path, const OriginalShape<3
     if (a.type == "text" ? extension != ".csv" : !has_columns && !is_colour) names.push_back(a.name);
   }
   if (!names.empty()) lost.push_back(fmt::format("the columns {}", fmt::join(names, ", ")));
+  if (extension == ".ply") {
+    const std::vector<std::string> words = ply_names(shape);
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (const VertexAttribute& a = shape.attributes[k]; a.type != "text" && a.name != words[k])
+        lost.push_back(fmt::format("the name of the column '{}' ('{}' instead)", printable(a.name, 60), words[k]));
+  }
   if (extension == ".csv" && !shape.polygons.empty()) lost.emplace_back("faces");
   if (!shape.details) return lost;
   const MeshDetails& d = *shape.details;

@@ -16,9 +16,13 @@ namespace shellmatch {
 
 /// Binary little endian PLY: vertices as double, attributes with their own types (values of integer types are
 /// rounded and clamped to the type's range), polygons not triangulated, comments, properties of faces and further
-/// elements as they were read from PLY. Columns of text are left out. Points without polygons have no
+/// elements as they were read from PLY. Columns have their ply_names(); those of text are left out. Points without polygons have no
 /// faces.
 void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing existing = Existing::is_replaced);
+
+/// The names of the columns in a PLY, which are single words: all different, and none that of a coordinate or of a normal's component.
+/// Where need be a number is added: "x_2".
+std::vector<std::string> ply_names(const OriginalShape<3>& shape);
 
 /// Text with a line of names, "x,y" and the attributes, one point per line, a blank line after every ring.
 void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing = Existing::is_replaced);

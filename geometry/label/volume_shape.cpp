@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -97,12 +98,25 @@ DistanceStatistics distance_to_voxels(const LabelRegion& region, const Surface<3
   return statistics(distances_to(some, SignedDistance<3>(surface)));
 }
 
-std::string result_text(const VoxelChoice& choice, const LabelRegion& region, const Surface<3>& surface) {
+// What became of the voxels, and a warning where that is not much.
+std::vector<std::string> result_notes(const VoxelChoice& choice, const LabelRegion& region, const Surface<3>& surface) {
+  constexpr double enough = 0.8;
   const double voxels = std::accumulate(region.shares.begin(), region.shares.end(), 0.0);
-  const DistanceStatistics d = distance_to_voxels(region, surface);
-  return fmt::format("{}: {:.0f} voxels of {}; smoothed by {} of a voxel, the surface is {:.2g} from the voxels' boundary on average and at most {:.2g}, and its "
-                     "volume {:.2f} times theirs", choice.text(), voxels, spacing_text(region.grid), label_smoothing, d.mean, d.max,
-                     enclosed_measure(surface) / (voxels * region.grid.voxel_volume()));
+  const double share = enclosed_measure(surface) / (voxels * region.grid.voxel_volume());
+  std::string text = fmt::format("{}: {:.0f} voxels of {}; smoothed by {} of a voxel, the surface ", choice.text(), voxels,
+                                 spacing_text(region.grid), label_smoothing);
+  // Where no block of voxels is more than half full, nothing says where the boundary is.
+  if (const DistanceStatistics d = distance_to_voxels(region, surface); std::isfinite(d.mean))
+    text += fmt::format("is {:.2g} from the voxels' boundary on average and at most {:.2g}, and its volume {:.2f} times theirs", d.mean,
+                        d.max, share);
+  else
+    text += fmt::format("has {:.2f} times their volume", share);
+  std::vector<std::string> notes{text};
+  if (share < enough)
+    notes.push_back(fmt::format("the surface has only {:.0f} % of the label's volume: the rest is thinner than its voxels (or blocks of "
+                                "these) can show, and is lost; cut the volume to the region of interest, or sample it more finely",
+                                100 * share));
+  return notes;
 }
 
 }  // namespace
@@ -112,7 +126,7 @@ Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space s
 }
 
 Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
-  const std::string unit = part.volume.unit;
+  const std::string unit = part.volume.grid.unit;
   LabelRegion region = label_region(canonical(std::move(part.volume)), part.choice, source);
   const SmoothedLabel label(region);
   if (!(label.largest_share() > label.level() + 1e-3))
@@ -123,7 +137,8 @@ Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
   if (const std::size_t n = drop_small_parts(surface, 4 * voxel); n > 0)
     notes.push_back(fmt::format("{} of less than 4 voxels, which smoothing left of thin parts, dropped", counted(n, "piece", "pieces")));
   if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, part.choice.text());
-  notes.insert(notes.begin(), result_text(part.choice, region, surface));
+  const std::vector<std::string> result = result_notes(part.choice, region, surface);
+  notes.insert(notes.begin(), result.begin(), result.end());
   OriginalShape<3> original;
   original.vertices = std::move(surface.vertices);
   original.space = or_default(space);

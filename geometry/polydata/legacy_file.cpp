@@ -158,7 +158,7 @@ class LegacyFile {
   bool read_attribute() {
     const auto simple = [&](std::string_view word, std::size_t n_components) {
       if (!in_.take(word)) return false;
-      const std::string name(in_.word());
+      const std::string name = in_.name();
       const ValueType type = in_.type();
       take_values(word == "normals" ? "Normals" : name, type, n_components, n_tuples_, is_point_data_);
       return true;
@@ -167,7 +167,7 @@ class LegacyFile {
                                   {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}})
       if (simple(word, n)) return true;
     if (in_.take("scalars")) {
-      const std::string name(in_.word());
+      const std::string name = in_.name();
       const ValueType type = in_.type();
       std::size_t n_components = 1;
       if (!in_.take("lookup_table")) {
@@ -177,7 +177,7 @@ class LegacyFile {
       in_.word();
       take_values(name, type, n_components, n_tuples_, is_point_data_);
     } else if (in_.take("color_scalars")) {
-      const std::string name(in_.word());
+      const std::string name = in_.name();
       const std::size_t n = in_.count("the number of values");
       take_values(name, in_.is_binary() ? ValueType::uint8 : ValueType::float32, n, n_tuples_, is_point_data_);
     } else if (in_.take("lookup_table")) {
@@ -185,7 +185,7 @@ class LegacyFile {
       const std::size_t n = in_.count("the size of the table");
       take_values("", in_.is_binary() ? ValueType::uint8 : ValueType::float32, 4, n, false);
     } else if (in_.take("texture_coordinates")) {
-      const std::string name(in_.word());
+      const std::string name = in_.name();
       const std::size_t n = in_.count("the dimension");
       const ValueType type = in_.type();
       take_values(name, type, n, n_tuples_, is_point_data_);
@@ -200,7 +200,7 @@ class LegacyFile {
     const std::size_t n_arrays = in_.count("the number of arrays");
     for (std::size_t i = 0; i < n_arrays; ++i) {
       while (in_.take("metadata")) skip_metadata();
-      const std::string name(in_.word());
+      const std::string name = in_.name();
       if (name == "NULL_ARRAY") continue;
       if (name.empty()) in_.fail("cut off: {} of {} arrays are there", i, n_arrays);
       const std::size_t n_components = in_.count("the number of components"), n_tuples = in_.count("the number of tuples");

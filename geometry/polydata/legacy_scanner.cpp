@@ -50,6 +50,18 @@ std::string_view LegacyScanner::word() {
   return text;
 }
 
+std::string LegacyScanner::name() {
+  std::string text;
+  for (std::string_view rest = word(); !rest.empty();) {
+    unsigned code = 0;
+    const char* const end = rest.data() + 3;
+    const bool is_code = rest.size() >= 3 && rest[0] == '%' && std::from_chars(rest.data() + 1, end, code, 16).ptr == end;
+    text += is_code ? static_cast<char>(code) : rest[0];
+    rest.remove_prefix(is_code ? 3 : 1);
+  }
+  return text;
+}
+
 bool LegacyScanner::take(std::string_view lower_case_word) {
   const std::size_t before = position_;
   if (is_word(word(), lower_case_word)) return true;

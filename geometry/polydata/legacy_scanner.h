@@ -22,6 +22,8 @@ class LegacyScanner {
   std::string_view line();
   /// The next word; empty at the end of the file.
   std::string_view word();
+  /// The next word as the name of an array, in which VTK writes blanks and the like as %20.
+  std::string name();
   /// Takes the next word only where it is this one, in letters of either case.
   bool take(std::string_view lower_case_word);
   /// A count, which the rest of the file limits. \throws InputError

@@ -42,6 +42,24 @@ Surface<3> scaled_to_unit(const Surface<3>& surface) {
   return scaled;
 }
 
+using Side = CGAL::Side_of_triangle_mesh<CgalMesh, CgalKernel>;
+
+// Nothing of the part is outside. It may touch the other with vertices and edges, not with a facet: that is no cavity in it.
+bool is_inside(const Part& part, const Surface<3>& surface, const Side& side_of_other) {
+  const auto side = [&](const Vec<3>& x) { return side_of_other({x.x(), x.y(), x.z()}); };
+  std::vector<Index> free;  // vertices that do not touch
+  for (const Index v : part.vertices) {
+    const CGAL::Bounded_side where = side(surface.vertices[v]);
+    if (where == CGAL::ON_UNBOUNDED_SIDE) return false;
+    if (where == CGAL::ON_BOUNDED_SIDE) free.push_back(v);
+  }
+  return std::ranges::all_of(part.facets, [&](const std::array<Index, 3>& facet) {
+    if (std::ranges::any_of(facet, [&](Index v) { return std::ranges::binary_search(free, v); })) return true;
+    const auto& [a, b, c] = facet;
+    return side((surface.vertices[a] + surface.vertices[b] + surface.vertices[c]) / 3) == CGAL::ON_BOUNDED_SIDE;
+  });
+}
+
 }  // namespace
 
 std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<std::vector<Index>>& parts) {
@@ -56,14 +74,8 @@ std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<st
       if (inner != outer && within(all[inner].box, all[outer].box)) candidates.push_back(inner);
     if (candidates.empty()) continue;
     const CgalMesh mesh = cgal_mesh(surface, all[outer].facets);
-    const CGAL::Side_of_triangle_mesh<CgalMesh, CgalKernel> side(mesh);
-    for (const std::size_t inner : candidates) {
-      const auto inside = [&](Index v) {
-        const Vec<3>& x = surface.vertices[v];
-        return side({x.x(), x.y(), x.z()}) == CGAL::ON_BOUNDED_SIDE;
-      };
-      depths[inner] += std::all_of(all[inner].vertices.begin(), all[inner].vertices.end(), inside) ? 1 : 0;
-    }
+    const Side side(mesh);
+    for (const std::size_t inner : candidates) depths[inner] += is_inside(all[inner], surface, side) ? 1 : 0;
   }
   return depths;
 }

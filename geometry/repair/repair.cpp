@@ -95,10 +95,12 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
   Notes notes(note_list);
-  Surface<3> surface{original.vertices, triangulate(original)};
+  std::size_t n_given_up = 0;
+  Surface<3> surface{original.vertices, triangulate(original, nullptr, &n_given_up)};
   const auto n_split = std::count_if(original.polygons.begin(), original.polygons.end(),
                                      [](const std::vector<Index>& p) { return p.size() > 3; });
   notes.add(static_cast<std::size_t>(n_split), "polygon", "polygons", "split into triangles");
+  notes.add(n_given_up, "polygon", "polygons", "with too many crossings of the edges split into triangles that overlap");
   notes.add(remove_unused_vertices(surface), "unused vertex", "unused vertices", "left out");
   notes.add(weld_seams(surface), "duplicate vertex", "duplicate vertices", "welded");
   const auto [n_collapsed, n_copies] = remove_repetitions(surface);

@@ -79,6 +79,17 @@ void note_long_closing_edge(const std::vector<Index>& ring, const std::vector<Ve
                                 number + 1, closing, closing / longest));
 }
 
+// All pairs of segments that end in one point are looked at, so that their number is limited.
+void check_number_of_visits(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x, const std::string& source) {
+  constexpr std::size_t most = 1000;
+  std::map<Coordinates, std::size_t> n_visits;
+  for (const std::vector<Index>& ring : rings)
+    for (const Index v : ring)
+      if (++n_visits[{x[v].x(), x[v].y()}] > most)
+        throw_input_error("{}: the outline passes through ({:.6g}, {:.6g}) more than {} times; move or remove points there", source,
+                          x[v].x(), x[v].y(), most);
+}
+
 // Segments of all rings, in their order.
 Surface<2> segments_of(const std::vector<Vec<2>>& vertices, const std::vector<std::vector<Index>>& rings) {
   Surface<2> all{vertices, {}};
@@ -211,6 +222,7 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
     polygons.push_back(without_repetitions(original, number, source, repairs));
   for (std::size_t number = 0; number < polygons.size(); ++number)
     note_long_closing_edge(polygons[number], original.vertices, number, notes);
+  check_number_of_visits(polygons, original.vertices, source);
   // Segments that touch are joined below, which takes time for each pair that is near: not for noise.
   check_crossings(segments_of(original.vertices, polygons), source, Contact::of_inner_points, max_crossings);
   share_touching_points(original.vertices, polygons);

@@ -1,8 +1,25 @@
 #include "geometry/volume/header_fields.h"
 
 #include "base/printable.h"
+#include "geometry/volume/zlib_volume.h"
+
+#include <algorithm>
 
 namespace shellmatch {
+
+std::string header_text(const std::string& path, const std::function<bool(std::string_view line)>& is_last) {
+  std::string text;
+  const auto has_last = [&] {
+    LineReader lines(path, text, 0);
+    while (lines.next_line())
+      if (is_last(lines.line())) return lines.n_left() > 0;  // the end of a line may have two bytes
+    return false;
+  };
+  for (std::size_t wanted = 1 << 16;; wanted = std::min(4 * wanted, longest_header)) {
+    for_each_piece(path, text.size(), false, 0, wanted - text.size(), [&](std::string_view piece) { text += piece; });
+    if (text.size() < wanted || wanted == longest_header || has_last()) return text;
+  }
+}
 
 bool split_field(std::string_view line, char separator, std::string_view& name, std::string_view& value) {
   const std::size_t at = line.find(separator);

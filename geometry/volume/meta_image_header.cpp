@@ -3,7 +3,6 @@
 #include "base/printable.h"
 #include "geometry/volume/header_fields.h"
 #include "geometry/volume/volume_header.h"
-#include "geometry/volume/zlib_volume.h"
 
 #include <algorithm>
 #include <optional>
@@ -25,8 +24,10 @@ VoxelType type_of(const std::string& path, std::string_view name) {
 }  // namespace
 
 VolumeHeader read_meta_image_header(const std::string& path) {
-  std::string text;
-  for_each_piece(path, 0, false, 0, longest_header, [&](std::string_view piece) { text += piece; });
+  const std::string text = header_text(path, [](std::string_view line) {
+    std::string_view name, value;
+    return split_field(line, '=', name, value) && equals_ignoring_case(name, "elementdatafile");
+  });
   LineReader lines(path, text, 0);
   VolumeHeader header;
   VoxelGrid& grid = header.grid;

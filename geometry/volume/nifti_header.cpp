@@ -1,6 +1,5 @@
 // NIfTI-1 and NIfTI-2 in one file: https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h and nifti2.h, whose names are used here.
 #include "base/error.h"
-#include "geometry/io/input_file.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/zlib_volume.h"
 
@@ -125,11 +124,11 @@ VolumeHeader read_nifti_header(const std::string& path) {
   set_frame(path, fields, header.grid);
   const double slope = fields.real(112, 176, 0), intercept = fields.real(116, 184, 0);
   if (slope != 0 && std::isfinite(slope) && std::isfinite(intercept)) header.slope = slope, header.intercept = intercept;
-  if (const int unit = fields.units() & 7; unit >= 1 && unit <= 3) header.unit = "mm";  // set_frame() has made it so
+  if (const int unit = fields.units() & 7; unit >= 1 && unit <= 3) header.grid.unit = "mm";  // set_frame() has made it so
   header.file = path;
   header.offset = fields.offset();
   header.is_big_endian = fields.is_big_endian();
-  if (file_extension(path) == ".gz") header.encoding = VolumeHeader::whole_file_deflated;
+  if (is_gzip_file(path)) header.encoding = VolumeHeader::whole_file_deflated;
   return header;
 }
 

@@ -3,10 +3,11 @@
 #include "base/printable.h"
 #include "geometry/volume/header_fields.h"
 #include "geometry/volume/volume_header.h"
-#include "geometry/volume/zlib_volume.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
@@ -14,10 +15,10 @@ namespace {
 
 struct NrrdFields {
   std::vector<std::int64_t> size;
-  std::vector<double> spacings, minima;
-  std::string type, encoding, space, directions, origin, units, data_file;
+  std::vector<double> spacings, minima, maxima;
+  std::string type, encoding, space, directions, origin, units, centres, data_file;
   std::int64_t n_dimensions = 0;
-  bool is_big_endian = false;
+  bool is_big_endian = false, is_ended = false;
 };
 
 std::string lower(std::string_view text) {
@@ -48,8 +49,10 @@ VoxelType type_of(const LineReader& lines, const std::string& name) {
 
 NrrdFields fields_of(LineReader& lines) {
   NrrdFields f;
-  while (lines.next_line() && !lines.line().empty()) {
+  while (lines.next_line()) {
     std::string_view name, value;
+    f.is_ended = lines.line().empty();
+    if (f.is_ended) break;
     if (lines.line().starts_with('#') || lines.line().find(":=") != lines.line().npos) continue;
     if (!split_field(lines.line(), ':', name, value)) lines.fail("is neither a field ('name: value') nor a comment; export the volume again");
     const std::string field = lower(name);
@@ -61,8 +64,10 @@ NrrdFields fields_of(LineReader& lines) {
     else if (field == "encoding") f.encoding = lower(value);
     else if (field == "endian") f.is_big_endian = lower(value) == "big";
     else if (field == "space") f.space = lower(value);
-    else if (field == "spacings") f.spacings = numbers_of(lines, "spacings", value, f.size.size());
-    else if (field == "axis mins" || field == "axismins") f.minima = numbers_of(lines, "axis mins", value, f.size.size());
+    else if (field == "spacings") f.spacings = numbers_of(lines, field, value, 0);
+    else if (field == "axis mins" || field == "axismins") f.minima = numbers_of(lines, field, value, 0);
+    else if (field == "axis maxs" || field == "axismaxs") f.maxima = numbers_of(lines, field, value, 0);
+    else if (field == "centers" || field == "centerings") f.centres = lower(value);
     else if (field == "space directions") f.directions = value;
     else if (field == "space origin") f.origin = value;
     else if (field == "space units") f.units = value;
@@ -82,16 +87,43 @@ std::vector<double> vectors_of(const LineReader& lines, std::string_view name, s
   return numbers_of(lines, name, text, 3 * n);
 }
 
+// Where the axes have no directions. What lies between an axis' minimum and maximum are the voxels or, where it is centred on nodes,
+// their centres. As Teem, ITK and VTK do, an axis that does not say is taken to be centred on cells.
+void set_axes(const std::string& path, const NrrdFields& f, VoxelGrid& grid) {
+  std::vector<std::string_view> centres;
+  for (std::string_view rest = f.centres, word = next_word(rest); !word.empty(); word = next_word(rest)) centres.push_back(word);
+  const auto check_count = [&](std::string_view name, std::size_t n) {
+    if (n != 0 && n != f.size.size())
+      throw_input_error("{}: {} has {} entries for {} dimensions; export the volume again", path, name, n, f.size.size());
+  };
+  check_count("spacings", f.spacings.size());
+  check_count("axis mins", f.minima.size());
+  check_count("axis maxs", f.maxima.size());
+  check_count("centers", centres.size());
+  for (int k = 0; k < 3; ++k) {
+    constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
+    const auto at = [&](const std::vector<double>& numbers) { return numbers.empty() ? unsaid : numbers[k]; };
+    const bool is_node = !centres.empty() && centres[k] == "node";
+    const double minimum = at(f.minima), maximum = at(f.maxima);
+    double spacing = at(f.spacings);
+    if (std::isnan(spacing) && !std::isnan(maximum)) {
+      if (std::isnan(minimum))
+        throw_input_error("{}: axis {} has a maximum (axis maxs), but neither a minimum nor a spacing; export the volume again", path,
+                          k + 1);
+      spacing = (maximum - minimum) / (grid.size[k] - (is_node ? 1 : 0));
+    }
+    if (std::isnan(spacing)) spacing = 1;
+    grid.axes.col(k) = spacing * Vec<3>::Unit(k);
+    if (!std::isnan(minimum)) grid.origin[k] = minimum + (is_node ? 0 : spacing / 2);
+  }
+}
+
 void set_frame(const LineReader& lines, const NrrdFields& f, VoxelGrid& grid) {
   if (!f.directions.empty()) {
     const std::vector<double> v = vectors_of(lines, "space directions", f.directions, 3);
     for (int k = 0; k < 3; ++k) grid.axes.col(k) = Vec<3>(v[3 * k], v[3 * k + 1], v[3 * k + 2]);
   } else {
-    for (int k = 0; k < 3; ++k) {
-      const double spacing = f.spacings.empty() || std::isnan(f.spacings[k]) ? 1 : f.spacings[k];
-      grid.axes.col(k) = spacing * Vec<3>::Unit(k);
-      if (!f.minima.empty() && !std::isnan(f.minima[k])) grid.origin[k] = f.minima[k];
-    }
+    set_axes(lines.path(), f, grid);
   }
   if (!f.origin.empty()) {
     const std::vector<double> v = vectors_of(lines, "space origin", f.origin, 1);
@@ -124,20 +156,26 @@ std::string unit_of(const std::string& units) {
 }  // namespace
 
 VolumeHeader read_nrrd_header(const std::string& path) {
-  std::string text;
-  for_each_piece(path, 0, false, 0, longest_header, [&](std::string_view piece) { text += piece; });
+  const std::string text = header_text(path, [](std::string_view line) { return line.empty(); });
   LineReader lines(path, text, 0);
   if (!lines.next_line() || !lines.line().starts_with("NRRD"))
     throw_input_error("{}: no NRRD file: it does not begin with the word NRRD; export the volume again", path);
   const NrrdFields f = fields_of(lines);
+  const auto does_not_end = [&] {
+    throw_input_error("{}: its header does not end: no blank line in the first {} bytes; copy or export the volume again", path,
+                      text.size());
+  };
+  if (!f.is_ended && text.size() >= longest_header) does_not_end();
   if (f.type.empty() || f.encoding.empty() || f.size.empty() || f.n_dimensions != static_cast<std::int64_t>(f.size.size()))
     throw_input_error("{}: its header does not say type, dimension, sizes and encoding, one size for each dimension; export the volume again", path);
   if (f.size.size() > 3) throw_input_error("{}: has {} dimensions; save one of its volumes as a file of three", path, f.size.size());
+  // A header whose values are in another file may end with its own.
+  if (!f.is_ended && f.data_file.empty()) does_not_end();
   VolumeHeader header;
   set_size(path, f.size, header.grid);
   header.type = type_of(lines, f.type);
   set_frame(lines, f, header.grid);
-  header.unit = unit_of(f.units);
+  header.grid.unit = unit_of(f.units);
   header.is_big_endian = f.is_big_endian;
   header.file = f.data_file.empty() ? path : file_of_values(path, f.data_file);
   header.offset = f.data_file.empty() ? text.size() - lines.n_left() : 0;

@@ -111,7 +111,7 @@ Volume read_vti_volume(const std::string& path) {
 Volume read_volume(const std::string& path) {
   if (volume_format(path) == VolumeFormat::vti) return read_vti_volume(path);
   const VolumeHeader header = read_volume_header(path);
-  Volume volume{header.grid, header.slope == 1 && header.intercept == 0 ? header.type : VoxelType::float32, {}, header.unit};
+  Volume volume{header.grid, header.slope == 1 && header.intercept == 0 ? header.type : VoxelType::float32, {}};
   const std::size_t n = volume.grid.n_voxels(), n_bytes = n * bytes_of(header.type);
   std::error_code error;
   const std::uintmax_t in_file = std::filesystem::file_size(header.file, error);

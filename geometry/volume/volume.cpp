@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace shellmatch {
@@ -19,6 +21,23 @@ VoxelGrid exchange_space(VoxelGrid grid) {
   grid.origin = exchange_space(grid.origin);
   for (int k = 0; k < 3; ++k) grid.axes.col(k) = exchange_space(Vec<3>(grid.axes.col(k)));
   return grid;
+}
+
+std::optional<double> millimetres_of(std::string_view unit) {
+  struct Name {
+    double millimetres;
+    std::initializer_list<std::string_view> names;
+  };
+  static const Name table[] = {{1, {"mm", "millimetre", "millimeter", "millimetres", "millimeters"}},
+                               {10, {"cm", "centimetre", "centimeter", "centimetres", "centimeters"}},
+                               {1000, {"m", "metre", "meter", "metres", "meters"}},
+                               {1e-3, {"um", "\u00b5m", "\u03bcm", "micron", "microns"}},
+                               {1e-3, {"micrometre", "micrometer", "micrometres", "micrometers"}},
+                               {1e-6, {"nm", "nanometre", "nanometer", "nanometres", "nanometers"}},
+                               {25.4, {"in", "inch", "inches"}}};
+  for (const auto& [millimetres, names] : table)
+    if (std::ranges::find(names, unit) != names.end()) return millimetres;
+  return std::nullopt;
 }
 
 bool is_integer(VoxelType type) { return type != VoxelType::float32 && type != VoxelType::float64; }
@@ -38,8 +57,9 @@ Volume canonical(Volume volume) {
     axis_along[best_row] = best_column;
     is_taken[best_column] = true;
   }
-  Volume result{{}, volume.type, {}, volume.unit};
+  Volume result{{}, volume.type, {}};
   VoxelGrid& to = result.grid;
+  to.unit = grid.unit;
   std::array<std::ptrdiff_t, 3> step{};
   std::ptrdiff_t first = 0;
   Vec<3> first_index = Vec<3>::Zero();

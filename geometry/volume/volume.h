@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct VoxelGrid {
   std::array<int, 3> size{0, 0, 0};
   Vec<3> origin = Vec<3>::Zero();    ///< centre of the first voxel; in the unit of the file, millimetres as a rule
   Mat<3> axes = Mat<3>::Identity();  ///< column k leads from a voxel to the next one along axis k
+  std::string unit = {};             ///< of these coordinates, where the file names it: "mm"
 
   std::size_t n_voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
   /// The linear number of a voxel: the first index runs fastest.
@@ -36,6 +38,9 @@ struct VoxelGrid {
 
 /// The same voxels, given in the other frame.
 VoxelGrid exchange_space(VoxelGrid grid);
+
+/// The millimetres of a unit of length, 10 of "cm"; none where the name is not known, or there is none.
+std::optional<double> millimetres_of(std::string_view unit);
 
 /// The type of a file's values.
 enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
@@ -50,7 +55,6 @@ struct Volume {
   VoxelGrid grid;
   VoxelType type = VoxelType::uint8;
   std::vector<float> values;
-  std::string unit = {};  ///< of its coordinates, where the file names it
 };
 
 /// The same volume with its axes in another order, and turned, so that each points along the coordinate axis that is closest to

@@ -28,7 +28,8 @@ Volume read_volume(const std::string& path);
 void check_volume_output(const std::string& path);
 
 /// A volume given in RAS as a file that is still to be published, in its own type of values, rounded and limited to the range of the
-/// type; compressed, but for .nii. \throws EnvironmentError where it cannot be written, InputError as check_volume_output
+/// type; compressed, but for .nii. An NRRD names the unit of its grid. A NIfTI is in millimetres where that unit is a known one, and
+/// otherwise says that its unit is unknown. \throws EnvironmentError where it cannot be written, InputError as check_volume_output
 PendingFile volume_file(const std::string& path, const Volume& volume, Existing existing);
 
 /// volume_file(), published. \throws as that and PendingFile::publish

@@ -19,7 +19,6 @@ struct VolumeHeader {
   VoxelGrid grid;  ///< RAS
   VoxelType type = VoxelType::uint8;
   double slope = 1, intercept = 0;  ///< of a value in the file
-  std::string unit = {};            ///< of length, where the file names it: "mm"
 
   std::string file;            ///< of the values
   std::uintmax_t offset = 0;   ///< of the first: in the file, or in what a file that is compressed as a whole inflates to

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace shellmatch {
 
@@ -51,8 +52,12 @@ void put(std::string& header, std::size_t offset, T value) {
   std::memcpy(header.data() + offset, &value, sizeof value);
 }
 
-// NIfTI-1; sform and, where the axes are orthogonal, the same as qform.
-std::string nifti_header(const VoxelGrid& grid, VoxelType type, bool is_vector) {
+// NIfTI-1; sform and, where the axes are orthogonal, the same as qform. Lengths whose unit is known become millimetres, which all
+// programs read alike.
+std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
+  const std::optional<double> millimetres = millimetres_of(grid.unit);
+  grid.axes *= millimetres.value_or(1);
+  grid.origin *= millimetres.value_or(1);
   static constexpr std::int16_t codes[] = {2, 256, 512, 4, 768, 8, 1280, 1024, 16, 64};  // in the order of VoxelType
   std::string h(352, '\0');
   put<std::int32_t>(h, 0, 348);
@@ -71,7 +76,7 @@ std::string nifti_header(const VoxelGrid& grid, VoxelType type, bool is_vector) 
   for (std::size_t k = 3; k < 7; ++k) put(h, 80 + 4 * k, 1.0f);
   put(h, 108, 352.0f);
   put(h, 112, 1.0f);
-  h[123] = 2;  // millimetres
+  h[123] = millimetres ? 2 : 0;  // millimetres, or unknown
   if ((rotation.transpose() * rotation - Mat<3>::Identity()).norm() < 1e-5) {
     put<std::int16_t>(h, 252, 1);
     Eigen::Quaterniond q(rotation);
@@ -92,8 +97,10 @@ std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector)
   static constexpr const char* names[] = {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float", "double"};
   const VoxelGrid grid = exchange_space(in_ras);
   const auto text = [](const Vec<3>& x) { return fmt::format("({},{},{})", x[0], x[1], x[2]); };
-  return fmt::format("NRRD0004\ntype: {}\ndimension: {}\nspace: left-posterior-superior\nsizes: {}{} {} {}\nspace directions: {}{} {} {}\nkinds: {}domain domain domain\n"
-                     "endian: little\nencoding: gzip\nspace origin: {}\n\n", names[static_cast<std::size_t>(type)], is_vector ? 4 : 3, is_vector ? "3 " : "",
+  const std::string units = grid.unit.empty() ? "" : fmt::format("space units: \"{0}\" \"{0}\" \"{0}\"\n", grid.unit);
+  return fmt::format("NRRD0004\ntype: {}\ndimension: {}\nspace: left-posterior-superior\n{}sizes: {}{} {} {}\n"
+                     "space directions: {}{} {} {}\nkinds: {}domain domain domain\nendian: little\nencoding: gzip\nspace origin: {}\n\n",
+                     names[static_cast<std::size_t>(type)], is_vector ? 4 : 3, units, is_vector ? "3 " : "",
                      grid.size[0], grid.size[1], grid.size[2], is_vector ? "none " : "", text(grid.axes.col(0)), text(grid.axes.col(1)), text(grid.axes.col(2)),
                      is_vector ? "vector " : "", text(grid.origin));
 }
@@ -177,8 +184,10 @@ PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, s
   bytes.reserve(values.size() * sizeof(float));
   // VTK's files name no frame: their components are along the axes of their positions, which are in RAS.
   const bool is_in_ras = is_volume_file(path) && volume_format(path) == VolumeFormat::vti;
+  // In a NIfTI vectors are in the unit of its header, which other programs do not convert.
+  const auto factor = static_cast<float>(by_component ? millimetres_of(grid.unit).value_or(1) : 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const float value = values[by_component ? 3 * (i % n) + i / n : i];
+    const float value = factor * values[by_component ? 3 * (i % n) + i / n : i];
     append_as<float>(is_in_ras && i % 3 < 2 ? -value : value, bytes);
   }
   return pending(path, grid, VoxelType::float32, true, std::move(bytes), existing);

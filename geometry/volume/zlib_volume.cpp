@@ -79,6 +79,11 @@ std::string inflated_beginning(const std::string& path, std::size_t n_bytes) {
   return bytes;
 }
 
+bool is_gzip_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return file.get() == 0x1f && file.get() == 0x8b;
+}
+
 std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bool deflated, std::uintmax_t skipped, std::uintmax_t n_bytes,
                               const std::function<void(std::string_view)>& take) {
   std::ifstream file(path, std::ios::binary);

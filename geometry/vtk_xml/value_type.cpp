@@ -44,8 +44,11 @@ void append_values(std::string_view bytes, std::size_t n, bool is_big_endian, st
 }  // namespace
 
 std::optional<ValueType> legacy_type(std::string_view name) {
+  // VTK writes the numbers of things as int, whatever their size in memory.
+  if (name == "vtkIdType" || name == "vtkidtype") return ValueType::int32;
+  if (name == "signed_char") return ValueType::int8;
   // Sizes of these differ between machines; files with them are of 64-bit systems.
-  if (name == "long" || name == "vtkIdType" || name == "vtkidtype" || name == "long_long") return ValueType::int64;
+  if (name == "long" || name == "long_long") return ValueType::int64;
   if (name == "unsigned_long" || name == "unsigned_long_long") return ValueType::uint64;
   return type_named(name, &ValueTypeFacts::legacy);
 }

@@ -184,6 +184,34 @@ TEST(VolumeFrames, AreItks) {
   }
 }
 
+// NRRD's axes without directions, which begin at the middle of the first voxel or at its border.
+TEST(VolumeFrames, OfAxesWithoutDirectionsAreItks) {
+  const Folder other;
+  for (const std::string centres : {"", "centers: cell cell cell\n", "centers: node node node\n", "centers: node cell ???\n"}) {
+    const std::string axes = "dimension: 3\nsizes: 3 4 2\nspacings: 1 0.5 2\naxis mins: -3 4 5\n" + centres;
+    write(other / "a.nrrd", "NRRD0004\ntype: uint8\n" + axes + "encoding: raw\n\n" + std::string(24, '\1'));
+    const LpsPoint itk = voxel_by_itk(other / "a.nrrd", {2, 1, 1}).position;
+    const Vec<3> ours = exchange_space(read_voxel_grid(other / "a.nrrd").position(Vec<3>(2, 1, 1)));
+    EXPECT_LT((Vec<3>(itk[0], itk[1], itk[2]) - ours).norm(), 1e-12) << centres;
+  }
+}
+
+TEST_F(Volumes, ResultsAreInTheUnitOfTheirVoxels) {
+  const Folder other;
+  Volume a = volume_of(grid, in_reference);
+  for (const std::string unit : {"cm", ""}) {
+    a.grid.unit = unit;
+    write_volume(other / "a.nrrd", a, Existing::is_replaced);
+    run({"apply", *tmp / "out", other / "a.nrrd", "-o", other / "moved.nrrd", "--displacement", other / "u.nii", "--jacobian",
+         other / "j.nii", "--force"});
+    run({"apply", *tmp / "out", *tmp / "a.nii", "--like", other / "a.nrrd", "-o", other / "like.nrrd", "--force"});
+    for (const char* name : {"moved.nrrd", "like.nrrd"}) EXPECT_EQ(read_voxel_grid(other / name).unit, unit) << name;
+    EXPECT_EQ(read_voxel_grid(other / "j.nii").unit, unit.empty() ? "" : "mm");
+    EXPECT_NEAR(read_voxel_grid(other / "j.nii").axes(0, 0), unit.empty() ? 1 : 10, 1e-6);
+    EXPECT_EQ(other.read("u.nii")[123], unit.empty() ? 0 : 2);
+  }
+}
+
 TEST_F(Volumes, ItkMovesPointsByOurField) {
   const Deformation<3> map = read_deformation<3>(*tmp / "out");
   for (const bool inverse : {false, true}) {

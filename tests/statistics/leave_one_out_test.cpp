@@ -12,7 +12,7 @@
 namespace shellmatch {
 namespace {
 
-// S' = diag(values) - rho z z^T, decomposed.
+// S' = diag(values) - rho z z^T, decomposed. What the shape has of directions in which S' is 0 remains whatever the number of modes.
 Eigen::VectorXd directly(const Eigen::VectorXd& values, const Eigen::VectorXd& z, double n) {
   const double rho = n / (n - 1), shift = values[0];  // all eigenvalues are positive then, and none is left out
   Eigen::MatrixXd matrix = (values.array() + shift).matrix().asDiagonal();
@@ -20,7 +20,10 @@ Eigen::VectorXd directly(const Eigen::VectorXd& values, const Eigen::VectorXd& z
   const GramEigen eigen = gram_eigen(matrix, 0);
   const Eigen::VectorXd components = rho * eigen.vectors.transpose() * z;
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(values.size() + 1);
-  for (Eigen::Index k = values.size(); k-- > 0;) squares[k] = squares[k + 1] + components[k] * components[k];
+  const auto is_mode = [&](Eigen::Index k) { return eigen.values[k] - shift > 1e-12 * values[0]; };
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+    if (!is_mode(k)) squares[values.size()] += components[k] * components[k];
+  for (Eigen::Index k = values.size(); k-- > 0;) squares[k] = squares[k + 1] + (is_mode(k) ? components[k] * components[k] : 0);
   return squares;
 }
 
@@ -64,6 +67,13 @@ TEST(LeaveOneOut, WhereTheShapeHasNothingOfAMode) {
   }
   EXPECT_EQ(left_out_distances(values, Eigen::VectorXd::Zero(10), 11), Eigen::VectorXd::Zero(11));
   EXPECT_EQ(left_out_distances({}, {}, 11), Eigen::VectorXd::Zero(1));
+}
+
+// Three shapes on a line, two of them the same: those have no mode, and the third keeps its whole distance of 3/2 |z|.
+TEST(LeaveOneOut, WhereTheOthersDoNotVary) {
+  const Eigen::VectorXd squares = left_out_distances(Eigen::VectorXd{{6}}, Eigen::VectorXd{{2}}, 3);
+  ASSERT_EQ(squares.size(), 2);
+  for (const double square : squares) EXPECT_NEAR(square, 9, 1e-12);
 }
 
 // Of equal eigenvalues, one combination of the modes holds all of the shape, and the others stay. What modes leave is known where

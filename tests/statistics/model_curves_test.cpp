@@ -89,6 +89,29 @@ TEST(ModelCurves, AreTheirDefinitions) {
   expect_definitions(random_sets(3, 7, 3, 6), 1e-10);
 }
 
+// The others then have a mode fewer than all, but for the two that are the same.
+TEST(ModelCurves, WhereAShapeIsThereTwice) {
+  PointSets sets = random_sets(3, 7, 8, 3, 2);
+  sets.coordinates.col(5) = sets.coordinates.col(2);
+  ASSERT_EQ(fit_shape_model(sets, uniform_weights(7)).variances.size(), 6);
+  expect_definitions(sets, 1e-7);
+  EXPECT_GT(model_curves(sets, uniform_weights(7), 1, 1).generalisation.back(), 0.1);
+}
+
+// Seven shapes on a line and one beside it. Of the first seven one mode leaves something as long as the eighth turns it, two leave
+// nothing; of the eighth its distance from the line stays, whatever the number of modes.
+TEST(ModelCurves, OfALineAndAShapeBesideIt) {
+  PointSets sets = random_sets(3, 6, 8, 3);
+  const Eigen::VectorXd weights = uniform_weights(6), start = sets.coordinates.col(0), outlier = sets.coordinates.col(7);
+  const Eigen::VectorXd direction = sets.coordinates.col(1).normalized();
+  for (Eigen::Index i = 0; i < 7; ++i) sets.coordinates.col(i) = start + static_cast<double>(i) * direction;
+  expect_definitions(sets, 1e-7);
+  const Eigen::VectorXd from_line = outlier - start - direction * direction.dot(outlier - start);
+  const ModelCurves curves = model_curves(sets, weights, 1, 1);
+  for (std::size_t m = 2; m <= 6; ++m)
+    EXPECT_NEAR(curves.generalisation[m - 1], distance(from_line, Eigen::VectorXd::Zero(18), weights) / 8, 1e-7);
+}
+
 TEST(ModelCurves, OfAFamilyWithTwoModes) {
   const testing::BoxFamily family = testing::box_family(3, 10);
   const ModelCurves curves = model_curves(family.shapes(prescribed_scores(12, {0.09, 0.01})), family.weights, 50, 1);

@@ -77,6 +77,38 @@ TEST(Curvature, OfAnEllipsoidHasItsGaussianAndMeanCurvature) {
   }
 }
 
+// A sphere whose caps are fans of n long triangles. All vertices of a fan's border are within two rings of each other, and the curvature
+// is one of the place nonetheless: it does not change to the bit where the other side of the sphere does.
+TEST(Curvature, BesideAVertexOfVeryManyEdges) {
+  constexpr Index n = 1000, n_rows = 3;
+  Surface<3> s;
+  for (Index row = 0; row < n_rows; ++row)
+    for (Index k = 0; k < n; ++k) {
+      const double latitude = 0.05 * (row - n_rows / 2), longitude = 2 * std::numbers::pi * k / n;
+      s.vertices.emplace_back(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+    }
+  const auto south = static_cast<Index>(s.vertices.size()), north = south + 1;
+  s.vertices.emplace_back(0, 0, -1);
+  s.vertices.emplace_back(0, 0, 1);
+  for (Index k = 0; k < n; ++k) {
+    const Index next = (k + 1) % n, top = (n_rows - 1) * n;
+    for (Index row = 0; row + 1 < n_rows; ++row) {
+      s.facets.push_back({row * n + k, row * n + next, (row + 1) * n + next});
+      s.facets.push_back({row * n + k, (row + 1) * n + next, (row + 1) * n + k});
+    }
+    s.facets.push_back({south, next, k});
+    s.facets.push_back({north, top + k, top + next});
+  }
+  const Surface<3> other = mapped<3>(s, [](const Vec<3>& x) { return Vec<3>(x.x() < -0.5 ? 1.5 * x : x); });
+  const auto curvatures = vertex_curvatures(s), of_other = vertex_curvatures(other);
+  for (Index v = 0; v < n_rows * n; ++v) {
+    if (s.vertices[v].x() < 0.5) continue;
+    expect_orthonormal(curvatures[v]);
+    ASSERT_EQ(curvatures[v].k1, of_other[v].k1) << v;
+    ASSERT_EQ(curvatures[v].k2, of_other[v].k2) << v;
+  }
+}
+
 TEST(Curvature, IsNotANumberWhereThereAreTooFewVertices) {
   Surface<3> s = unit_sphere(0);
   s.vertices.emplace_back(5, 5, 5);

@@ -66,6 +66,37 @@ TEST(Mask, LossOfThinPartsIsSaid) {
   EXPECT_TRUE(mask(pgm(60, 60, [](double x, double y) { return in_disc(x, y, 30, 30, 15); })).notes.empty());
 }
 
+// Of two tones the brighter one is the shape: the same to the bit, and no part is said to have gone.
+TEST(Mask, TwoTonesNeedNotBeBlackAndWhite) {
+  const auto disc = [](double dark, double bright) {
+    return mask(pgm(60, 60, [=](double x, double y) { return in_disc(x, y, 30, 30, 15) > 0 ? bright : dark; }));
+  };
+  const Shape<2> expected = disc(0, 1);
+  for (const auto& [dark, bright] : {std::pair{0.0, 0.6}, {0.3, 0.7}, {0.0, 1.0 / 255}, {0.6, 0.9}}) {
+    const Shape<2> shape = disc(dark, bright);
+    EXPECT_EQ(shape.surface.vertices, expected.surface.vertices) << dark << " " << bright;
+    EXPECT_TRUE(shape.notes.empty()) << dark << " " << bright;
+  }
+  EXPECT_TRUE(contains(input_error_of([&] { disc(0.4, 0.4); }), "no pixel is brighter than half"));
+}
+
+// 24 x 24 pixels, a red disc of radius 8 on blue, whose luminances are 0.5 and 0.3.
+TEST(Mask, ColoursAreTonesByTheirLuminance) {
+  const std::string_view digits =
+      "89504e470d0a1a0a0000000d49484452000000180000001808020000006f15aaaf0000003d4944415478da636060f84f2534"
+      "220dc2a296548308584da441447983a0412404093d0c22399e460d1a04060dbe7444cd2c42cd4c4bcd6264b4cc464600277d"
+      "3ddf84af51630000000049454e44ae426082";
+  std::string png;
+  for (std::size_t k = 0; k < digits.size(); k += 2)
+    png.push_back(static_cast<char>(std::stoi(std::string(digits.substr(k, 2)), nullptr, 16)));
+  const GreyImage image = read_png("a.png", png);
+  EXPECT_NEAR(image.at(12, 12), 0.5, 0.01);
+  EXPECT_NEAR(image.at(0, 0), 0.3, 0.01);
+  const Shape<2> shape = mask(png, "a.png");
+  EXPECT_NEAR(area(shape.surface) / 208, 1, 0.02) << "as many pixels are red";
+  EXPECT_TRUE(shape.notes.empty());
+}
+
 TEST(Mask, TextAndSixteenBitFormsAgree) {
   const auto half_plane = [](int column, int row) { return column > 3 && column < 12 && row > 2 && row < 9; };
   std::string text = "P2 16 12 # comment\n7\n", wide = "P5 16 12 65535\n", narrow = "P5 16 12 1\n";

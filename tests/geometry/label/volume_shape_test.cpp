@@ -48,6 +48,7 @@ TEST(VolumeShape, ABallHasItsVolumeItsPlaceAndNoStairs) {
     EXPECT_TRUE(has_note(shape, "everything above 0: "));
     EXPECT_TRUE(has_note(shape, "from the voxels' boundary on average"));
     EXPECT_TRUE(has_note(shape, "its volume 1.00 times theirs") || has_note(shape, "its volume 0.99 times theirs")) << shape.notes[0];
+    EXPECT_FALSE(has_note(shape, "the surface has only"));
   }
 }
 
@@ -128,6 +129,21 @@ TEST(VolumeShape, LargeLabelsAreTakenInBlocks) {
   }));
   EXPECT_TRUE(has_note(shape, "blocks of 4 x 1 x 1 voxels are taken as one"));
   EXPECT_NEAR(volume(shape.surface) / (16.0 / 3 * std::numbers::pi * 6.5 * 6.5 * 6.5), 1, 0.03);
+}
+
+// Sheets across the long axis: no block of 4 x 1 x 1 voxels is more than half full, and most are too empty for any level.
+TEST(VolumeShape, TheLossOfThinPartsInBlocksIsSaid) {
+  const Shape<3> shape = shape_of(volume_of(grid_over({0, 0, 0}, {0.1, 1, 1}, {600, 48, 16}), [](const Vec<3>& x) {
+    const double i = std::round(10 * x[0]);
+    const bool is_sheet = i == 20 || i == 580, is_thick = (i == 21 || i == 581) && x[1] < 8;
+    return x[1] > 3 && x[1] < 44 && x[2] > 3 && x[2] < 12 && (is_sheet || is_thick) ? 1.0 : 0.0;
+  }));
+  EXPECT_TRUE(has_note(shape, "blocks of 4 x 1 x 1 voxels are taken as one"));
+  EXPECT_FALSE(has_note(shape, "nan")) << shape.notes[0];
+  const double n_voxels = 2 * 8 * 44, share = volume(shape.surface) / (0.1 * n_voxels);
+  EXPECT_LT(share, 0.8);
+  EXPECT_TRUE(has_note(shape, fmt::format("of a voxel, the surface has {:.2f} times their volume", share))) << shape.notes[0];
+  EXPECT_TRUE(has_note(shape, fmt::format("the surface has only {:.0f} % of the label's volume", 100 * share))) << shape.notes[1];
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "geometry/io/read_shape.h"
 #include "tests/geometry/io/files.h"
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
 namespace shellmatch::testing {
@@ -137,6 +139,20 @@ TEST(Outline, CrossingsAgreeWithBruteForceOnRandomOutlines) {
   }
   EXPECT_GT(n_crossing, 20);
   EXPECT_LT(n_crossing, 180);
+}
+
+// Triangles around one corner: their pairs would take time with the square of their number.
+TEST(Outline, ManyRingsMayMeetInAPointButNotAnyNumber) {
+  const auto star = [](int n) {
+    std::string text;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n, next = 2 * std::numbers::pi * (k + 0.5) / n;
+      text += fmt::format("0 0\n{} {}\n{} {}\n\n", std::cos(angle), std::sin(angle), std::cos(next), std::sin(next));
+    }
+    return text;
+  };
+  EXPECT_EQ(outline(star(1000)).original.polygons.size(), 1000u);
+  EXPECT_TRUE(contains(input_error_of([&] { outline(star(1001)); }), "the outline passes through (0, 0) more than 1000 times"));
 }
 
 }  // namespace

@@ -57,8 +57,7 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
   for (const double sign : {1.0, -1.0}) {
     oblique.axes.col(0) *= sign;
     write_volume(folder.path("q.nii"), volume_of(oblique, number_of_place), Existing::is_replaced);
-    std::ifstream file(folder.path("q.nii"), std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    std::string bytes = folder.read("q.nii");
     put<std::int16_t>(bytes, 254, 0);
     expect_equal(read_volume(folder.write("q.nii", bytes)).grid, oblique, 1e-5);
   }
@@ -79,18 +78,29 @@ TEST(VolumeFile, NamesItsUnit) {
   std::string bytes = nifti(volume);
   const auto unit_of_nifti = [&](char code) {
     bytes[123] = code;
-    return canonical(read_volume(folder.write("a.nii", bytes))).unit;
+    return canonical(read_volume(folder.write("a.nii", bytes))).grid.unit;
   };
   EXPECT_EQ(unit_of_nifti(0), "");
   for (const char code : {1, 2, 3, 10}) EXPECT_EQ(unit_of_nifti(code), "mm") << "metres and micrometres become millimetres, whatever the unit of time";
   const auto unit_of_nrrd = [&](const std::string& line) {
     std::string text = nrrd(volume, true);
     text.insert(text.find("encoding"), line);
-    return read_volume(folder.write("a.nrrd", text)).unit;
+    return read_volume(folder.write("a.nrrd", text)).grid.unit;
   };
   EXPECT_EQ(unit_of_nrrd(""), "");
   EXPECT_EQ(unit_of_nrrd("space units: \"um\" \"um\" \"um\"\n"), "um");
   EXPECT_EQ(unit_of_nrrd("space units: \"mm\" \"mm\" \"cm\"\n"), "");
+}
+
+// Whether gzip has compressed a file is what its first bytes say.
+TEST(VolumeFile, MayBeCompressedWhateverItsName) {
+  const TempFolder folder;
+  const Volume volume = volume_of(straight, number_of_place);
+  for (const auto& [written, renamed] : {std::pair{"a.nii.gz", "a.nii"}, {"b.nii", "b.nii.gz"}}) {
+    write_volume(folder.path(written), volume, Existing::is_kept);
+    std::filesystem::rename(folder.path(written), folder.path(renamed));
+    EXPECT_EQ(read_volume(folder.path(renamed)).values, volume.values) << renamed;
+  }
 }
 
 class RefusedVolume : public ::testing::Test {
@@ -140,8 +150,7 @@ TEST_F(RefusedVolume, ShortData) {
 
 TEST_F(RefusedVolume, DamagedCompression) {
   write_volume(folder.path("whole.nii.gz"), volume_of(straight, number_of_place), Existing::is_replaced);
-  std::ifstream file(folder.path("whole.nii.gz"), std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes = folder.read("whole.nii.gz");
   bytes.replace(10, 20, std::string(20, '\xff'));  // behind the header of gzip
   EXPECT_TRUE(contains(refusal("a.nii.gz", bytes), "its compressed data are damaged"));
 }
