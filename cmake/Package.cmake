@@ -20,7 +20,8 @@ set(link_options -s -Wl,--as-needed -Wl,-z,defs -Wl,-z,relro,-z,now)
 target_link_options(shellmatch_program PRIVATE ${link_options} -Wl,--version-script=${exports})
 target_link_options(shellmatch PRIVATE ${link_options})
 set_target_properties(shellmatch_program PROPERTIES LINK_DEPENDS ${exports} OUTPUT_NAME shellmatch SOVERSION ${PROJECT_VERSION})
-set_target_properties(shellmatch PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/shellmatch")
+# In the build tree, too, the library is found relative to the executable: installing replaces the path but not the space that it takes.
+set_target_properties(shellmatch PROPERTIES BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../lib/shellmatch")
 
 set(folder lib/shellmatch)
 if(SHELLMATCH_ARCHITECTURE MATCHES "^x86-64-v[234]$")

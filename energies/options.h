@@ -80,7 +80,7 @@ struct EnergyOptions {
     TermOptions::describe_factors(self.terms, visit);
     TermOptions::describe_models(self.terms, visit);
     visit("boundary", self.boundary, {.meaning = "neumann: the domain's boundary is free; dirichlet: phi = id there"});
-    visit("quadrature_order", self.quadrature_order, {.unit = "points per direction", .min = 1, .max = 5, .meaning = "Gauss points for minimising"});
+    visit("quadrature_order", self.quadrature_order, {.unit = "points per direction", .min = 1, .max = 5, .meaning = "Gauss points for minimising; reported energies take one more, at most 5"});
   }
 };
 

@@ -4,6 +4,7 @@
 #include "solvers/vector_ops.h"
 
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
@@ -29,6 +30,7 @@ Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double
 bool MinimizationRun::start(std::span<const double> x, std::span<double> gradient) {
   const Evaluation at = evaluate(x, gradient);
   if (!at.feasible) {
+    summary_.initial_value = summary_.final_value = std::numeric_limits<double>::quiet_NaN();
     finish(StopReason::cannot_evaluate_start, explained(monitor_.message(StopReason::cannot_evaluate_start), x));
     return false;
   }

@@ -26,7 +26,7 @@ struct StopOptions {
     visit("relative_decrease", self.relative_decrease,
           {.min = 0, .meaning = "stop when the value fell by less than this share of itself over `decrease_window` iterations"});
     visit("decrease_window", self.decrease_window,
-          {.unit = "iterations", .min = 0, .meaning = "number of iterations over which `relative_decrease` is measured; 0: 1 for Newton's method, 50 for the others, whose steps cost about a fiftieth"});
+          {.unit = "iterations", .min = 0, .meaning = "number of iterations over which `relative_decrease` is measured; 0: 1 for Newton's method, 50 for the others, whose steps cost about a fiftieth (minimize_with_fallback; Minimizer::minimize takes 0 as 1)"});
     visit("gradient_norm", self.gradient_norm,
           {.min = 0, .meaning = "stop when the gradient's norm in the chosen metric is at most this share of its first value"});
     visit("max_seconds", self.max_seconds, {.unit = "seconds", .min = 0, .meaning = "time limit for one minimisation; 0 means none"});
@@ -62,8 +62,9 @@ struct EnumNames<StopReason> {
 struct MinimizerSummary {
   StopReason reason = StopReason::max_iterations;
   std::string message;             ///< of the method, one line
-  double initial_value = 0, final_value = 0;
-  double initial_gradient_norm = 0, final_gradient_norm = 0;  ///< in the metric of the minimisation
+  double initial_value = 0, final_value = 0;  ///< NaN where the function cannot be evaluated at the start
+  /// In the metric of the minimisation; after a fallback the one in that of the first method, the other in that of the last.
+  double initial_gradient_norm = 0, final_gradient_norm = 0;
   int iterations = 0;
   long value_evaluations = 0, gradient_evaluations = 0;
   long linear_iterations = 0;          ///< of conjugate gradients, for the steps of Newton's method

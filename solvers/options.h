@@ -64,7 +64,7 @@ struct FletcherReevesOptions {
     visit("interpolation", self.interpolation, {.meaning = "how a step that was too long is shortened: by `contraction` (halving, the paper's), or to the minimum of a parabola or a cubic, kept within 0.1 to 0.8 of it"});
     visit("contraction", self.contraction, {.min = 0.01, .max = 0.95, .meaning = "factor on a step that is halved, or that leads to where the function cannot be evaluated"});
     visit("initial_step", self.initial_step, {.meaning = "first trial alpha of a line search: memory, the last one accepted times `step_growth`; slope, the same first-order change as in the last step (page 59) times `step_growth`; decrease, from the last decrease (3.60); curvature, the minimum if the function bends along the new direction as it did along the last; all but memory are kept within a tenth and ten times of the last one"});
-    visit("step_growth", self.step_growth, {.min = 1, .max = 100, .meaning = "factor of initial_step = memory and slope; 1 lets the step only shrink, as the paper's words can be read"});
+    visit("step_growth", self.step_growth, {.min = 1, .max = 100, .meaning = "factor of initial_step = memory and slope, and of curvature where the function has not bent upwards; 1 lets the step only shrink, as the paper's words can be read"});
     visit("first_step", self.first_step, {.unit = "length in the metric", .min = 0, .min_excluded = true, .meaning = "norm of the very first trial step"});
     visit("update", self.update, {.meaning = "beta: the paper's, or Polak and Ribiere's kept within plus and minus Fletcher and Reeves' (5.48)"});
     visit("restart_every", self.restart_every, {.unit = "iterations", .min = 0, .meaning = "restart with the steepest descent after so many iterations; 0 means never"});

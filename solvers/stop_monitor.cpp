@@ -39,7 +39,7 @@ std::string StopMonitor::message(StopReason reason) const {
                                                      options_.gradient_norm);
     case StopReason::relative_decrease:
       return fmt::format("the value fell by less than {:g} of itself over {} iterations",
-                         options_.relative_decrease, options_.decrease_window);
+                         options_.relative_decrease, window_.size() - 1);
     case StopReason::max_iterations:
       return fmt::format("{} iterations are done", options_.max_iterations);
     case StopReason::max_seconds:

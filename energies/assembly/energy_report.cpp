@@ -2,6 +2,8 @@
 
 #include "base/parallel.h"
 
+#include <limits>
+
 namespace shellmatch {
 
 namespace {
@@ -35,7 +37,10 @@ EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim
     report.is_evaluable = energy.report(phi, weights, report.values, report.band);
     return report;
   });
-  return {all.is_evaluable ? all.values : TermValues{}, all.band.means()};
+  EnergyReport result{all.values, all.band.means()};
+  if (!all.is_evaluable)
+    for (std::size_t t = 0; t < result.values.size(); ++t) result.values[t] = std::numeric_limits<double>::quiet_NaN();
+  return result;
 }
 
 template EnergyReport report_energy<2>(const Unknowns<2>&, const GeometryPair<2>&, const EnergyOptions&, double, int,

@@ -11,7 +11,7 @@
 namespace shellmatch {
 
 struct EnergyReport {
-  TermValues values;  ///< weighted values of the terms; zero where the energy cannot be evaluated
+  TermValues values;  ///< weighted values of the terms; NaN where the energy cannot be evaluated
   BandReport band;
 };
 

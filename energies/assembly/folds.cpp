@@ -21,9 +21,10 @@ std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> 
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const std::size_t begin = b * pack_size, n = batch.load_run(elements, phi, begin);
       const auto coefficients = bernstein_determinant<Dim>(batch.u.data());
-      Pack least = coefficients[0], at_corners = coefficients[0];
+      Pack least = coefficients[0], at_corners = coefficients[0], sum = coefficients[0];
       for (int i = 1; i < n_bernstein_total<Dim>; ++i) {
         least = least < coefficients[i] ? least : coefficients[i];
+        sum += coefficients[i];
         // The Bernstein coefficients at the cell's corners are the determinant's values there.
         constexpr int last = n_bernstein<Dim> - 1;
         bool corner = true;
@@ -34,8 +35,11 @@ std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> 
         least *= batch.inverse_side;
         at_corners *= batch.inverse_side;
       }
-      for (std::size_t lane = 0; lane < n; ++lane)
-        all[begin + lane] = {at_corners[static_cast<int>(lane)], least[static_cast<int>(lane)]};
+      for (std::size_t l = 0; l < n; ++l) {
+        const int lane = static_cast<int>(l);
+        // Comparisons lose NaN, sums do not.
+        all[begin + l] = std::isnan(sum[lane]) ? DeterminantBounds{sum[lane], sum[lane]} : DeterminantBounds{at_corners[lane], least[lane]};
+      }
     }
   });
   return all;
@@ -50,8 +54,8 @@ FoldReport find_folds(std::span<const Element<Dim>> elements, std::span<const Ve
     const auto [smallest, bound] = bounds[e];
     report.min_determinant = std::min(report.min_determinant, smallest);
     report.lower_bound = std::min(report.lower_bound, bound);
-    report.n_uncertified_cells += bound <= 0;
-    if (smallest <= 0) {
+    report.n_uncertified_cells += !(bound > 0);
+    if (!(smallest > 0)) {
       ++report.n_folded_cells;
       report.folded_volume += std::pow(elements[e].side, Dim);
     }

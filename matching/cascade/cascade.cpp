@@ -11,6 +11,7 @@
 #include "matching/progress/process_info.h"
 
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 
@@ -64,6 +65,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     result.target_fields = at_nodes(geometry.target, grid);
   };
 
+  bool is_start = !(resume_after && resume_after->is_same_run);
   for (int level = schedule.min_level;; ++level) {
     const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
     if (resume_after && !resume_after->is_same_run && level == resume_after->level + 1) {
@@ -98,7 +100,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
         clock.start("set-up");
         LevelMinimisation<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr, observed);
         clock.start("minimisation");
-        result.levels.push_back(problem.minimise(level, result.phi, observer, result.interrupted));
+        result.levels.push_back(problem.minimise(level, result.phi, std::exchange(is_start, false), observer, result.interrupted));
         clock.start("report");
         problem.report(result.phi, result.levels.back());
         result.levels.back().memory_estimate = memory_estimate;

@@ -46,7 +46,7 @@ LevelStart LevelMinimisation<Dim>::start_of(int level) const {
 }
 
 template <int Dim>
-LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted) {
+LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& phi, bool is_start, Observer& observer, bool& interrupted) {
   LevelResult result;
   LevelStart& start = result.start;
   start = start_of(level);
@@ -75,6 +75,8 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
         stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
+      const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
+      if (is_refused && is_start && start.substep == 1) refuse_start(level, phi, weights, result.last.message);
     }
     const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
     s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
@@ -129,7 +131,6 @@ std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& star
         observer.note(result.fallbacks.back());
       });
   if (result.last.reason == StopReason::cannot_evaluate_start) {
-    if (start.level == options_.cascade.min_level && start.substep == 1) refuse_start(start.level, phi, weights, result.last.message);
     result.fallbacks.push_back(fmt::format("level {}, step {}: {}; phi stays as it is", start.level, start.substep,
                                            result.last.message));
     observer.note(result.fallbacks.back());

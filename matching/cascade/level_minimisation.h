@@ -28,9 +28,10 @@ class LevelMinimisation {
   LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
                     const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed);
 
-  /// All steps of the schedule of `level`. \param interrupted set where the observer ends it
-  /// \throws InputError where the energy of the very first phi is no finite number
-  LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, Observer& observer, bool& interrupted);
+  /// All steps of the schedule of `level`. \param is_start phi has not been minimised on any level
+  /// \param interrupted set where the observer ends it
+  /// \throws InputError where is_start and the energy of phi is no finite number
+  LevelResult minimise(int level, std::vector<Vec<Dim>>& phi, bool is_start, Observer& observer, bool& interrupted);
 
   /// Adds the energy by a finer quadrature, the measures of the band and the folds to the result of minimise().
   void report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const;

@@ -140,7 +140,11 @@ void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, 
     context.level.hessian.apply(x, hx);
     context.level.hessian.apply(y, hy);
     const double xhx = dot(x, hx), yhy = dot(y, hy), size = std::sqrt(std::abs(xhx * yhy));
-    if (!(dot(hx, hx) > 0)) continue;
+    if (!std::isfinite(dot(hx, hx)) || !std::isfinite(dot(hy, hy))) {
+      check.faults.push_back("the Newton model is not finite");
+      return;
+    }
+    if (dot(hx, hx) == 0) continue;
     result.asymmetry = std::max(result.asymmetry, std::abs(dot(x, hy) - dot(y, hx)) / size);
     result.least_quotient = std::min(result.least_quotient, xhx / std::sqrt(dot(x, x) * dot(hx, hx)));
   }

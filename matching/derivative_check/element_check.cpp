@@ -10,14 +10,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
 namespace {
 
+/// The magnitude, infinite for NaN, which comparisons do not see.
+double magnitude(double x) { return std::isnan(x) ? std::numeric_limits<double>::infinity() : std::abs(x); }
+
 double largest(std::span<const double> v) {
   double m = 0;
-  for (const double x : v) m = std::max(m, std::abs(x));
+  for (const double x : v) m = std::max(m, magnitude(x));
   return m;
 }
 
@@ -56,8 +60,8 @@ class ElementComparison {
       // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size only.
       const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
       double difference = 0;
-      for (int i = 0; i < n; ++i) difference = std::max(difference, std::abs(by_jets_[e][i] - assembled(e)[i]));
-      error_[e] = difference == 0 ? 0 : difference / tolerance;
+      for (int i = 0; i < n; ++i) difference = std::max(difference, magnitude(by_jets_[e][i] - assembled(e)[i]));
+      error_[e] = difference == 0 ? 0 : magnitude(difference / tolerance);
     }, 16);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       if (largest(by_jets_[e]) > 0 || largest(assembled(e)) > 0) acting_.push_back(e);
@@ -84,7 +88,7 @@ class ElementComparison {
     double difference = 0;
     for (std::size_t i = 0; i < term_.gradient.size(); ++i) {
       const std::size_t at = static_cast<std::size_t>(grid.free_index(nodes[i / Dim])) * Dim + i % Dim;
-      difference = std::max(difference, std::abs(free[at] - term_.gradient[i]));
+      difference = std::max(difference, magnitude(free[at] - term_.gradient[i]));
     }
     const double natural = *std::max_element(natural_.begin(), natural_.end());
     check_.value_error = std::abs(value - term_.value) / std::max(std::abs(value), 1e-6 * size);
@@ -122,8 +126,8 @@ class ElementComparison {
       check_.n_elements_near_faces += found[k].near_face;
       check_.n_elements_with_kinks += found[k].kink;
       check_.n_differenced += !found[k].near_face;
-      if (found[k].error > check_.difference_error) {
-        check_.difference_error = found[k].error;
+      if (const double error = magnitude(found[k].error); error > check_.difference_error) {
+        check_.difference_error = error;
         worst_by_differences_ = chosen[k];
       }
     }

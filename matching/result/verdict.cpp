@@ -1,5 +1,7 @@
 #include "matching/result/verdict.h"
 
+#include "solvers/minimizer.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -99,7 +101,7 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
                  "look at the pictures; the parts may belong to different limbs", "", {}});
   if (summary.angle_distortion && summary.angle_distortion->p95)
     reasons.add(*summary.angle_distortion->p95, turned_angles,
-                {fmt::format("angles on a twentieth of the surface change by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
+                {fmt::format("directions on a twentieth of the surface turn by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
                  "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
     const double factor = std::max(*area->p95, 1 / *area->p5);
@@ -125,6 +127,9 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
                     "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
     reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks or other starts (docs/alignment.md)", "", {}});
+  if (!summary.levels.empty() && summary.levels.back().stop_reason == enum_name(StopReason::cannot_evaluate_start))
+    reasons.look({fmt::format("nothing was minimised on level {}: {}", summary.levels.back().level, summary.levels.back().stop_message),
+                  "other weights (energy.*) or levels may help", "", {}});
   if (summary.interrupted)
     reasons.look({"the run was stopped before its last level", "the same command goes on", "", {}});
 }

@@ -31,7 +31,10 @@ class LibraryRun {
   /// True if the library must stop: the run is over, the time limit is reached, or an exception was thrown.
   bool halted() const { return run_.over() || exception_ || run_.out_of_time(); }
 
-  /// Number of evaluations since the best point was found.
+  /// Call before the library is started once more from the best point.
+  void begin_again() { stalled_ = 0; }
+
+  /// Number of evaluations since the best point was found, or since begin_again().
   int stalled_evaluations() const { return stalled_; }
 
   double best_value() const { return best_.value; }

@@ -109,6 +109,7 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
     nlopt_set_min_objective(opt.get(), evaluate, &context);
     if (options_.vector_storage > 0)
       nlopt_set_vector_storage(opt.get(), static_cast<unsigned>(options_.vector_storage));
+    run.begin_again();
     point = run.best_x();
     const double before = run.best_value();
     double value = before;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "solvers/metric/metric.h"
+#include "solvers/stop_monitor.h"
 
 namespace shellmatch {
 
@@ -89,6 +90,8 @@ MinimizerSummary minimize_with_fallback(const SolverOptions& options, Objective&
                                           enum_name(s.reason), s.message, names[i + 1]));
     if (announce) announce(total.fallbacks.back());
   }
+  // Its own message names what the methods before it had left of a limit.
+  if (total.reason == StopReason::max_iterations || total.reason == StopReason::max_seconds) total.message = StopMonitor(stop).message(total.reason);
   return total;
 }
 

@@ -4,6 +4,12 @@
 
 namespace shellmatch {
 
+namespace {
+
+constexpr double most_damping = 1e30;  // damping is kept in single precision
+
+}  // namespace
+
 std::span<const float> StepRegularisation::next_damping() {
   n_of_step_ = 0;
   for (float& factor : damping_) factor *= static_cast<float>(options_.regularisation_decay);
@@ -20,7 +26,7 @@ bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<c
   for (RegionDamping& region : regions) {
     float& factor = damping_[region.region];
     // To begin with, as stiff as the region is already.
-    const double next = std::max(options_.regularisation_growth * static_cast<double>(factor), region.factor);
+    const double next = std::min(std::max(options_.regularisation_growth * static_cast<double>(factor), region.factor), most_damping);
     region.factor = next - static_cast<double>(factor);
     factor = static_cast<float>(next);
   }

@@ -1,6 +1,7 @@
 // Runs that begin with the map of an earlier one.
 
 #include "base/error.h"
+#include "energies/terms/term_names.h"
 #include "matching/experiment/yaml_options.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/summary.h"
@@ -125,6 +126,16 @@ TEST_F(StartMap, WhatContradictsTheMapIsRefused) {
   o.align.direction = MatchDirection::forward;
   o.input.placement = PlacementKind::as_is;
   expect_input_error([&] { run(o, "out"); }, {"start.map", "first", "leave out input.placement"});
+}
+
+TEST_F(StartMap, AnEnergyThatIsNotFiniteIsRefusedAsInAnyRun) {
+  run(options("generate:circle", "generate:ellipse/long", 4), "first");
+  ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 5);
+  o.start.map = folder / "first";
+  o.energy.terms.factor("membrane"_term) = 1e308;
+  o.energy.delta = 100;
+  expect_input_error([&] { run(o, "second"); }, {"level 5", "the energy cannot be evaluated", "membrane"});
+  EXPECT_FALSE(fs::exists(folder / "second"));
 }
 
 }  // namespace

@@ -60,5 +60,12 @@ TEST(StopMonitor, NamesTheRuleWithItsNumber) {
   EXPECT_NE(monitor.message(StopReason::relative_decrease).find("0.25"), std::string::npos);
 }
 
+TEST(StopMonitor, AWindowOfZeroIsOneAndIsCalledSo) {
+  StopMonitor monitor({.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 0, .gradient_norm = 0});
+  EXPECT_EQ(monitor.check(record(0, 100, 1)), std::nullopt);
+  EXPECT_EQ(monitor.check(record(1, 95, 1)), StopReason::relative_decrease);
+  EXPECT_EQ(monitor.message(StopReason::relative_decrease), "the value fell by less than 0.1 of itself over 1 iterations");
+}
+
 }  // namespace
 }  // namespace shellmatch

@@ -100,7 +100,7 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   folded[grid.cell(grid.leaves().back()).nodes[0]].array() += 0.2;
   const EnergyReport none =
       report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, folded, weights);
-  EXPECT_EQ(none.values.sum(), 0);
+  for (const double value : none.values) EXPECT_TRUE(std::isnan(value));
   EXPECT_GT(none.band.normal_angle, 0) << "but the band can be looked at";
 }
 

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace shellmatch {
 namespace {
 
@@ -146,6 +149,23 @@ TYPED_TEST(Folds, SubdivisionNeverLowersTheBound) {
       prolongate(grid, n_old, nodal);
     }
   }
+}
+
+TYPED_TEST(Folds, WhatIsNoNumberIsNotCertified) {
+  constexpr int Dim = TypeParam::value;
+  const Octree<Dim> grid(3);
+  const Unknowns<Dim> unknowns(grid, BoundaryCondition::neumann);
+  const auto identity = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
+  ASSERT_EQ(find_folds<Dim>(unknowns.elements(), identity).n_uncertified_cells, 0);
+  const auto& nodes = unknowns.elements()[5].nodes;
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (int corner = 0; corner < n_corners<Dim>; ++corner) {
+      auto phi = identity;
+      phi[nodes[corner]][Dim - 1] = wrong;
+      const FoldReport report = find_folds<Dim>(unknowns.elements(), phi);
+      EXPECT_GE(report.n_uncertified_cells, 1) << wrong << " at corner " << corner;
+      EXPECT_TRUE(std::isnan(determinant_bounds<Dim>(unknowns.elements(), phi)[5].bound)) << wrong << " at corner " << corner;
+    }
 }
 
 }  // namespace

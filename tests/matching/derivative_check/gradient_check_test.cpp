@@ -202,5 +202,15 @@ TEST(GradientCheckReport, JsonSaysWhatTheTextSays) {
   EXPECT_NE(told(report).find("FAILED: membrane"), std::string::npos);
 }
 
+// Its matrix is kept in single precision.
+TEST(GradientCheck, AModelThatIsNotFiniteIsAFault) {
+  Setting<2> s;
+  for (std::size_t t = 0; t < s.weights.size(); ++t) s.weights[t] = 0;
+  s.weights["membrane"_term] = 1e40;
+  const GradientReport report = s.check(CheckedEnergy<2>(s.level));
+  EXPECT_FALSE(report.passed());
+  EXPECT_NE(told(report).find("the Newton model is not finite"), std::string::npos) << told(report);
+}
+
 }  // namespace
 }  // namespace shellmatch

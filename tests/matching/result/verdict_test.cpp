@@ -44,7 +44,7 @@ const std::vector<Case> cases = {
     {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2, "part of the template", places.template_shape},
     {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05, "% of the template is not reached", places.template_shape},
     {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface faces away", {}},
-    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 60, "angles on a twentieth", places.distorted},
+    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 60, "directions on a twentieth", places.distorted},
     {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor", places.distorted},
     {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
 };
@@ -96,7 +96,7 @@ TEST(Verdict, TheGravestReasonIsFirst) {
   s.angle_distortion->p95 = 70;
   const Verdict v = judge(s, places);
   ASSERT_EQ(v.reasons.size(), 2u);
-  EXPECT_NE(v.reasons[0].what.find("angles"), std::string::npos);
+  EXPECT_NE(v.reasons[0].what.find("directions"), std::string::npos);
 }
 
 TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
@@ -115,6 +115,17 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
     ASSERT_EQ(v.reasons.size(), 1u) << what;
     EXPECT_NE(v.reasons[0].what.find(what), std::string::npos) << v.reasons[0].what;
   }
+}
+
+TEST(Verdict, ALevelThatMinimisedNothingIsToBeLookedAt) {
+  MatchSummary s = good_summary();
+  s.levels.back().level = 6;
+  s.levels.back().stop_reason = "cannot_evaluate_start";
+  s.levels.back().stop_message = "the function cannot be evaluated at the start";
+  const Verdict v = judge(s, places);
+  EXPECT_EQ(v.outcome, "look-here");
+  ASSERT_EQ(v.reasons.size(), 1u);
+  EXPECT_EQ(v.reasons[0].what, "nothing was minimised on level 6: the function cannot be evaluated at the start");
 }
 
 TEST(Verdict, WhatWasMadeUpWeighsNothingAndIsNoReason) {

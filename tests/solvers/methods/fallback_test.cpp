@@ -129,6 +129,35 @@ TEST(Fallback, KeepsWithinTheLimits) {
   EXPECT_EQ(s.reason, StopReason::max_iterations);
 }
 
+TEST(Fallback, NamesTheLimitAsItWasGivenAndNotWhatWasLeftOfIt) {
+  SolverOptions options;
+  options.name = "fletcher_reeves";
+  options.fletcher_reeves.max_trials = 20;
+  options.fallback = {"lbfgs"};
+  options.lbfgs.max_trials = 20;
+  // The first method takes steps, meets a wall in all directions and gives up; then the wall falls.
+  struct LateWall final : Objective {
+    std::unique_ptr<testing::TestProblem> inner = testing::extended_rosenbrock(20);
+    int n_before = 20, n_blocked = 40;
+    std::vector<double> last;  // the last point that could be evaluated
+    std::size_t size() const override { return inner->size(); }
+    bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+      const bool is_free = --n_before > 0 || std::equal(x.begin(), x.end(), last.begin(), last.end()) || --n_blocked < 0;
+      if (is_free) last.assign(x.begin(), x.end());
+      return inner->evaluate(x, value, gradient) && is_free;
+    }
+  } problem;
+  StopOptions stop = thorough;
+  stop.max_iterations = 30;
+  std::vector<double> x = problem.inner->start();
+  const auto s = minimize_with_fallback(options, problem, x, stop);
+  ASSERT_EQ(s.fallbacks.size(), 1u);
+  ASSERT_EQ(s.fallbacks[0].find("after 0 iterations"), std::string::npos) << s.fallbacks[0];
+  ASSERT_EQ(s.reason, StopReason::max_iterations) << s.message;
+  EXPECT_EQ(s.iterations, 30);
+  EXPECT_EQ(s.message, "30 iterations are done");
+}
+
 /// No first-order method is done with it in fifty steps.
 struct SlowBowl final : Objective {
   std::size_t size() const override { return 400; }

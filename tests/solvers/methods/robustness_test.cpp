@@ -1,6 +1,7 @@
 // Starts that cannot be evaluated, empty problems, callers that stop, clocks, exceptions, threads.
 #include "base/parallel.h"
 #include "solvers/metric/metric.h"
+#include "solvers/options.h"
 #include "tests/support/test_problems.h"
 
 #include <gtest/gtest.h>
@@ -237,6 +238,23 @@ TEST(Economy, OurMethodsEvaluateLittleMoreThanOncePerStep) {
     const auto s = make_minimizer(options)->minimize(*problem, x, stop);
     EXPECT_LT(static_cast<double>(s.value_evaluations), 1.6 * s.iterations + 1) << name;
   }
+}
+
+// After a stall the library begins anew at the best point, with a whole allowance of evaluations that gain nothing.
+TEST(Nlopt, EvaluatesAgainAfterAStall) {
+  const auto run = [](int max_restarts) {
+    const auto problem = testing::extended_rosenbrock(20);
+    SolverOptions options;
+    options.name = "nlopt_mma";
+    options.nlopt.max_stalled_evaluations = 10;
+    options.nlopt.max_restarts = max_restarts;
+    std::vector<double> x = problem->start();
+    return make_minimizer(options)->minimize(*problem, x, {.max_iterations = 100000, .relative_decrease = 0, .gradient_norm = 0});
+  };
+  const MinimizerSummary first = run(0), second = run(1);
+  EXPECT_EQ(first.message, "NLopt: no lower value in max_stalled_evaluations evaluations (0 restarts)");
+  EXPECT_LE(second.final_value, first.final_value);
+  EXPECT_GE(second.value_evaluations, first.value_evaluations + 5);
 }
 
 }  // namespace
