@@ -93,6 +93,16 @@ TEST(Repair, CrossingPartsAreNotNested) {
   EXPECT_TRUE(has_note(result, "cross or touch"));
 }
 
+// Each facet of the second has a vertex within the first.
+TEST(Repair, APartWithATipOutsideIsNotNested) {
+  const std::vector<std::vector<Index>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  const OriginalShape<3> outer{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, faces, {}};
+  const OriginalShape<3> crossing{{{0.3, 0.1, 0.1}, {0.1, 0.3, 0.1}, {0.1, 0.1, 0.3}, {0.9, 0.9, 0.9}}, faces, {}};
+  OriginalShape<3> shape = outer;
+  append(shape, crossing);
+  EXPECT_NEAR(volume(mended(shape).surface), volume(mended(outer).surface) + volume(mended(crossing).surface), 1e-14);
+}
+
 TEST(Repair, SeamsAreWeldedAndTouchingPartsAreNot) {
   OriginalShape<3> loose;
   const OriginalShape<3> box = cube();
