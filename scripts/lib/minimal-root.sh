@@ -13,7 +13,7 @@ fail() {
 minutes() { awk -v s="$1" 'BEGIN { printf "%.1f min (%d s)", s / 60, s }'; }
 
 clean_up_root() {
-  for place in dev proc; do
+  for place in dev/pts dev proc; do
     if mountpoint -q "$root/$place"; then umount "$root/$place" || keep=1; fi
   done
   # Deletes nothing below a mount that could not be removed, such as the machine's own /dev.
@@ -68,6 +68,8 @@ make_root() {
   mkdir "$root/src"
   mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
   mountpoint -q "$root/dev" || mount --bind /dev "$root/dev"
+  # The pseudo-terminals that tests take are a file system of their own.
+  if mountpoint -q /dev/pts && ! mountpoint -q "$root/dev/pts"; then mount --bind /dev/pts "$root/dev/pts"; fi
 }
 
 inside() {

@@ -61,6 +61,16 @@ Shown run_on_terminal(Words words, unsigned short columns) {
   return shown;
 }
 
+struct Terminal : ::testing::Test {
+  // A root without /dev/pts has none.
+  void SetUp() override {
+    int terminal = -1, other_end = -1;
+    if (openpty(&terminal, &other_end, nullptr, nullptr, nullptr) != 0) GTEST_SKIP() << "no pseudo-terminal can be had here";
+    close(terminal);
+    close(other_end);
+  }
+};
+
 // What was written between two carriage returns or line ends.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> all(1);
@@ -72,7 +82,7 @@ std::vector<std::string> pieces(const std::string& text) {
 
 const std::string clear_to_end = "\x1b[K";
 
-TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
+TEST_F(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   const TemporaryFolder tmp;
   constexpr unsigned short columns = 50;
   const Shown shown = run_on_terminal({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7", "--align", "none",
@@ -97,7 +107,7 @@ TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   EXPECT_TRUE(shown.text.ends_with("\r\n")) << shown.text;
 }
 
-TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
+TEST_F(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   const TemporaryFolder tmp;
   const auto words = [&](const char* folder) {
     return Words{"match", "generate:leaf", "generate:leaf/shallow", "-o", tmp / folder, "--levels", "3:4", "--align", "none", "--set", "pictures=none", "--set",
@@ -111,7 +121,7 @@ TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   EXPECT_TRUE(has(elsewhere.err, "iteration 1: derivatives checked")) << elsewhere.err;
 }
 
-TEST(Terminal, VerboseSaysEveryIterationAndRewritesNothing) {
+TEST_F(Terminal, VerboseSaysEveryIterationAndRewritesNothing) {
   const TemporaryFolder tmp;
   const Shown shown = run_on_terminal({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:4", "--align", "none", "-v",
                                        "--set", "pictures=none", "--set", "report=false"}, 200);
