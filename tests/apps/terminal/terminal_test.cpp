@@ -9,8 +9,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 
 namespace shellmatch {
 namespace {
@@ -38,7 +40,10 @@ Shown run_on_terminal(Words words, unsigned short columns) {
     _exit(127);
   }
   Shown shown;
-  if (pid < 0) return shown;
+  if (pid < 0) {
+    ADD_FAILURE() << "no pseudo-terminal can be had (" << std::strerror(errno) << "); is /dev/pts mounted?";
+    return shown;
+  }
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60 * test::slowdown);
   std::array<char, 4096> buffer;
   pollfd ready{.fd = terminal, .events = POLLIN, .revents = 0};
@@ -61,16 +66,6 @@ Shown run_on_terminal(Words words, unsigned short columns) {
   return shown;
 }
 
-struct Terminal : ::testing::Test {
-  // A root without /dev/pts has none.
-  void SetUp() override {
-    int terminal = -1, other_end = -1;
-    if (openpty(&terminal, &other_end, nullptr, nullptr, nullptr) != 0) GTEST_SKIP() << "no pseudo-terminal can be had here";
-    close(terminal);
-    close(other_end);
-  }
-};
-
 // What was written between two carriage returns or line ends.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> all(1);
@@ -82,7 +77,7 @@ std::vector<std::string> pieces(const std::string& text) {
 
 const std::string clear_to_end = "\x1b[K";
 
-TEST_F(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
+TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   const TemporaryFolder tmp;
   constexpr unsigned short columns = 50;
   const Shown shown = run_on_terminal({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7", "--align", "none",
@@ -107,7 +102,7 @@ TEST_F(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   EXPECT_TRUE(shown.text.ends_with("\r\n")) << shown.text;
 }
 
-TEST_F(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
+TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   const TemporaryFolder tmp;
   const auto words = [&](const char* folder) {
     return Words{"match", "generate:leaf", "generate:leaf/shallow", "-o", tmp / folder, "--levels", "3:4", "--align", "none", "--set", "pictures=none", "--set",
@@ -121,7 +116,7 @@ TEST_F(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   EXPECT_TRUE(has(elsewhere.err, "iteration 1: derivatives checked")) << elsewhere.err;
 }
 
-TEST_F(Terminal, VerboseSaysEveryIterationAndRewritesNothing) {
+TEST(Terminal, VerboseSaysEveryIterationAndRewritesNothing) {
   const TemporaryFolder tmp;
   const Shown shown = run_on_terminal({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:4", "--align", "none", "-v",
                                        "--set", "pictures=none", "--set", "report=false"}, 200);
