@@ -1,5 +1,8 @@
 #include "grid/inverse/box_tree.h"
 
+// The R-tree includes a header of Boost's that tells every build that it is deprecated.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+
 #include <boost/geometry/algorithms/disjoint.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
