@@ -4,7 +4,7 @@
 
 namespace shellmatch::test {
 
-/// 1, or 20 with sanitizers (tests/CMakeLists.txt).
+/// 1, or 20 with sanitizers and in the preset `coverage` (tests/CMakeLists.txt).
 inline constexpr int slowdown = SHELLMATCH_SLOWDOWN;
 
 }  // namespace shellmatch::test
