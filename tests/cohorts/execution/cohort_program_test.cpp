@@ -142,6 +142,25 @@ TEST_F(CohortProgram, LandmarksAreCarriedBothWays) {
   EXPECT_TRUE(has(returned, "e2,elsewhere,")) << returned;
 }
 
+TEST_F(CohortProgram, LandmarksPullTheMatchingsUnlessTheyAreToBeCompared) {
+  write_cohort(2, "{}");
+  // e2's 'right' lies 0.2 radians further round than e1's.
+  write("p1.csv", "name,x,y\nright,1.02,0\n");
+  write("p2.csv", "name,x,y\nright,1.0193,0.1629\nelsewhere,0,-0.82\n");
+  write("table.csv", "file,landmarks\ne1.csv,p1.csv\ne2.csv,p2.csv\n");
+  const auto distance_with = [&](const std::string& use) {
+    EXPECT_EQ(cohort({"cohort.yaml", "-o", use, "-q", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set", "landmarks=" + use}).exit_code, 0);
+    std::istringstream lines(text_of(use + "/landmarks.csv"));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("e2,right")) return std::stod(line.substr(line.rfind(',') + 1));
+    ADD_FAILURE() << "e2's landmark was not carried";
+    return 0.0;
+  };
+  const double compared = distance_with("compare"), matched = distance_with("match");
+  EXPECT_GT(compared, 0.1);
+  EXPECT_LT(matched, compared / 2);
+}
+
 TEST_F(CohortProgram, AMirroredSubjectIsMatchedAsItsImage) {
   // A triangle without symmetry and its mirror image.
   write("a.csv", "x,y\n0,0\n2,0\n0.3,1\n");
