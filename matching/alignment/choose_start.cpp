@@ -34,7 +34,7 @@ class Choosing {
     if (close.size() > 1) among(close, choice);
     const Start<Dim>& best = starts_[choice.index];
     choice.is_doubtful = is_doubtful(best, choice.margin);
-    if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity)
+    if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity && !landmarks_confirm(best))
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
   }
@@ -42,9 +42,14 @@ class Choosing {
  private:
   // Landmarks say better than scores whether pairs are right: those all over the shape alone, those on one part of it that they are wrong.
   bool is_doubtful(const Start<Dim>& start, double margin) const {
+    if (landmarks_confirm(start)) return false;
     if (start.landmark_distance && *start.landmark_distance > most_landmark_distance) return true;
-    if (start.landmark_distance && landmarks_are_spread_) return false;
     return start.score > options_.doubtful_score || margin < options_.doubtful_margin;
+  }
+
+  // Landmarks all over the shape tell a turn by which it resembles itself from where it belongs.
+  bool landmarks_confirm(const Start<Dim>& start) const {
+    return landmarks_are_spread_ && start.landmark_distance && *start.landmark_distance <= most_landmark_distance;
   }
 
   std::vector<std::size_t> close_ones() const {

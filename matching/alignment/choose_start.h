@@ -54,7 +54,7 @@ struct StartChoice {
 /// Of the usable starts, tries the first and those whose scores are less than align.clear_margin times the least, if these are
 /// several. The start as the shapes lie is preferred by align.search.identity_preference, and by as much any other to a mirrored one. If another is chosen and not doubtful,
 /// the shapes as they lie are tried without pairs, too, with align.mode auto, and win unless it is better than that by half in
-/// energy or in the distance of the template.
+/// energy or in the distance of the template, or landmarks all over the template agree with it.
 template <int Dim>
 StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials);
 

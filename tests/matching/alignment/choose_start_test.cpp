@@ -100,6 +100,24 @@ TEST(ChooseStart, WhatLiesAsItBelongsStaysUnlessAnotherPoseIsClearlyBetter) {
   EXPECT_FALSE(choice_of<3>(boxes, {turned}, 2, quick()).as_it_lies);
 }
 
+TEST(ChooseStart, LandmarksAllOverTheShapeTellThatItDoesNotLieAsItBelongs) {
+  const ShapePair<3> boxes = generated<3>("sphere", "box/cube");
+  Start<3> turned;
+  turned.n_pairs = 100;
+  turned.score = 0.1;
+  turned.alignment.pose = half_turn(boxes, 0);
+  const auto as_it_lies = [&](double landmark_distance, bool landmarks_are_spread) {
+    turned.landmark_distance = landmark_distance;
+    Observer quiet;
+    const std::vector<Landmark<3>> no_landmarks;
+    const ExperimentOptions options = quick();
+    Trials<3> trials(boxes, no_landmarks, options, quiet);
+    return choose_start<3>({{turned}, 2, landmarks_are_spread}, options.align, trials).as_it_lies;
+  };
+  EXPECT_FALSE(as_it_lies(0.05, true));
+  EXPECT_TRUE(as_it_lies(0.05, false)) << "those on one part do not";
+}
+
 /// A start in the plane that is as good as its score says, of the shapes as they lie.
 Start<2> scored(double score, std::size_t n_pairs = 100) {
   Start<2> start;
