@@ -61,11 +61,12 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
 }
 
 template <int Dim>
-StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin, const ExperimentOptions& options) {
+StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin, const ExperimentOptions& options,
+                      bool landmarks_are_spread = false) {
   Observer quiet;
   const std::vector<Landmark<Dim>> no_landmarks;
   Trials<Dim> trials(shapes, no_landmarks, options, quiet);
-  return choose_start<Dim>({starts, margin}, options.align, trials);
+  return choose_start<Dim>({starts, margin, landmarks_are_spread}, options.align, trials);
 }
 
 TEST(ChooseStart, TheEnergyChoosesAmongScoresThatAreClose) {
@@ -108,11 +109,7 @@ TEST(ChooseStart, LandmarksAllOverTheShapeTellThatItDoesNotLieAsItBelongs) {
   turned.alignment.pose = half_turn(boxes, 0);
   const auto as_it_lies = [&](double landmark_distance, bool landmarks_are_spread) {
     turned.landmark_distance = landmark_distance;
-    Observer quiet;
-    const std::vector<Landmark<3>> no_landmarks;
-    const ExperimentOptions options = quick();
-    Trials<3> trials(boxes, no_landmarks, options, quiet);
-    return choose_start<3>({{turned}, 2, landmarks_are_spread}, options.align, trials).as_it_lies;
+    return choice_of<3>(boxes, {turned}, 2, quick(), landmarks_are_spread).as_it_lies;
   };
   EXPECT_FALSE(as_it_lies(0.05, true));
   EXPECT_TRUE(as_it_lies(0.05, false)) << "those on one part do not";
@@ -166,11 +163,7 @@ TEST(ChooseStart, LandmarksTellWhetherPairsAreRight) {
   const auto is_doubtful = [&](double score, std::optional<double> landmark_distance, bool landmarks_are_spread) {
     Start<2> start = scored(score);
     start.landmark_distance = landmark_distance;
-    Observer quiet;
-    const std::vector<Landmark<2>> no_landmarks;
-    const ExperimentOptions options = quick();
-    Trials<2> trials(circles, no_landmarks, options, quiet);
-    return choose_start<2>({{start}, 5, landmarks_are_spread}, options.align, trials).is_doubtful;
+    return choice_of<2>(circles, {start}, 5, quick(), landmarks_are_spread).is_doubtful;
   };
   EXPECT_TRUE(is_doubtful(1.5, {}, false));
   EXPECT_FALSE(is_doubtful(1.5, 0.05, true));
