@@ -40,12 +40,12 @@ struct LandmarkOptions {
 
 /// Coverage: pairs of closest points of both shapes make the match two-sided.
 struct CoverageOptions {
-  int levels = 1;
-  double weight = 1;
+  int levels = 2;
+  double weight = 4;
   double loss_scale = 0.1;
   double point_distance = 0.3;
-  double tolerance = 2e-4;
-  int samples = 3000;
+  double tolerance = 3e-4;
+  int samples = 10000;
   int rounds = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {

@@ -120,6 +120,7 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   o.cascade.intermediate_decrease = 0;  // so that both converge alike on level 4
   o.cascade.coarse_sigma_cells = o.cascade.sigma_cells;  // and to the same
   o.coefficients.levels_ahead = 0;
+  o.coverage.levels = 1;  // none on level 4
   Steps steps;
   ExperimentOptions same = o;
   same.cascade.max_level = 4;

@@ -174,6 +174,7 @@ TEST(Resume, TheFolderSaysWhatItIsAndHoldsTheMap) {
   const TemporaryFolder tmp;
   ExperimentOptions fine = experiment();
   fine.coefficients.levels_ahead = 0;  // a level is then the same whatever the finest one is
+  fine.coverage.levels = 1;             // none on level 4
   stop_at(5, fine, tmp / "out");
   EXPECT_NE(contents_of(tmp / "out.unfinished/README.txt").find("The same command"), std::string::npos);
   EXPECT_TRUE(read_summary(tmp / "out.unfinished/summary.json").interrupted);
