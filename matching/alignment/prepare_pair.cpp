@@ -1,34 +1,86 @@
 #include "matching/alignment/prepare_pair.h"
 
 #include "matching/alignment/narrow_gaps.h"
+#include "matching/alignment/trial.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace shellmatch {
 
 namespace {
 
-template <int Dim>
-std::optional<DirectionSummary> chosen_direction(const ShapePair<Dim>& shapes, const ExperimentOptions& options, Observer& observer) {
-  const MatchDirection wanted = options.align.direction;
-  DirectionSummary d;
-  d.backward = wanted == MatchDirection::backward;
-  if (wanted != MatchDirection::automatic && align_mode(options) == AlignMode::none) return d.backward ? std::optional(d) : std::nullopt;
-  const double of_reference = narrow_gap_share(shapes.reference.surface), of_template = narrow_gap_share(shapes.template_shape.surface);
-  d.reference_gaps = of_reference;
-  d.template_gaps = of_template;
-  const std::string gaps = fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %)",
-                                       100 * of_reference, 100 * of_template);
-  if (!has_clearly_more_gaps(of_reference, of_template)) return d;
-  if (wanted == MatchDirection::automatic) {
-    d.backward = true;
-    observer.note(gaps + ": the template is deformed, and the inverse of that map carries the reference");
-  } else if (wanted == MatchDirection::forward) {
-    observer.note(gaps + ": the inverse of the map from template to reference may be more exact (--set align.direction=auto)");
+/// Keeps what is said of an alignment until it is known to be used.
+class DeferredNotes final : public Observer {
+ public:
+  explicit DeferredNotes(Observer& of_run) : of_run_(of_run) {}
+  void note(const std::string& text) override { notes_.push_back(text); }
+  void trial_iterated() override { of_run_.trial_iterated(); }
+  void tell() const {
+    for (const std::string& text : notes_) of_run_.note(text);
   }
-  return d;
+
+ private:
+  Observer& of_run_;
+  std::vector<std::string> notes_;
+};
+
+/// The deformed shape first.
+template <int Dim>
+void exchange(ShapePair<Dim>& shapes) { std::swap(shapes.reference, shapes.template_shape); }
+
+/// One of both directions, with all that the choice asks of it.
+template <int Dim>
+struct DirectedAlignment {
+  Alignment<Dim> alignment;
+  double distance;
+};
+
+/// \param shapes the deformed one first
+template <int Dim>
+DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+                             bool backward, Observer& observer) {
+  DirectedAlignment<Dim> result;
+  result.alignment = align_shapes(shapes, landmarks, options, observer, backward ? "template" : "reference");
+  const Trials<Dim> trials(shapes, landmarks, options, observer);
+  result.distance = trials.distance(result.alignment, backward ? Carried::template_shape : Carried::reference);
+  return result;
+}
+
+/// Both directions are tried on coarse levels; that after which the reference lies closer to the template is chosen, forward of equals.
+template <int Dim>
+Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+                                DirectionSummary& direction, Observer& observer) {
+  DeferredNotes of_forward(observer), of_backward(observer);
+  if (align_mode(options) != AlignMode::none) observer.stage("alignment");
+  DirectedAlignment<Dim> forward = tried(shapes, landmarks, options, false, of_forward);
+  exchange(shapes);
+  DirectedAlignment<Dim> backward = tried(shapes, exchanged(landmarks), options, true, of_backward);
+  exchange(shapes);
+  direction.backward = backward.distance < forward.distance;
+  if (std::isfinite(forward.distance)) direction.forward_distance = forward.distance;
+  if (std::isfinite(backward.distance)) direction.backward_distance = backward.distance;
+  (direction.backward ? of_backward : of_forward).tell();
+  observer.note(fmt::format("direction: {}, as coarse levels bring the shapes to {:.2g} diagonals from each other, the other direction to {:.2g}",
+                            direction.backward ? "the template is deformed, and the inverse of that map carries the reference" : "the reference is deformed",
+                            std::min(forward.distance, backward.distance), std::max(forward.distance, backward.distance)));
+  return std::move(direction.backward ? backward : forward).alignment;
+}
+
+/// How near limbs lie to each other, which a user who has chosen no direction is told.
+template <int Dim>
+void compare_gaps(const ShapePair<Dim>& shapes, MatchDirection wanted, DirectionSummary& direction, Observer& observer) {
+  const double of_reference = narrow_gap_share(shapes.reference.surface), of_template = narrow_gap_share(shapes.template_shape.surface);
+  direction.reference_gaps = of_reference;
+  direction.template_gaps = of_template;
+  if (wanted == MatchDirection::forward && has_clearly_more_gaps(of_reference, of_template))
+    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the "
+                              "inverse of the map from template to reference may be more exact (--set align.direction=auto)",
+                              100 * of_reference, 100 * of_template));
 }
 
 }  // namespace
@@ -48,13 +100,19 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
                                Observer& observer) {
   PreparedPair<Dim> result;
   result.space = shapes.template_shape.original.space;
-  result.direction = chosen_direction(shapes, options, observer);
   if (!landmarks.empty()) check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
-  if (result.is_backward()) std::swap(shapes.reference, shapes.template_shape);
-  result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer,
-                                  result.is_backward() ? "template" : "reference");
+  const MatchDirection wanted = options.align.direction;
+  if (wanted != MatchDirection::forward || align_mode(options) != AlignMode::none) {
+    result.direction.emplace().backward = wanted == MatchDirection::backward;
+    if (align_mode(options) != AlignMode::none) compare_gaps(shapes, wanted, *result.direction, observer);
+  }
+  if (wanted == MatchDirection::automatic) result.alignment = choose_direction(shapes, landmarks, options, *result.direction, observer);
+  if (result.is_backward()) exchange(shapes);
+  if (wanted != MatchDirection::automatic)
+    result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer,
+                                    result.is_backward() ? "template" : "reference");
   result.placement = shapes.place(options, result.alignment.pose);
-  if (result.is_backward()) std::swap(shapes.reference, shapes.template_shape);
+  if (result.is_backward()) exchange(shapes);
   return result;
 }
 

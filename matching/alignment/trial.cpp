@@ -47,14 +47,15 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 
 }  // namespace
 
+// Calls measure(result of the cascade, M1, M2, what is known of both), in the unit domain. Returns whether it came so far.
 template <int Dim>
-Trial Trials<Dim>::operator()(const Alignment<Dim>& searched) const {
+template <class Measure>
+bool Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) const {
   const ExperimentOptions trial = trial_options(options_);
   Alignment<Dim> start = searched;
   // Energies are comparable only with the same weight of landmarks.
   if (start.landmark_trust) start.landmark_trust = 1;
   ShapePair<Dim> placed = shapes_;
-  Trial result;
   try {
     const Similarity<Dim> placement = placed.place(options_, start.pose);
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
@@ -63,18 +64,41 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& searched) const {
     TrialObserver silent(observer_);
     PhaseSeconds seconds;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
+    if (!std::isfinite(end.levels.back().minimised.sum())) return false;
+    measure(end, d1, d2, observed);
+    return true;
+  } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
+    return false;
+  }
+}
+
+template <int Dim>
+Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
+  Trial result;
+  run(start, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const TermValues& terms = end.levels.back().minimised;
-    const double with_pairs = terms.sum();
-    if (!std::isfinite(with_pairs)) return result;
-    result.with_pairs = with_pairs;
+    result.with_pairs = terms.sum();
     const std::vector<std::string>& names = end.levels.back().term_names;
     const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
-    result.energy = with_pairs - (alignment < names.size() ? terms[alignment] : 0);
+    result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
     result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2,
                                                   MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape))
                                    .figures.template_to_deformed.mean;
-  } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
-  }
+  });
+  return result;
+}
+
+template <int Dim>
+double Trials<Dim>::distance(const Alignment<Dim>& start, Carried carried) const {
+  double result = std::numeric_limits<double>::infinity();
+  run(start, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
+    const bool forward = carried == Carried::reference;
+    const Surface<Dim> moved = forward ? deformed_surface(d1.surface(), end.grid, end.phi) : inversely_deformed_surface(d2.surface(), end.grid, end.phi);
+    const MeasuredParts<Dim> parts = forward ? MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape)
+                                             : MeasuredParts<Dim>(observed.template_shape, d2.surface().vertices, observed.reference);
+    const auto figures = two_sided_distance(moved, forward ? d2 : d1, parts).figures;
+    result = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
+  });
   return result;
 }
 

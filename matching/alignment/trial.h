@@ -20,6 +20,9 @@ struct Trial {
   double template_distance = std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
 };
 
+/// Whose distance from the other shape is measured at the end of a trial: phi(M1), or what the inverse of phi makes of M2.
+enum class Carried { reference, template_shape };
+
 /// Tries starts of one matching. Everything given must outlive this object.
 template <int Dim>
 class Trials {
@@ -30,10 +33,15 @@ class Trials {
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
+  /// Sum of the mean distances both ways between a carried shape and the other one, in diagonals of the latter; infinite as above.
+  double distance(const Alignment<Dim>& start, Carried carried) const;
   /// Of the shapes as they lie, without pairs; tried once.
   const Trial& as_they_lie();
 
  private:
+  template <class Measure>
+  bool run(const Alignment<Dim>& start, const Measure& measure) const;
+
   const ShapePair<Dim>& shapes_;
   const std::vector<Landmark<Dim>>& landmarks_;
   const ExperimentOptions& options_;

@@ -88,6 +88,8 @@ struct AlignmentSummary {
 struct DirectionSummary {
   bool backward = false;
   std::optional<double> reference_gaps = {}, template_gaps = {};
+  /// With align.direction auto: sum of the mean distances both ways after a trial of each direction, in diagonals; none where it failed.
+  std::optional<double> forward_distance = {}, backward_distance = {};
 };
 
 /// Figures that differ between runs of the same experiment.

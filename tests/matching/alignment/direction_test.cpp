@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
 #include "matching/experiment/generated_source.h"
+#include "matching/alignment/trial.h"
 #include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_shapes.h"
@@ -157,7 +158,7 @@ TEST(MatchBackward, DerivativesAreCheckedWhereTheMatchingEnded) {
   EXPECT_NE(told.find("align.direction"), std::string::npos) << told;
 }
 
-TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {
+TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
   const auto direction_of = [](const Shape<2>& reference, const Shape<2>& target, MatchDirection wanted, Words& notes) {
     ShapePair<2> pair{reference, target};
     ExperimentOptions o = options_to(4, wanted);
@@ -165,14 +166,60 @@ TEST(ChooseDirection, DeformsTheShapeWhoseLimbsAreApart) {
     const PreparedPair<2> prepared = prepare_pair(pair, {}, o, notes);
     EXPECT_EQ(pair.reference.original.vertices.size(), reference.original.vertices.size());
     EXPECT_EQ(pair.reference.original.vertices[60], reference.original.vertices[60]);  // in the order given
+    if (wanted == MatchDirection::automatic) {
+      const DirectionSummary& d = *prepared.direction;
+      EXPECT_TRUE(d.forward_distance && d.backward_distance);
+      EXPECT_EQ(d.backward, *d.backward_distance < *d.forward_distance);
+    } else {
+      EXPECT_FALSE(prepared.direction && prepared.direction->forward_distance);
+    }
     return prepared.is_backward();
   };
+  // Limbs that touch cannot be moved apart.
   Words notes;
   EXPECT_TRUE(direction_of(letter(0.04), letter(0.4), MatchDirection::automatic, notes));
-  EXPECT_NE(notes.all.find("the template is deformed"), std::string::npos) << notes.all;
+  EXPECT_NE(notes.all.find("direction: the template is deformed"), std::string::npos) << notes.all;
   EXPECT_FALSE(direction_of(letter(0.4), letter(0.04), MatchDirection::automatic, notes));
+  EXPECT_NE(notes.all.find("direction: the reference is deformed"), std::string::npos) << notes.all;
   EXPECT_TRUE(direction_of(letter(0.4), letter(0.04), MatchDirection::backward, notes));
   EXPECT_FALSE(direction_of(letter(0.04), letter(0.4), MatchDirection::forward, notes));
+}
+
+TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
+  const Similarity<2> by{20, Vec<2>(3, -7), Eigen::Rotation2Dd(1.2).toRotationMatrix()};
+  for (const bool first : {false, true}) {
+    ShapePair<2> pair{letter(first ? 0.04 : 0.4), moved(letter(first ? 0.4 : 0.04), by)}, same = pair;
+    Words notes, of_same;
+    const PreparedPair<2> chosen = prepare_pair(pair, {}, options_to(5, MatchDirection::automatic), notes);
+    const bool backward = chosen.is_backward();
+    const PreparedPair<2> asked = prepare_pair(same, {}, options_to(5, backward ? MatchDirection::backward : MatchDirection::forward), of_same);
+    EXPECT_EQ(chosen.alignment.pose.scale, asked.alignment.pose.scale);
+    EXPECT_EQ(chosen.alignment.pose.rotation, asked.alignment.pose.rotation);
+    EXPECT_EQ(chosen.alignment.pairs.size(), asked.alignment.pairs.size());
+    EXPECT_EQ(chosen.placement.scale, asked.placement.scale);
+    EXPECT_EQ(pair.reference.surface.vertices, same.reference.surface.vertices);
+    // In diagonals of the shape that is not carried, whatever its unit.
+    const DirectionSummary& d = *chosen.direction;
+    EXPECT_LT(std::max(*d.forward_distance, *d.backward_distance), 0.1);
+    // Nothing is said of the other direction's alignment.
+    EXPECT_EQ(notes.all.find("alignment: "), notes.all.rfind("alignment: ")) << notes.all;
+    EXPECT_NE(notes.all.find(backward ? "the template is turned" : "the reference is turned"), std::string::npos) << notes.all;
+  }
+}
+
+TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
+  // Of a circle that lies within an ellipse: the distance between both after each direction, in diagonals of the shape that is not carried.
+  const ShapePair<2> pair{generated<2>("circle"), generated<2>("ellipse/long")};
+  const ExperimentOptions o = options_to(5, MatchDirection::forward);
+  Observer quiet;
+  const Trials<2> trials(pair, {}, o, quiet);
+  const double carried = trials.distance({}, Carried::reference), inverse = trials.distance({}, Carried::template_shape);
+  EXPECT_LT(carried, 0.02);
+  EXPECT_LT(inverse, 0.05);
+  EXPECT_NE(carried, inverse);
+  Alignment<2> far;
+  far.pose.scale = 100;
+  EXPECT_FALSE(trials.distance(far, Carried::reference) < 0.1);
 }
 
 }  // namespace
