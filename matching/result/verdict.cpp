@@ -126,7 +126,7 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
       reasons.look({fmt::format("{} of the {}'s surface was made up to close it", percent_text(*shape->invented), name),
                     "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
-    reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks or other starts (docs/alignment.md)", "", {}});
+    reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks, or with the better of both directions (--set align.direction=auto; docs/alignment.md)", "", {}});
   if (!summary.levels.empty() && summary.levels.back().stop_reason == enum_name(StopReason::cannot_evaluate_start))
     reasons.look({fmt::format("nothing was minimised on level {}: {}", summary.levels.back().level, summary.levels.back().stop_message),
                   "other weights (energy.*) or levels may help", "", {}});
