@@ -39,7 +39,7 @@ struct AlignOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode, {.meaning = "none: the shapes begin as they lie; auto: pairs of points are found and used, unless they are doubtful or no better than none; nothing with input.placement: as-is; rigid, similarity: they are used whatever their score, and this motion of the reference is taken out first; landmarks: the similarity between the landmarks is taken out, nothing is searched"});
-    visit("direction", self.direction, {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of that map; auto: both are tried on coarse levels, and that which brings the shapes closer to each other is taken (docs/alignment.md)"});
+    visit("direction", self.direction, {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of that map; auto: both are tried on coarse levels, and backward is taken where it brings the shapes clearly closer to each other (docs/alignment.md)"});
     visit("weight", self.weight, {.min = 0, .meaning = "factor on the term of the pairs found, which weighs as landmarks do; 0: the pairs serve the pose alone"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is reached so closely does not pull, because it is no more exact; more where the shapes are far from isometric, twice as much for outlines"});
     visit("pose_gain", self.pose_gain, {.min = 1, .meaning = "with auto a pose is taken out only where it brings the pairs nearer by this factor, so that shapes which lie as they belong stay where they are"});

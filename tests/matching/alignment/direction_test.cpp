@@ -169,7 +169,7 @@ TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
     if (wanted == MatchDirection::automatic) {
       const DirectionSummary& d = *prepared.direction;
       EXPECT_TRUE(d.forward_distance && d.backward_distance);
-      EXPECT_EQ(d.backward, *d.backward_distance < *d.forward_distance);
+      EXPECT_EQ(d.backward, *d.backward_distance < 0.93 * *d.forward_distance);
     } else {
       EXPECT_FALSE(prepared.direction && prepared.direction->forward_distance);
     }
@@ -207,6 +207,20 @@ TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
   }
 }
 
+TEST(ChooseDirection, LandmarksAreThoseOfTheShapesAsGiven) {
+  const Similarity<2> by{20, Vec<2>(3, -7), Eigen::Rotation2Dd(1.2).toRotationMatrix()};
+  ShapePair<2> pair{letter(0.04), moved(letter(0.4), by)};
+  std::vector<Landmark<2>> landmarks;
+  for (std::size_t i = 0; i < pair.reference.original.vertices.size(); i += 20)
+    landmarks.push_back({std::to_string(i), pair.reference.original.vertices[i], pair.template_shape.original.vertices[i]});
+  ExperimentOptions o = options_to(4, MatchDirection::automatic);
+  o.align.mode = AlignMode::landmarks;
+  Words notes;
+  const PreparedPair<2> prepared = prepare_pair(pair, landmarks, o, notes);
+  EXPECT_TRUE(prepared.is_backward()) << notes.all;
+  for (const Landmark<2>& l : landmarks) EXPECT_LT((prepared.alignment.pose(l.on_template) - l.on_reference).norm(), 0.5) << l.name;
+}
+
 TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
   // Of a circle that lies within an ellipse: the distance between both after each direction, in diagonals of the shape that is not carried.
   const ShapePair<2> pair{generated<2>("circle"), generated<2>("ellipse/long")};
@@ -217,6 +231,7 @@ TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
   EXPECT_LT(carried, 0.02);
   EXPECT_LT(inverse, 0.05);
   EXPECT_NE(carried, inverse);
+  EXPECT_GT(carried, trials({}).template_distance);  // that, and the way back
   Alignment<2> far;
   far.pose.scale = 100;
   EXPECT_FALSE(trials.distance(far, Carried::reference) < 0.1);
