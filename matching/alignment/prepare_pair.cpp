@@ -54,6 +54,10 @@ DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Lan
   return result;
 }
 
+std::string reached(double distance) {
+  return std::isfinite(distance) ? fmt::format("bring the shapes to {:.2g} diagonals from each other", distance) : "cannot be tried";
+}
+
 /// Both directions are tried on coarse levels; backward is chosen where the reference lies clearly closer to the template after it.
 template <int Dim>
 Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
@@ -68,10 +72,11 @@ Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landma
   if (std::isfinite(forward.distance)) direction.forward_distance = forward.distance;
   if (std::isfinite(backward.distance)) direction.backward_distance = backward.distance;
   (direction.backward ? of_backward : of_forward).tell();
-  observer.note(fmt::format("direction: {}, as coarse levels bring the shapes to {:.2g} diagonals from each other, in the other direction to {:.2g}",
+  DirectedAlignment<Dim>&chosen = direction.backward ? backward : forward, &other = direction.backward ? forward : backward;
+  observer.note(fmt::format("direction: {}; coarse levels {}, in the other direction {}",
                             direction.backward ? "the template is deformed, and the inverse of that map carries the reference" : "the reference is deformed",
-                            (direction.backward ? backward : forward).distance, (direction.backward ? forward : backward).distance));
-  return std::move(direction.backward ? backward : forward).alignment;
+                            reached(chosen.distance), reached(other.distance)));
+  return std::move(chosen.alignment);
 }
 
 /// How near limbs lie to each other, which a user who has chosen no direction is told.

@@ -47,10 +47,10 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 
 }  // namespace
 
-// Calls measure(result of the cascade, M1, M2, what is known of both), in the unit domain. Returns whether it came so far.
+// Calls measure(result of the cascade, M1, M2, what is known of both), in the unit domain, unless this start is none.
 template <int Dim>
 template <class Measure>
-bool Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) const {
+void Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) const {
   const ExperimentOptions trial = trial_options(options_);
   Alignment<Dim> start = searched;
   // Energies are comparable only with the same weight of landmarks.
@@ -64,11 +64,8 @@ bool Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) co
     TrialObserver silent(observer_);
     PhaseSeconds seconds;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
-    if (!std::isfinite(end.levels.back().minimised.sum())) return false;
-    measure(end, d1, d2, observed);
-    return true;
-  } catch (const InputError&) {  // no place in the domain, or no finite energy: this start is none
-    return false;
+    if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed);
+  } catch (const InputError&) {  // no place in the domain, or no finite energy
   }
 }
 
