@@ -242,7 +242,7 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
            b'"uncertified_cells": 0, "folded_volume": 0}, "band": {"normal_angle": 1, "folded_share": 0}, "distance": {D}}], "gradient_checks": '
            b'[{"level": 3, "substep": 0, "iteration": 0, "passed": true, "failed_terms": ["a"], "worst_order": 2, "worst_functor_error": 0}], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
            b'"resumed_after": [3], "level_memory_estimates": [1], "level_memory_peaks": [1]}, "direction": {"backward": false, "reference_gaps": 0, '
-           b'"template_gaps": 0}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
+           b'"template_gaps": 0, "forward_distance": 1, "backward_distance": 0.5}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
            b'"pairs": 1, "doubtful": false, "as_it_lies": false}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
            b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1, "p5": 1, "p95": 1}')
 
