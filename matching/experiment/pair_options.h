@@ -41,10 +41,10 @@ struct LandmarkOptions {
 /// Coverage: pairs of closest points of both shapes make the match two-sided.
 struct CoverageOptions {
   int levels = 2;
-  double weight = 4;
+  double weight = 2;
   double loss_scale = 0.1;
   double point_distance = 0.3;
-  double tolerance = 3e-4;
+  double tolerance = 2e-4;
   int samples = 10000;
   int rounds = 1;
   template <class Self, class Visitor>
