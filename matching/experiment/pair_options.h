@@ -45,6 +45,7 @@ struct CoverageOptions {
   double loss_scale = 0.1;
   double point_distance = 0.3;
   double tolerance = 2e-4;
+  double coarse_tolerance = 0.5;
   int samples = 10000;
   int rounds = 1;
   template <class Self, class Visitor>
@@ -54,6 +55,7 @@ struct CoverageOptions {
     visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
     visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a sample of the template that is farther from the deformed reference pulls it towards itself, a nearer one along its normal only"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
+    visit("coarse_tolerance", self.coarse_tolerance, {.unit = "sides of the finest cells", .min = 0, .meaning = "on levels before the last a pair that is so close does not pull, either: coverage is there for parts that are not reached, and would hold the others where they lie"});
     visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that are large against cells and samples"});
     visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }

@@ -47,6 +47,7 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>
     : template_(&template_shape),
       options_(options),
       reference_(resolved(reference, side, options)),
+      side_(side),
       tolerance_(options.tolerance * bounding_box(template_shape.surface().vertices).diagonal()) {
   const auto most = static_cast<std::size_t>(options.samples);
   on_reference_ = sample_vertices<Dim>(reference_, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
@@ -105,7 +106,8 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
     parallel_for(result.pairs.size(), [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });
     std::erase_if(result.pairs, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });
   }
-  result.tolerance = tolerance_;
+  const bool is_coarse = grid.finest_side() > side_;
+  result.tolerance = is_coarse ? std::max(tolerance_, options_.coarse_tolerance * grid.finest_side()) : tolerance_;
   result.loss = RobustLoss::huber;
   result.scale = options_.loss_scale * grid.finest_side();
   return result;

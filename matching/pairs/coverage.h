@@ -22,14 +22,15 @@ class Coverage {
  public:
   /// Samples at most options.samples vertices of each shape, where it has data. Facets larger than samples are apart, and than cells, are
   /// subdivided before. \param reference, template_shape in the unit domain; the latter must outlive this object
-  /// \param side of the finest cells
+  /// \param side of the finest cells of the last level
   Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, double side, const CoverageOptions& options,
            const ObservedPair<Dim>& observed = {});
 
   /// Pairs for the present phi, weighted by the area that each sample stands for: each sample of M2 with the nearest point of phi(M1),
   /// and each of M1 with the point of M2 nearest to its image. They pull the point of M1 into the plane that touches M2 at the other
   /// point, or to that point itself where a sample of M2 is farther than options.point_distance. No pair is made where the nearest
-  /// part of the other shape faces away, which belongs to another limb or to the other side of this one.
+  /// part of the other shape faces away, which belongs to another limb or to the other side of this one. On a grid coarser
+  /// than that of the last level, options.coarse_tolerance counts where it is larger than options.tolerance.
   /// \param mask null where both shapes have data everywhere; else another factor on the weights, so that points near the edge of a gap,
   ///   whose counterpart may lie beyond it, weigh little here as in the match term
   PointPairs<Dim> pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask = nullptr) const;
@@ -43,6 +44,7 @@ class Coverage {
   CoverageOptions options_;
   Surface<Dim> reference_;
   std::vector<SurfaceSample<Dim>> on_reference_, on_template_;
+  double side_;       ///< of the finest cells of the last level
   double tolerance_;  ///< sides of the domain
 };
 

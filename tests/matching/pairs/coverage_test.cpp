@@ -31,6 +31,13 @@ void check_pairs(const std::string& name) {
   EXPECT_LE(same.pairs.size(), 602u);
   EXPECT_GT(same.pairs.size(), 300u);
   EXPECT_DOUBLE_EQ(same.tolerance, 0.125 * bounding_box(surface.vertices).diagonal());
+  // Half a cell on levels before the last, if that is more.
+  const double half = 0.5 / 32, diagonal = bounding_box(surface.vertices).diagonal();
+  options.tolerance = 0.001 / diagonal;
+  EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 64, options).pairs(grid, identity).tolerance, half);
+  EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 32, options).pairs(grid, identity).tolerance, 0.001);
+  options.tolerance = 0.125;
+  EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 64, options).pairs(grid, identity).tolerance, 0.125 * diagonal);
   EXPECT_EQ(same.loss, RobustLoss::huber);
   EXPECT_DOUBLE_EQ(same.scale, options.loss_scale / 32);
   double sum = 0;
