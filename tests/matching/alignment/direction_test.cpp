@@ -218,6 +218,8 @@ TEST(ChooseDirection, LandmarksAreThoseOfTheShapesAsGiven) {
   Words notes;
   const PreparedPair<2> prepared = prepare_pair(pair, landmarks, o, notes);
   EXPECT_TRUE(prepared.is_backward()) << notes.all;
+  EXPECT_NE(notes.all.find("the template is turned"), std::string::npos) << notes.all;
+  EXPECT_EQ(notes.all.find("the reference is turned"), std::string::npos) << notes.all;
   for (const Landmark<2>& l : landmarks) EXPECT_LT((prepared.alignment.pose(l.on_template) - l.on_reference).norm(), 0.5) << l.name;
 }
 
