@@ -55,7 +55,7 @@ DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Lan
 }
 
 std::string reached(double distance) {
-  return std::isfinite(distance) ? fmt::format("bring the shapes to {:.2g} diagonals from each other", distance) : "cannot be tried";
+  return std::isfinite(distance) ? fmt::format("{:.2g} diagonals", distance) : "unknown, as it cannot be tried";
 }
 
 /// Both directions are tried on coarse levels; backward is chosen where the reference lies clearly closer to the template after it.
@@ -73,7 +73,7 @@ Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landma
   if (std::isfinite(backward.distance)) direction.backward_distance = backward.distance;
   (direction.backward ? of_backward : of_forward).tell();
   DirectedAlignment<Dim>&chosen = direction.backward ? backward : forward, &other = direction.backward ? forward : backward;
-  observer.note(fmt::format("direction: {}; coarse levels {}, in the other direction {}",
+  observer.note(fmt::format("direction: {}; distance after coarse levels {}, in the other direction {}",
                             direction.backward ? "the template is deformed, and the inverse of that map carries the reference" : "the reference is deformed",
                             reached(chosen.distance), reached(other.distance)));
   return std::move(chosen.alignment);
