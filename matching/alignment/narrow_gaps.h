@@ -17,7 +17,7 @@ double narrow_gap_share(const Surface<Dim>& surface) {
   return narrow_gap_share(SignedDistance<Dim>(surface), 0.03 * bounding_box(surface.vertices).diagonal());
 }
 
-/// Whether to match the other way round: the gaps of the reference are clearly more than those of the template.
+/// Whether to advise a trial of the other direction: the gaps of the reference are clearly more than those of the template.
 inline bool has_clearly_more_gaps(double reference, double target) { return reference > 1.3 * target + 0.03; }
 
 }  // namespace shellmatch
