@@ -37,7 +37,7 @@ class Matching {
  public:
   Matching(MatchInputs<Dim> inputs, const ExperimentOptions& options, Recorder& recorder, RunClock& clock)
       : inputs_(std::move(inputs)),
-        options_(options),
+        options_(cascade_options(options, inputs_.prepared.alignment)),
         recorder_(recorder),
         clock_(clock),
         observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
@@ -233,7 +233,7 @@ class Matching {
 
   MatchInputs<Dim> inputs_;
   const Shape<Dim>&reference_ = inputs_.shapes.reference, &template_ = inputs_.shapes.template_shape;
-  const ExperimentOptions& options_;
+  const ExperimentOptions options_;
   Recorder& recorder_;
   RunClock& clock_;
   const bool is_backward_ = inputs_.prepared.is_backward();

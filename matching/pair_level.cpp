@@ -32,6 +32,7 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
                           const std::function<void(const MapFrame<Dim>&)>& prepared)
     : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(1) {
   prepared_ = prepare_pair(shapes_, landmarks_, options_, observer);
+  options_ = cascade_options(options_, prepared_.alignment);
   if (prepared) prepared(prepared_.frame());
   if (prepared_.is_backward()) {  // the energy is that of the map from template to reference
     std::swap(shapes_.reference, shapes_.template_shape);

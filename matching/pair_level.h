@@ -77,7 +77,7 @@ class PairLevel {
   const std::vector<LevelSize>& sizes() const { return sizes_; }  ///< of this level and those before it
 
  private:
-  const ExperimentOptions options_;
+  ExperimentOptions options_;
   const int number_;
   ShapePair<Dim> shapes_;  ///< in the unit domain; the one that phi deforms first
   std::vector<Landmark<Dim>> landmarks_;

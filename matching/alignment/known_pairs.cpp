@@ -30,7 +30,16 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   return sets;
 }
 
+template <int Dim>
+ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment) {
+  ExperimentOptions result = options;
+  // The deep teeth of outlines lie between their pairs, and need a wide band.
+  if (Dim == 3 && !alignment.pairs.empty() && options.align.weight > 0) result.cascade.coarse_sigma_cells = options.align.coarse_sigma_cells;
+  return result;
+}
+
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
+  template ExperimentOptions cascade_options<Dim>(const ExperimentOptions&, const Alignment<Dim>&);                     \
   template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&,         \
                                                       const ExperimentOptions&, const Similarity<Dim>&,                 \
                                                       const SignedDistance<Dim>&, const SignedDistance<Dim>&)

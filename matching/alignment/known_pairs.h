@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The terms of point pairs that a matching begins with.
+/// The terms of point pairs that a matching begins with, and the band of a cascade that they lead.
 
 #include "energies/pairs/point_pairs.h"
 #include "geometry/distance/signed_distance.h"
@@ -18,5 +18,9 @@ template <int Dim>
 std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmarks, const Alignment<Dim>& alignment,
                                       const ExperimentOptions& options, const Similarity<Dim>& placement,
                                       const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape);
+
+/// Options for the cascade after this alignment: the band of surfaces with pairs is as wide on coarse levels as align.coarse_sigma_cells says.
+template <int Dim>
+ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment);
 
 }  // namespace shellmatch

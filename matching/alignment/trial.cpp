@@ -47,17 +47,17 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 
 }  // namespace
 
-// Calls measure(result of the cascade, M1, M2, what is known of both), in the unit domain, unless this start is none.
+// Calls measure(result of a cascade with these options, M1, M2, what is known of both), in the unit domain, unless this start is none.
 template <int Dim>
 template <class Measure>
-void Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) const {
-  const ExperimentOptions trial = trial_options(options_);
+void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& options, const Measure& measure) const {
+  const ExperimentOptions trial = trial_options(options);
   Alignment<Dim> start = searched;
   // Energies are comparable only with the same weight of landmarks.
   if (start.landmark_trust) start.landmark_trust = 1;
   ShapePair<Dim> placed = shapes_;
   try {
-    const Similarity<Dim> placement = placed.place(options_, start.pose);
+    const Similarity<Dim> placement = placed.place(options, start.pose);
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
     const ObservedPair<Dim> observed = observed_pair(placed.reference, placed.template_shape);
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
@@ -72,7 +72,8 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const Measure& measure) co
 template <int Dim>
 Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
   Trial result;
-  run(start, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
+  // All in the same band: energies with and without pairs are compared.
+  run(start, options_, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const TermValues& terms = end.levels.back().minimised;
     result.with_pairs = terms.sum();
     const std::vector<std::string>& names = end.levels.back().term_names;
@@ -88,7 +89,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
 template <int Dim>
 double Trials<Dim>::distance(const Alignment<Dim>& start, Carried carried) const {
   double result = std::numeric_limits<double>::infinity();
-  run(start, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
+  run(start, cascade_options(options_, start), [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const bool forward = carried == Carried::reference;
     const Surface<Dim> moved = forward ? deformed_surface(d1.surface(), end.grid, end.phi) : inversely_deformed_surface(d2.surface(), end.grid, end.phi);
     const MeasuredParts<Dim> parts = forward ? MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape)

@@ -40,7 +40,7 @@ class Trials {
 
  private:
   template <class Measure>
-  void run(const Alignment<Dim>& start, const Measure& measure) const;
+  void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 
   const ShapePair<Dim>& shapes_;
   const std::vector<Landmark<Dim>>& landmarks_;

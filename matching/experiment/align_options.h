@@ -31,6 +31,7 @@ struct AlignOptions {
   MatchDirection direction = MatchDirection::forward;
   double weight = 10;
   double tolerance = 0.01;
+  double coarse_sigma_cells = 1;
   double pose_gain = 2;
   double clear_margin = 1.3;
   double doubtful_score = 0.9;
@@ -42,6 +43,7 @@ struct AlignOptions {
     visit("direction", self.direction, {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of that map; auto: both are tried on coarse levels, and backward is taken where it brings the shapes clearly closer to each other (docs/alignment.md)"});
     visit("weight", self.weight, {.min = 0, .meaning = "factor on the term of the pairs found, which weighs as landmarks do; 0: the pairs serve the pose alone"});
     visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is reached so closely does not pull, because it is no more exact; more where the shapes are far from isometric, twice as much for outlines"});
+    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "cascade.coarse_sigma_cells for surfaces whose pairs are found and used: limbs that pairs lead need no wide band, in which space between them is crushed on coarse levels"});
     visit("pose_gain", self.pose_gain, {.min = 1, .meaning = "with auto a pose is taken out only where it brings the pairs nearer by this factor, so that shapes which lie as they belong stay where they are"});
     visit("clear_margin", self.clear_margin, {.min = 1, .meaning = "maps whose scores are larger than the best by less than this factor are tried on the coarsest two levels, and score and energy reached choose among them; 1: the score alone chooses"});
     visit("doubtful_score", self.doubtful_score, {.min = 0, .meaning = "a map with a larger score is doubtful; 0 would be an isometry; of no meaning where four landmarks or more all over the shape judge"});
