@@ -28,17 +28,17 @@ inline void clamp_symmetric(autodiff::Pack& a, autodiff::Pack& b, autodiff::Pack
 }
 
 /// Positive semidefinite second derivative of W at Y, by the entries of Y in row order. One number in the plane.
-template <int Dim>
+template <int Dim, class Growth>
 SquarePack<(Dim - 1) * (Dim - 1)> thin_shell_tangent_hessian(
     const std::array<autodiff::Pack, (Dim - 1) * (Dim - 1)>& y, const Material<double>& c) {
   using autodiff::Pack;
   const double k = c.mu + 0.5 * c.lambda;
   if constexpr (Dim == 2) {
-    return {{{c.mu + 0.5 * c.lambda + k * autodiff::exp_of(1.0 - y[0])}}};
+    return {{{c.mu + 0.5 * c.lambda + k * Growth::derivatives(y[0]).second}}};
   } else {
     const Pack det = y[0] * y[3] - y[1] * y[2];
-    const Pack e = autodiff::exp_of(1.0 - det);
-    const Pack f1 = 0.5 * c.lambda * det - k * e, f2 = 0.5 * c.lambda + k * e;
+    const auto [g1, g2] = Growth::derivatives(det);
+    const Pack f1 = 0.5 * c.lambda * det - k * g1, f2 = 0.5 * c.lambda + k * g2;
     // Conformal part p and anticonformal part q: det Y = (|p|^2 - |q|^2) / 2, so the second derivative of f(det)
     // is f' on p, -f' on q, plus f'' (p, -q)(p, -q)^T.
     constexpr double r = 0.70710678118654752440;

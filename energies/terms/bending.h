@@ -13,7 +13,6 @@ struct Bending : BandTerm<Dim> {
       .name = "bending",
       .model = "thin_shell",
       .meaning = "the paper's",
-      .weight = {"bending_weight", 1, {.min = 0, .meaning = "factor on the bending term; 0 switches it off"}},
       .scaled = [](double factor, const TermScales& s) { return factor * s.delta * s.delta * s.delta; }};
   using Density = ThinShellDensity<Dim>;
   static constexpr bool is_tangential = true;

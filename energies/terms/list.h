@@ -5,6 +5,7 @@
 #include "energies/terms/bending.h"
 #include "energies/terms/bending_without_p2.h"
 #include "energies/terms/cauchy_green_membrane.h"
+#include "energies/terms/extrapolated_bending.h"
 #include "energies/terms/fold_barrier.h"
 #include "energies/terms/full_volume.h"
 #include "energies/terms/match.h"
@@ -23,7 +24,7 @@ struct TermList {};
 template <int Dim>
 using AllTerms = TermList<Match<Dim>,
                           Membrane<Dim>, MembraneWithoutP2<Dim>, CauchyGreenMembrane<Dim>,
-                          Bending<Dim>, BendingWithoutP2<Dim>, QuadraticBending<Dim>,
+                          ExtrapolatedBending<Dim>, Bending<Dim>, BendingWithoutP2<Dim>, QuadraticBending<Dim>,
                           SymmetricDirichletVolume<Dim>, SimplifiedVolume<Dim>, FullVolume<Dim>,
                           FoldBarrier<Dim>>;
 

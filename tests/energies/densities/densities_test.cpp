@@ -24,6 +24,7 @@ struct Of {
   }
 };
 using ThinShell = Of<ThinShellDensity>;
+using Extrapolated = Of<ExtrapolatedThinShellDensity>;
 using FullVolume = Of<FullVolumeDensity>;
 using SymmetricDirichlet = Of<SymmetricDirichletDensity>;
 
@@ -83,7 +84,10 @@ TYPED_TEST(Densities, AllAreFrameIndifferent) {
     EXPECT_NEAR(value<Dim>(w, a * q), expected, 1e-11 * (1 + std::abs(expected)));
   };
   for (int i = 0; i < 20; ++i) {
-    for (const auto& lame : materials) expect_indifferent(ThinShell{lame}, random_matrix<Dim>(random));
+    for (const auto& lame : materials) {
+      expect_indifferent(ThinShell{lame}, random_matrix<Dim>(random));
+      expect_indifferent(Extrapolated{lame}, 4 * random_matrix<Dim>(random));
+    }
     const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
     expect_indifferent(FullVolume{}, a);
     expect_indifferent(SymmetricDirichlet{{1, 0.7}}, a);
@@ -114,10 +118,41 @@ TYPED_TEST(Densities, PolyconvexOnesAreConvexAlongRankOneLines) {
   std::mt19937 random(4);
   for (int i = 0; i < 200; ++i) {
     const Mat<Dim> rank_one = random_matrix<Dim, 1>(random) * random_matrix<1, Dim>(random);
-    for (const auto& lame : materials)
+    for (const auto& lame : materials) {
       EXPECT_GE(second_derivative<Dim>(ThinShell{lame}, 2 * random_matrix<Dim>(random), rank_one), -1e-7);
+      EXPECT_GE(second_derivative<Dim>(Extrapolated{lame}, 4 * random_matrix<Dim>(random), rank_one), -1e-7);
+    }
     const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.7, 2);
     EXPECT_GE(second_derivative<Dim>(FullVolume{}, a, rank_one), -1e-6);
+  }
+}
+
+// diag(-d, 1, ..., 1) has the determinant -d.
+TYPED_TEST(Densities, ExtrapolatedThinShellIsThinShellDownToMinusThreeAndAParabolaBelow) {
+  constexpr int Dim = TypeParam::dim;
+  const Material<double> lame{0.3, 2};
+  const Extrapolated w{lame};
+  const ThinShell exact{lame};
+  const auto at = [](double det) {
+    Mat<Dim> a = Mat<Dim>::Identity();
+    a(0, 0) = det;
+    return a;
+  };
+  Mat<Dim> along = Mat<Dim>::Zero();
+  along(0, 0) = 1;
+  const double k = lame.mu + 0.5 * lame.lambda, c = std::exp(4.0);
+  for (const double det : {2.0, 1.0, 0.0, -1.0, -2.99}) {
+    EXPECT_EQ(value<Dim>(w, at(det)), value<Dim>(exact, at(det)));
+    EXPECT_EQ(derivative<Dim>(w, at(det)), derivative<Dim>(exact, at(det)));
+  }
+  for (const double det : {-3.01, -4.0, -9.0, -40.0}) {
+    const double beyond = -3 - det;
+    const double expected = value<Dim>(exact, at(det)) + k * (c * (1 + beyond + 0.5 * beyond * beyond) - std::exp(1 - det));
+    EXPECT_NEAR(value<Dim>(w, at(det)), expected, 1e-12 * std::exp(1 - det));
+    EXPECT_LT(value<Dim>(w, at(det)), value<Dim>(exact, at(det)));
+    const double slope = (lame.mu + 0.5 * lame.lambda) * det - k * c * (1 + beyond);
+    EXPECT_NEAR(derivative<Dim>(w, at(det))(0, 0), slope, 1e-12 * std::abs(slope));
+    EXPECT_NEAR(second_derivative<Dim>(w, at(det), along), lame.mu + 0.5 * lame.lambda + k * c, 1e-4);
   }
 }
 
@@ -198,6 +233,7 @@ TYPED_TEST(Densities, DerivativesAgreeWithTheTaylorRemainder) {
     EXPECT_FALSE(has_derivative(line, 1.001 * slope + 1e-3));
   };
   for (const auto& lame : materials) check(ThinShell{lame});
+  check(Extrapolated{});
   check(FullVolume{});
   check(SymmetricDirichlet{});
 }

@@ -17,6 +17,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace shellmatch {
@@ -59,20 +61,35 @@ TEST(StretchHessian, IsThePositivePartOfTheSecondDerivative) {
   check_stretch_hessian<FullVolumeDensity<3>, 3>(0.1);
 }
 
-TEST(TangentHessian, IsThePositivePartOfTheSecondDerivativeInTheTangentPlane) {
+template <template <int> class Density>
+void check_tangent_hessian(double amplitude) {
   std::mt19937 random(7);
   const Material<double> material{0.7, 1.3};
   for (int trial = 0; trial < 100; ++trial) {
     // Far from the identity as well: the band's matrices may turn over.
     const Mat<2> y =
-        random_of_size<2>(random, trial < 50 ? 0.3 : 2.0) + (trial < 50 ? 1.0 : 0.0) * Mat<2>::Identity();
+        random_of_size<2>(random, trial < 50 ? 0.3 : amplitude) + (trial < 50 ? 1.0 : 0.0) * Mat<2>::Identity();
     // W of Y beside a 1 differs from the plane's W by a constant: the second derivatives are the same.
-    const auto exact = positive_part(exact_hessian<ThinShellDensity<2>>(small(y), material));
+    const auto exact = positive_part(exact_hessian<Density<2>>(small(y), material));
     std::array<Pack, 4> entries;
     for (int i = 0; i < 4; ++i) entries[i] = Pack{} + y(i / 2, i % 2);
-    const auto model = positive_tangent_hessian<ThinShellDensity<3>, 3>(entries, material);
+    const auto model = positive_tangent_hessian<Density<3>, 3>(entries, material);
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) EXPECT_NEAR(model[i][j][trial % 8], exact(i, j), 1e-9 * (1 + exact.norm()));
+  }
+}
+
+TEST(TangentHessian, IsThePositivePartOfTheSecondDerivativeInTheTangentPlane) {
+  check_tangent_hessian<ThinShellDensity>(2);
+  check_tangent_hessian<ExtrapolatedThinShellDensity>(4);
+}
+
+TEST(TangentHessian, IsThatOfTheExtrapolationInThePlane) {
+  const Material<double> material{0.7, 1.3};
+  const double k = material.mu + 0.5 * material.lambda;
+  for (const double det : {1.0, -1.0, -2.9, -3.1, -20.0}) {
+    const auto model = positive_tangent_hessian<ExtrapolatedThinShellDensity<2>, 2>({Pack{} + det}, material);
+    EXPECT_NEAR(model[0][0][3], k + k * std::exp(std::min(1 - det, 4.0)), 1e-11);
   }
 }
 
@@ -196,6 +213,7 @@ TEST(PositiveHessian, IsThatOfEveryDensityWhereItIsPositiveAndItsPositivePartEls
   };
   expect_both(check_positive_hessian<ThinShellDensity<2>>(0.5));
   expect_both(check_positive_hessian<ThinShellDensity<3>>(0.3));
+  expect_both(check_positive_hessian<ExtrapolatedThinShellDensity<3>>(0.3));
   expect_both(check_positive_hessian<SymmetricDirichletDensity<2>>(0.3));
   expect_both(check_positive_hessian<SymmetricDirichletDensity<3>>(0.2));
   expect_both(check_positive_hessian<FullVolumeDensity<2>>(0.3));

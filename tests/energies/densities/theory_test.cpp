@@ -2,6 +2,7 @@
 
 #include "energies/densities/thin_shell.h"
 #include "energies/terms/bending.h"
+#include "energies/terms/extrapolated_bending.h"
 #include "energies/terms/match.h"
 #include "energies/terms/membrane.h"
 #include "energies/terms/simplified_volume.h"
@@ -108,6 +109,9 @@ void check_formulas(unsigned seed) {
     EXPECT_NEAR(band_density<Match<Dim>>(y, small(dphi), x, material), 0.16, 1e-15);
     EXPECT_NEAR(band_density<Membrane<Dim>>(y, small(dphi), x, material), w(p2 * dphi * p1 + nn), 1e-13);
     EXPECT_NEAR(band_density<Bending<Dim>>(y, small(dphi), x, material), w(p2 * root * p2 * dphi * r1 + nn), 1e-12);
+    const Mat<Dim> large = 5 * dphi, of_large = p2 * root * p2 * large * r1 + nn;
+    EXPECT_NEAR(band_density<ExtrapolatedBending<Dim>>(y, small(large), x, material),
+                ExtrapolatedThinShellDensity<Dim>::value(small(of_large), material), 1e-9);
     EXPECT_EQ(SimplifiedVolume<Dim>::Density::value(small(dphi), material), w(dphi));
   }
 }
