@@ -20,7 +20,7 @@ constexpr Limits mean_distance{0.005, 0.03};  // diagonals of the template
 constexpr Limits largest_distance{0.03, 0.2};
 constexpr Limits unreached{0.015, 0.05};      // share of the template's area
 constexpr Limits flipped{0.02, 0.08};         // share of the reference's area
-constexpr Limits turned_angles{20, 60};       // degrees; 95 % of the area have less
+constexpr Limits turned_angles{20, 48};       // degrees; 95 % of the area have less
 constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
 constexpr double much_invented = 0.5;         // share of a shape's area
 constexpr double apart = 0.25;                // mean distance in diagonals, before a run

@@ -44,7 +44,7 @@ const std::vector<Case> cases = {
     {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2, "part of the template", places.template_shape},
     {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05, "% of the template is not reached", places.template_shape},
     {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface faces away", {}},
-    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 60, "directions on a twentieth", places.distorted},
+    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 48, "directions on a twentieth", places.distorted},
     {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor", places.distorted},
     {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
 };
