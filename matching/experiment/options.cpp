@@ -38,6 +38,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     // The shapes begin as they lie, and nothing but the match pulls.
     options.align.mode = AlignMode::none;
     options.coverage.levels = 0;
+    // Section 3.1: W as it stands there.
     options.energy.terms.model("bending"_term) = "thin_shell";
     // Section 6: the simplified volume term, no other term against folds, natural boundary conditions.
     options.energy.terms.model("volume"_term) = "simplified";

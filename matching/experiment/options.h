@@ -101,7 +101,7 @@ struct CascadeOptions {
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
     visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
     visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
-    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip"});
+    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip; surfaces with pairs have align.coarse_sigma_cells instead"});
     visit("refine", self.refine, {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads of it besides the volume term, or where it meets either shape, as the paper; with coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
   }
 };
