@@ -1,5 +1,6 @@
 // Experiments: what wins over what, and demands between options.
 
+#include "energies/terms/term_names.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/yaml_options.h"
 #include "tests/support/expect_input_error.h"
@@ -46,6 +47,15 @@ TEST_F(Experiment, ProfileIsAppliedBeforeTheOtherKeys) {
   EXPECT_EQ(options.cascade.nu_substeps, 5);
   EXPECT_FALSE(options.coefficients.invert_at_point);
   EXPECT_EQ(read("profile: paper").cascade.nu_substeps, 1);
+}
+
+// Its energy is that of the paper, term by term.
+TEST_F(Experiment, ProfilePaperHasThePapersTerms) {
+  ExperimentOptions paper = read("profile: paper"), standard = read("profile: default");
+  EXPECT_EQ(paper.energy.terms.model("membrane"_term), "thin_shell");
+  EXPECT_EQ(paper.energy.terms.model("bending"_term), "thin_shell");
+  EXPECT_EQ(paper.energy.terms.model("volume"_term), "simplified");
+  EXPECT_EQ(standard.energy.terms.model("bending"_term), "extrapolated");
 }
 
 TEST_F(Experiment, OverridesWinAndTheLastOneMost) {
