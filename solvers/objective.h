@@ -91,6 +91,8 @@ class SecondOrderObjective : public Objective {
   }
   /// Adds factor * D_r to H for each of these regions.
   virtual void add_damping(std::span<const RegionDamping> /*regions*/) {}
+  /// Brings the step d in each of these regions nearer to one that leads nowhere beyond the model: of what would, this share stays.
+  virtual void contract_step(std::span<const RegionDamping> /*regions*/, double /*share*/, std::span<double> /*d*/) {}
 };
 
 }  // namespace shellmatch

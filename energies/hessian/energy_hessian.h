@@ -50,6 +50,10 @@ class EnergyHessian {
   /// Adds multiples of the Laplacian's matrices to the model.
   void add_damping(std::span<const ElementDamping> more);
 
+  /// Brings the step d (by the unknowns) in each of these elements, one after the other, nearer to a common motion of all its unknown
+  /// nodes: from their mean, d keeps this share. Where nodes of the element are fixed, from zero.
+  void contract_step(std::span<const ElementDamping> elements, double share, std::span<double> d) const;
+
   /// y = H x by the unknowns.
   void apply(std::span<const double> x, std::span<double> y) const;
 

@@ -1,4 +1,4 @@
-// The fold margin of elements, and damping of Newton's step where it would use that up.
+// The fold margin of elements, and what keeps Newton's step from using it up: damping and contraction.
 
 #include "base/parallel.h"
 #include "energies/hessian/energy_hessian.h"
@@ -109,12 +109,35 @@ void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping> more) {
       for (const ConstraintEntry& entry : unknowns_->constraint_entries(node)) invert_block(static_cast<std::size_t>(entry.unknown));
 }
 
+template <int Dim>
+void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping> elements, double share, std::span<double> d) const {
+  std::vector<Index> moved;  // the element's unknown nodes
+  for (const ElementDamping& one : elements) {
+    moved.clear();
+    bool is_fixed = false;
+    for (const Index node : unknowns_->elements()[one.element].nodes) {
+      const auto entries = unknowns_->constraint_entries(node);
+      is_fixed |= entries.empty();
+      for (const ConstraintEntry& entry : entries)
+        if (std::ranges::find(moved, entry.unknown) == moved.end()) moved.push_back(entry.unknown);
+    }
+    Vec<Dim> mean = Vec<Dim>::Zero();
+    const auto of = [&](Index unknown) { return Eigen::Map<Vec<Dim>>(d.data() + unknown * Dim); };
+    if (!is_fixed) {
+      for (const Index unknown : moved) mean += of(unknown);
+      mean /= static_cast<double>(moved.size());
+    }
+    for (const Index unknown : moved) of(unknown) = mean + share * (of(unknown) - mean);
+  }
+}
+
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
   template void EnergyHessian<Dim>::add_damping(const Chunk&, std::span<const float>, ElementMatrices<Dim>&) const;     \
   template void EnergyHessian<Dim>::measure_margins(const Chunk&, std::span<const Vec<Dim>>);                           \
   template std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span<const Vec<Dim>>,            \
                                                                                   std::span<const double>);             \
-  template void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping>);
+  template void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping>);                                       \
+  template void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping>, double, std::span<double>) const;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

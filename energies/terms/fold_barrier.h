@@ -22,7 +22,7 @@ struct BarrierDensity {
   }
 };
 
-/// A barrier that keeps det Dphi positive throughout every cell: kappa times the mean of B(b / d0) over the Bernstein
+/// A barrier that keeps det Dphi positive throughout every cell: kappa / nu times the mean of B(b / d0) over the Bernstein
 /// coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds at every
 /// point and in every part of the cell.
 template <int Dim>
@@ -30,12 +30,13 @@ struct FoldBarrier : CornerTerm<Dim> {
   static constexpr TermInfo info{
       .name = "barrier",
       .meaning = "barrier on the Bernstein coefficients of det Dphi",
-      .weight = {"fold_barrier", 1,
-                 {.unit = "energy/volume", .min = 0,
-                  .meaning = "kappa, weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
+      .weight = {"fold_barrier", 3e-4,
+                 {.unit = "length^2", .min = 0,
+                  .meaning = "kappa: kappa / nu is the weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
+      .scaled = [](double factor, const TermScales& s) { return factor / s.nu; },
       .forbids_folds = true};
   static constexpr std::array<TermOption, 1> own{
-      {{"fold_threshold", 0.1,
+      {{"fold_threshold", 0.2,
         {.min = 0, .max = 0.9, .min_excluded = true,
          .meaning = "d0: the barrier acts on cells where a Bernstein coefficient of det Dphi is below this"}}}};
   static constexpr int n_arguments = n_bernstein_total<Dim>;

@@ -21,6 +21,11 @@ namespace {
 // Minimisations of a level between which its mask follows phi.
 constexpr int mask_rounds = 2;
 
+/// A step of Newton's method gains much or is the last one; those of other methods gain less.
+double intermediate_decrease(const CascadeOptions& cascade, const SolverOptions& solver) {
+  return solver.name == "newton" ? cascade.intermediate_decrease : 0.1 * cascade.intermediate_decrease;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -72,7 +77,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
       StopOptions stop = solver.stop;
       if (!is_last || round + 1 < rounds)
-        stop.relative_decrease = std::max(stop.relative_decrease, options_.cascade.intermediate_decrease);
+        stop.relative_decrease = std::max(stop.relative_decrease, intermediate_decrease(options_.cascade, solver));
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;

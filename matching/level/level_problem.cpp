@@ -4,6 +4,18 @@
 
 namespace shellmatch {
 
+namespace {
+
+/// The regions of a level are its elements.
+std::vector<ElementDamping> as_elements(std::span<const RegionDamping> regions) {
+  std::vector<ElementDamping> elements;
+  elements.reserve(regions.size());
+  for (const RegionDamping& one : regions) elements.push_back({one.region, one.factor});
+  return elements;
+}
+
+}  // namespace
+
 template <int Dim>
 LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy,
                                 EnergyHessian<Dim>& hessian, const TermValues& weights,
@@ -59,9 +71,12 @@ std::vector<RegionDamping> LevelProblem<Dim>::regions_beyond_model(std::span<con
 
 template <int Dim>
 void LevelProblem<Dim>::add_damping(std::span<const RegionDamping> regions) {
-  std::vector<ElementDamping> elements;
-  for (const RegionDamping& one : regions) elements.push_back({one.region, one.factor});
-  hessian_.add_damping(elements);
+  hessian_.add_damping(as_elements(regions));
+}
+
+template <int Dim>
+void LevelProblem<Dim>::contract_step(std::span<const RegionDamping> regions, double share, std::span<double> d) {
+  hessian_.contract_step(as_elements(regions), share, d);
 }
 
 template <int Dim>

@@ -111,6 +111,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
     linear.solve(g, d, forcing);
     while (!run.out_of_time() && regularisation.regularise(*model, x, d)) linear.solve_again(g, d);
+    regularisation.contract(*model, x, g, d);
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
       run.finish(StopReason::no_descent, model->what_of_model_is_not_finite(x));

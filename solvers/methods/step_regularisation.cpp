@@ -1,5 +1,7 @@
 #include "solvers/methods/step_regularisation.h"
 
+#include "solvers/vector_ops.h"
+
 #include <algorithm>
 
 namespace shellmatch {
@@ -7,6 +9,7 @@ namespace shellmatch {
 namespace {
 
 constexpr double most_damping = 1e30;  // damping is kept in single precision
+constexpr int most_halvings = 20;      // of the step of all regions
 
 }  // namespace
 
@@ -32,6 +35,21 @@ bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<c
   }
   objective.add_damping(regions);
   return true;
+}
+
+void StepRegularisation::contract(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> g,
+                                  std::span<double> d) {
+  if (n_of_step_ < options_.max_regularisations || damping_.empty()) return;  // the last system leads nowhere beyond
+  contracted_.assign(d.begin(), d.end());
+  for (int n = 0; n < options_.max_contractions + most_halvings; ++n) {
+    const std::vector<RegionDamping> regions = objective.regions_beyond_model(x, contracted_);
+    if (regions.empty()) break;
+    if (n < options_.max_contractions)
+      objective.contract_step(regions, 0.5, contracted_);
+    else
+      scale(0.5, contracted_);
+  }
+  if (dot(g, contracted_) < 0) std::ranges::copy(contracted_, d.begin());
 }
 
 }  // namespace shellmatch

@@ -24,11 +24,18 @@ class StepRegularisation {
   /// or where d has been computed `max_regularisations` times again.
   bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d);
 
+  /// Where the last system's step still leads beyond the model in single regions: halves there what leads beyond, until no region is
+  /// left, `max_contractions` times at most, as neighbours may be next; then the step of all regions, which it would be a pity to
+  /// shorten for the sake of a few. d stays as it was if it would not lead downwards any more.
+  /// \param g  the gradient at x
+  void contract(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> g, std::span<double> d);
+
   long n_systems() const { return n_systems_; }  ///< that were regularised so far
 
  private:
   const NewtonOptions& options_;
   std::vector<float> damping_;
+  std::vector<double> contracted_;
   int n_of_step_ = 0;  ///< systems that were regularised for this step
   long n_systems_ = 0;
 };

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <random>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -200,6 +201,52 @@ void check_damping() {
 TEST(NewtonModel, DampingResistsWhatDiffersWithinACell) {
   check_damping<2>();
   check_damping<3>();
+}
+
+// A contracted step leaves the margin alone, and what moves together goes on to move together.
+template <int Dim>
+void check_contraction() {
+  const Steps<Dim> steps("simplified");
+  TermValues weights = only("volume"_term);
+  weights["barrier"_term] = 1;
+  EnergyHessian<Dim> hessian(steps.problem.energy, steps.problem.unknowns);
+  hessian.assemble(steps.identity, weights);
+  std::vector<double> d = steps.fold;
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] += 3 * steps.shift[i];
+  const auto beyond = hessian.elements_beyond_margin(steps.identity, d);
+  ASSERT_EQ(beyond.size(), static_cast<std::size_t>(n_corners<Dim> / 2));
+  std::vector<double> once = d;
+  hessian.contract_step(std::span(beyond).first(1), 0.5, once);
+  // The element's mean stays, and from it half of the distance.
+  const std::size_t x = Dim * steps.middle;
+  const double mean = 3 + 0.2 / n_corners<Dim>;
+  EXPECT_NEAR(once[x], mean + 0.5 * (3.2 - mean), 1e-12);
+  double sum = 0;
+  std::size_t n_changed = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    sum += once[i] - d[i];
+    n_changed += once[i] != d[i];
+  }
+  EXPECT_NEAR(sum, 0, 1e-12);
+  EXPECT_EQ(n_changed, static_cast<std::size_t>(n_corners<Dim>)) << "the first component of the element's nodes";
+  int n = 0;
+  for (auto left = beyond; !left.empty() && n < 20; ++n) {
+    hessian.contract_step(left, 0.5, d);
+    left = hessian.elements_beyond_margin(steps.identity, d);
+  }
+  EXPECT_LT(n, 4);
+  for (std::size_t i = 0; i < d.size(); i += Dim) EXPECT_NEAR(d[i], 3, 0.2);
+  // Where the element meets the boundary's fixed nodes there is no common motion but rest.
+  const Unknowns<Dim> fixed(steps.grid, BoundaryCondition::dirichlet);
+  const EnergyHessian<Dim> of_fixed(steps.problem.energy, fixed);
+  std::vector<double> all(fixed.size(), 1.0);
+  of_fixed.contract_step(std::vector<ElementDamping>{{0, 1.0}}, 0.5, all);
+  EXPECT_EQ(std::ranges::count(all, 0.5), Dim) << "the one unknown node of the corner's element";
+  EXPECT_EQ(std::ranges::count(all, 1.0), static_cast<std::ptrdiff_t>(all.size()) - Dim);
+}
+TEST(NewtonModel, ContractionKeepsCommonMotion) {
+  check_contraction<2>();
+  check_contraction<3>();
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ class Regions final : public SecondOrderObjective {
     for (const RegionDamping& one : regions) added[one.region] += one.factor;
   }
 
+  void contract_step(std::span<const RegionDamping> regions, double share, std::span<double> d) override {
+    ++n_contracted;
+    for (const RegionDamping& one : regions) d[one.region] *= share;
+  }
+
+  int n_contracted = 0;
   std::vector<RegionDamping> beyond;  ///< the regions, with their own stiffness
   int n_beyond = 0;
   int n_asked = 0, n_added = 0;
@@ -117,6 +123,42 @@ TEST(StepRegularisation, SolvesSoManySystemsAtMostForEachStep) {
     EXPECT_EQ(objective.n_added, 3 * most);
     EXPECT_EQ(policy.n_systems(), 3 * most);
   }
+}
+
+TEST(StepRegularisation, WhatIsLeftIsHalvedInItsRegionsAndThenEverywhere) {
+  NewtonOptions o = options;
+  o.max_regularisations = 1;
+  o.max_contractions = 3;
+  const std::vector<double> x(3, 0.0), g(3, -1.0);
+  const auto contracted = [&](int n_beyond, const std::vector<double>& of_g) {
+    Regions objective(3);
+    objective.beyond = {{1, 2}};
+    objective.n_beyond = n_beyond;
+    StepRegularisation policy(o, objective);
+    one_step(policy, objective);
+    std::vector<double> d(3, 1.0);
+    policy.contract(objective, x, of_g, d);
+    return d;
+  };
+  EXPECT_EQ(contracted(0, g), (std::vector<double>{1, 1, 1}));
+  EXPECT_EQ(contracted(1, g), (std::vector<double>{1, 1, 1})) << "the last system leads nowhere beyond";
+  EXPECT_EQ(contracted(3, g), (std::vector<double>{1, 0.25, 1}));
+  EXPECT_EQ(contracted(4, g), (std::vector<double>{1, 0.125, 1}));
+  EXPECT_EQ(contracted(6, g), (std::vector<double>{0.25, 0.125 / 4, 0.25}));
+  EXPECT_EQ(contracted(3, {1, -3, 1}), (std::vector<double>{1, 1, 1})) << "it would lead upwards";
+}
+
+TEST(StepRegularisation, AStepWithSystemsToSpareIsNotContracted) {
+  Regions objective(2);
+  objective.beyond = {{0, 1}};
+  objective.n_beyond = 2;
+  StepRegularisation policy(options, objective);
+  EXPECT_EQ(one_step(policy, objective), 2);
+  std::vector<double> d(2, 1.0);
+  const int n_asked = objective.n_asked;
+  policy.contract(objective, d, {}, d);
+  EXPECT_EQ(objective.n_asked, n_asked);
+  EXPECT_EQ(objective.n_contracted, 0);
 }
 
 TEST(StepRegularisation, AnObjectiveWithoutRegionsIsLeftAlone) {
