@@ -39,8 +39,7 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
     const StopOptions& stop = solver_at_level(options.solver, level).stop;
     LevelOverrides::Entry own{level, level, {}};  // the last entry counts
     own.set("stop.max_iterations", {std::min(stop.max_iterations, most_trial_iterations)});
-    // Less than between levels: energies are compared.
-    own.set("stop.relative_decrease", {std::max(stop.relative_decrease, 0.1 * options.cascade.intermediate_decrease)});
+    own.set("stop.relative_decrease", {std::max(stop.relative_decrease, options.cascade.intermediate_decrease)});
     trial.solver.levels.entries.push_back(std::move(own));
   }
   return trial;

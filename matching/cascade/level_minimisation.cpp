@@ -21,9 +21,11 @@ namespace {
 // Minimisations of a level between which its mask follows phi.
 constexpr int mask_rounds = 2;
 
-/// A step of Newton's method gains much or is the last one; those of other methods gain less.
-double intermediate_decrease(const CascadeOptions& cascade, const SolverOptions& solver) {
-  return solver.name == "newton" ? cascade.intermediate_decrease : 0.1 * cascade.intermediate_decrease;
+/// Where a minimisation that is followed by another one stops. A step of Newton's method gains much or is the last one; those of other
+/// methods gain less.
+double intermediate_decrease(const CascadeOptions& cascade, bool ends_level, const SolverOptions& solver) {
+  if (ends_level) return cascade.intermediate_decrease;
+  return std::max(cascade.intermediate_decrease, solver.name == "newton" ? cascade.substep_decrease : 0.1 * cascade.substep_decrease);
 }
 
 }  // namespace
@@ -70,14 +72,14 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
     start.nu = steps[s].nu;
     start.volume_weight = steps[s].volume_weight;
     weights = level_.weights(options_, start.nu, start.volume_weight);
-    const bool is_last = level == options_.cascade.max_level && s + 1 == steps.size();
     std::vector<double> terms;  // values of the terms at the end of the last minimisation
     for (int round = 0; round < rounds && !interrupted; ++round) {
       start.substep = static_cast<int>(s) * rounds + round + 1;
       follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
       StopOptions stop = solver.stop;
-      if (!is_last || round + 1 < rounds)
-        stop.relative_decrease = std::max(stop.relative_decrease, intermediate_decrease(options_.cascade, solver));
+      const bool ends_level = s + 1 == steps.size() && round + 1 == rounds;
+      if (!(ends_level && level == options_.cascade.max_level))
+        stop.relative_decrease = std::max(stop.relative_decrease, intermediate_decrease(options_.cascade, ends_level, solver));
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
