@@ -30,10 +30,10 @@ struct FoldBarrier : CornerTerm<Dim> {
   static constexpr TermInfo info{
       .name = "barrier",
       .meaning = "barrier on the Bernstein coefficients of det Dphi",
-      .weight = {"fold_barrier", 3e-4,
+      .weight = {"fold_barrier", 0.5,
                  {.unit = "length^2", .min = 0,
                   .meaning = "kappa: kappa / nu is the weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
-      .scaled = [](double factor, const TermScales& s) { return factor / s.nu; },
+      .scaled = [](double factor, const TermScales& s) { return factor / std::sqrt(s.nu); },
       .forbids_folds = true};
   static constexpr std::array<TermOption, 1> own{
       {{"fold_threshold", 0.2,
