@@ -2,7 +2,7 @@
 // of variables around the objective: the method does not know of it. Builds on own_term_with_ceres.
 // Sample output:
 //   barzilai_borwein in euclidean: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
-//   barzilai_borwein in l2: 8.3099 -> 0.1452, many steps, stopped by relative_decrease
+//   barzilai_borwein in l2: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
 //   newton: 8.3099 -> 0.1451, few steps, stopped by relative_decrease
 #include "examples/barzilai_borwein.h"
 #include "examples/small_problem.h"

@@ -22,17 +22,18 @@ struct BarrierDensity {
   }
 };
 
-/// A barrier that keeps det Dphi positive throughout every cell: kappa / nu times the mean of B(b / d0) over the Bernstein
-/// coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds at every
-/// point and in every part of the cell.
+/// A barrier that keeps det Dphi positive throughout every cell: kappa / sqrt(nu) times the mean of B(b / d0) over the
+/// Bernstein coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds at
+/// every point and in every part of the cell. Its weight grows as the match term's does, more slowly: with a constant one
+/// either steps crawl along det Dphi = 0 on fine levels or landmarks cannot turn a limb on coarse ones.
 template <int Dim>
 struct FoldBarrier : CornerTerm<Dim> {
   static constexpr TermInfo info{
       .name = "barrier",
       .meaning = "barrier on the Bernstein coefficients of det Dphi",
       .weight = {"fold_barrier", 0.5,
-                 {.unit = "length^2", .min = 0,
-                  .meaning = "kappa: kappa / nu is the weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
+                 {.unit = "energy/volume sqrt(length^2/energy)", .min = 0,
+                  .meaning = "kappa: kappa / sqrt(nu) is the weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
       .scaled = [](double factor, const TermScales& s) { return factor / std::sqrt(s.nu); },
       .forbids_folds = true};
   static constexpr std::array<TermOption, 1> own{

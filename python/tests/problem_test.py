@@ -121,7 +121,7 @@ class Energies(unittest.TestCase):
     def test_own_solvers(self):
         energies = {}
         for name in ("newton", "lbfgs", "ceres_lbfgs"):
-            minimum = self.flat.minimize(name=name, metric="l2", stop={"max_iterations": 1500})
+            minimum = self.flat.minimize(name=name, metric="l2", stop={"max_iterations": 3000, "relative_decrease": 3e-4})
             energies[name] = minimum.energy
             self.assertEqual(minimum.solver, name)
             self.assertEqual(minimum.energy, self.flat.energy(minimum.x))

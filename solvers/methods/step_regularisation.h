@@ -24,9 +24,9 @@ class StepRegularisation {
   /// or where d has been computed `max_regularisations` times again.
   bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d);
 
-  /// Where the last system's step still leads beyond the model in single regions: halves there what leads beyond, until no region is
-  /// left, `max_contractions` times at most, as neighbours may be next; then the step of all regions, which it would be a pity to
-  /// shorten for the sake of a few. d stays as it was if it would not lead downwards any more.
+  /// Where the step of the last system still leads beyond the model in single regions: halves it there (`contract_step`) and
+  /// examines again, as neighbours may now be beyond, `max_contractions` times at most; if regions are left, halves the whole step,
+  /// which shortens it for all regions and therefore comes last. d is not changed if the result were no direction of descent.
   /// \param g  the gradient at x
   void contract(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> g, std::span<double> d);
 
