@@ -1,5 +1,7 @@
 #include "alignment/pairs/confident_pairs.h"
 
+#include "alignment/pairs/consistent_groups.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -57,23 +59,13 @@ Vec<3> nearest_barycentric(const Eigen::VectorXf& x, const Eigen::VectorXf (&cor
   return best;
 }
 
-/// The factor, or its inverse where that is larger, by which the map changes distances from vertex i of `samples` to the samples near
-/// it: the median of six, so that one wrong neighbour does no harm.
-double local_stretch(const ShapePairSpectra& pair, const std::vector<Index>& samples, const std::vector<Vec<3>>& images_2,
-                     std::size_t i) {
-  constexpr std::size_t n_neighbours = 6;
-  const auto& vertices = pair.shapes[0]->surface.vertices;
-  std::vector<std::pair<double, std::size_t>> near;
-  for (std::size_t j = 0; j < samples.size(); ++j)
-    if (j != i) near.emplace_back((vertices[samples[j]] - vertices[samples[i]]).norm(), j);
-  const std::size_t n = std::min(n_neighbours, near.size());
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
+/// The factor, or its inverse where that is larger, by which a map changes the distances from a point to those near it: the median, so
+/// that one wrong neighbour does no harm.
+double local_stretch(const std::vector<std::pair<double, std::size_t>>& near, const std::vector<Vec<3>>& images, std::size_t i) {
   std::vector<double> stretches;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double length = (images_2[near[k].second] - images_2[i]).norm();
-    stretches.push_back(std::max(length, 1e-12) / std::max(near[k].first, 1e-12));
-  }
+  for (const auto& [distance, j] : near) stretches.push_back(std::max((images[j] - images[i]).norm(), 1e-12) / std::max(distance, 1e-12));
   if (stretches.empty()) return 1;
+  const std::size_t n = stretches.size();
   std::nth_element(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(n / 2), stretches.end());
   return std::max(stretches[n / 2], 1 / stretches[n / 2]);
 }
@@ -84,15 +76,15 @@ std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& c
   return images(pair, candidate.matches, 0);
 }
 
-std::vector<CorrespondingPoints> confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
-                                                 const AlignmentOptions& options) {
+ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate, const AlignmentOptions& options) {
   const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
   const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
   const std::vector<Index> samples =
       farthest_point_samples(pair.shapes[0]->graph, pair.shapes[0]->samples[0], static_cast<std::size_t>(options.pairs));
   const std::vector<std::vector<Index>> around = facets_around(surface_2);
   const Embedding embedding = dense_embedding(pair, candidate.c);
-  std::vector<Vec<3>> points;
+  std::vector<Vec<3>> points, images_2;
+  for (const Index v : samples) points.push_back(surface_1.vertices[v]);
   for (const Index v : samples) {
     const Eigen::VectorXf x = embedding.on[0].col(v);
     double least = std::numeric_limits<double>::infinity();
@@ -110,17 +102,24 @@ std::vector<CorrespondingPoints> confident_pairs(const ShapePairSpectra& pair, c
       point.setZero();
       for (int k = 0; k < 3; ++k) point += b[k] * surface_2.vertices[facet[k]];
     }
-    points.push_back(point);
+    images_2.push_back(point);
   }
-  std::vector<CorrespondingPoints> pairs;
+  const auto nearest = nearest_neighbours(points, 6);
+  std::vector<CorrespondingPoints> close;
+  std::vector<Vec<3>> from, to;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Index v = samples[i];
-    const double cycle = (surface_1.vertices[back[there[v]]] - surface_1.vertices[v]).norm();
-    if (cycle >= options.cycle_tolerance || local_stretch(pair, samples, points, i) > options.max_stretch) continue;
+    const double cycle = (surface_1.vertices[back[there[v]]] - points[i]).norm();
+    if (cycle >= options.cycle_tolerance || local_stretch(nearest[i], images_2, i) > options.max_stretch) continue;
     const double share = cycle / options.cycle_tolerance;
-    pairs.push_back({surface_1.vertices[v], points[i], (1 - share * share) * (1 - share * share)});
+    close.push_back({points[i], images_2[i], (1 - share * share) * (1 - share * share)});
+    from.push_back(points[i]);
+    to.push_back(images_2[i]);
   }
-  return pairs;
+  const std::vector<bool> consistent = in_consistent_group(from, to, options.max_stretch, options.cycle_tolerance);
+  ConfidentPairs result;
+  for (std::size_t k = 0; k < close.size(); ++k) (consistent[k] ? result.pairs : result.contradicting).push_back(close[k]);
+  return result;
 }
 
 }  // namespace shellmatch

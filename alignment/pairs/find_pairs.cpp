@@ -37,11 +37,14 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
     candidate.is_identity = maps[i].is_identity;
     candidate.is_mirrored = is_mirrored;
     candidate.map = dense_map(pair, maps[i]);
-    for (CorrespondingPoints points : confident_pairs(pair, maps[i], options)) {
-      points.on_reference = reference.in_input_coordinates(points.on_reference);
-      points.on_template = template_shape.in_input_coordinates(points.on_template);
-      candidate.pairs.push_back(points);
-    }
+    ConfidentPairs found = confident_pairs(pair, maps[i], options);
+    for (auto* pairs : {&found.pairs, &found.contradicting})
+      for (CorrespondingPoints& points : *pairs) {
+        points.on_reference = reference.in_input_coordinates(points.on_reference);
+        points.on_template = template_shape.in_input_coordinates(points.on_template);
+      }
+    candidate.pairs = std::move(found.pairs);
+    candidate.contradicting = std::move(found.contradicting);
   }, 1);
   return candidates;
 }
@@ -84,10 +87,11 @@ void project(Surface<3> input, const PreparedSurface& prepared, Vec<3> Correspon
   std::erase_if(input.facets, [&](const auto& facet) { return prepared.nearest[facet[0]] == no_index; });
   const FacetTree<3> tree(input);
   for (PairCandidate& candidate : candidates)
-    parallel_for(candidate.pairs.size(), [&](std::size_t i) {
-      Vec<3>& x = candidate.pairs[i].*side;
-      x = closest_point_on_facet<3>(input, tree.nearest(x), x).point;
-    });
+    for (auto* pairs : {&candidate.pairs, &candidate.contradicting})
+      parallel_for(pairs->size(), [&](std::size_t i) {
+        Vec<3>& x = (*pairs)[i].*side;
+        x = closest_point_on_facet<3>(input, tree.nearest(x), x).point;
+      });
 }
 
 }  // namespace

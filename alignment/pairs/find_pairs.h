@@ -23,6 +23,7 @@ struct PairCandidate {
   bool is_identity = false;       ///< began with the surfaces as they lie
   bool is_mirrored = false;       ///< found for the mirrored reference
   std::vector<CorrespondingPoints> pairs;   ///< confident ones
+  std::vector<CorrespondingPoints> contradicting;  ///< ConfidentPairs::contradicting: evidence against the map, and of no other use
   std::vector<Index> map;         ///< for each vertex of the prepared reference one of the prepared template
 };
 

@@ -63,7 +63,10 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   const bool is_trusted = options.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
   const bool is_used = best.is_usable() && is_trusted;
   Alignment<Dim> result;
-  if (is_used) result = std::move(best.alignment);
+  if (is_used) {
+    result = std::move(best.alignment);
+    result.pairs.resize(result.pairs.size() - best.n_contradicting);
+  }
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
   s.landmark_distance = best.landmark_distance;

@@ -69,7 +69,13 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   if (!start.is_usable()) return start;
   start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
   start.alignment.spread = spread;
-  if (with_pairs && options.weight > 0) start.alignment.pairs = as_landmarks<Dim>(candidate.pairs);
+  if (!with_pairs || !(options.weight > 0)) return start;
+  std::vector<CorrespondingPointsIn<Dim>> pairs = candidate.pairs;
+  if constexpr (requires { candidate.contradicting; }) {
+    start.n_contradicting = candidate.contradicting.size();
+    pairs.insert(pairs.end(), candidate.contradicting.begin(), candidate.contradicting.end());
+  }
+  start.alignment.pairs = as_landmarks<Dim>(pairs);
   return start;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
+#include "matching/alignment/search_starts.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
@@ -54,6 +55,17 @@ class AlignShapes : public ::testing::Test {
  protected:
   const Shape<3> reference_ = hand(), bent_ = hand("/bent");
 };
+
+TEST_F(AlignShapes, PairsThatContradictThoseAroundThemAreNotUsed) {
+  const ShapePair<3> unlike{reference_, std::get<Shape<3>>(open_shape("generate:dolphin/bent"))};
+  const ExperimentOptions options = quick(AlignMode::similarity);  // used whatever the score
+  std::size_t least = 1000;
+  for (const Start<3>& start : search_starts(unlike, {}, options.align).starts) least = std::min(least, start.n_contradicting);
+  ASSERT_GT(least, 0u) << "whichever is chosen has some";
+  Notes notes;
+  const Alignment<3> found = align_shapes<3>(unlike, {}, options, notes, "the reference");
+  EXPECT_EQ(found.pairs.size(), static_cast<std::size_t>(found.summary->n_pairs));
+}
 
 TEST_F(AlignShapes, ATurnedPairMatchesAsWellAsTheOneThatLiesAsItBelongs) {
   const Similarity<3> by = motion(20);

@@ -53,6 +53,21 @@ TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
   EXPECT_FALSE(search_starts(shapes, landmarks, options).landmarks_are_spread);
 }
 
+TEST(SearchStarts, PairsThatContradictThoseAroundThemAreTheLast) {
+  const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
+  AlignOptions options;
+  options.search.functions = 40;
+  options.search.refined = 3;
+  const StartSearch<3> search = search_starts({shape("generate:hand/bent"), shape("generate:hand")}, {}, options);
+  std::size_t n_contradicting = 0;
+  for (const Start<3>& start : search.starts) {
+    EXPECT_EQ(start.alignment.pairs.size(), start.n_pairs + start.n_contradicting);
+    n_contradicting += start.n_contradicting;
+  }
+  EXPECT_GT(n_contradicting, 0u) << "maps that exchange fingers are among those found";
+  EXPECT_EQ(search.starts[0].n_contradicting, 0u);
+}
+
 TEST(SearchStarts, SayWhichComponentsAreLeftOut) {
   ShapePair<3> shapes;
   const Surface<3> sphere = generated_surface("sphere", "", 0.05);
