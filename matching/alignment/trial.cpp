@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
+#include "matching/cascade/schedule.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
@@ -36,10 +37,10 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
   trial.coverage.levels = 0;
   trial.check_gradient.every = 0;
   for (int level = trial.cascade.min_level; level <= trial.cascade.max_level; ++level) {
-    const StopOptions& stop = solver_at_level(options.solver, level).stop;
+    const SolverOptions solver = solver_at_level(options.solver, level);
     LevelOverrides::Entry own{level, level, {}};  // the last entry counts
-    own.set("stop.max_iterations", {std::min(stop.max_iterations, most_trial_iterations)});
-    own.set("stop.relative_decrease", {std::max(stop.relative_decrease, options.cascade.intermediate_decrease)});
+    own.set("stop.max_iterations", {std::min(solver.stop.max_iterations, most_trial_iterations)});
+    own.set("stop.relative_decrease", {relative_decrease(options.cascade, solver, Followed::by_level)});
     trial.solver.levels.entries.push_back(std::move(own));
   }
   return trial;

@@ -21,13 +21,6 @@ namespace {
 // Minimisations of a level between which its mask follows phi.
 constexpr int mask_rounds = 2;
 
-/// Where a minimisation that is followed by another one stops. A step of Newton's method gains much or is the last one; those of other
-/// methods gain less.
-double intermediate_decrease(const CascadeOptions& cascade, bool ends_level, const SolverOptions& solver) {
-  if (ends_level) return cascade.intermediate_decrease;
-  return std::max(cascade.intermediate_decrease, solver.name == "newton" ? cascade.substep_decrease : 0.1 * cascade.substep_decrease);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -78,8 +71,10 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
       StopOptions stop = solver.stop;
       const bool ends_level = s + 1 == steps.size() && round + 1 == rounds;
-      if (!(ends_level && level == options_.cascade.max_level))
-        stop.relative_decrease = std::max(stop.relative_decrease, intermediate_decrease(options_.cascade, ends_level, solver));
+      stop.relative_decrease = relative_decrease(options_.cascade, solver,
+                                                 !ends_level                             ? Followed::on_level
+                                                 : level < options_.cascade.max_level ? Followed::by_level
+                                                                                         : Followed::by_nothing);
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;

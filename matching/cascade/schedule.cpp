@@ -1,5 +1,6 @@
 #include "matching/cascade/schedule.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
@@ -16,6 +17,14 @@ std::vector<ScheduleStep> schedule_of_level(const CascadeOptions& o, int level) 
 
 std::size_t step_after(std::size_t s, std::size_t n, double rise_at_last, double negligible) {
   return s + 1 < n && rise_at_last < negligible ? n - 1 : s + 1;
+}
+
+double relative_decrease(const CascadeOptions& o, const SolverOptions& solver, Followed followed) {
+  if (followed == Followed::by_nothing) return solver.stop.relative_decrease;
+  const double level_end = o.intermediate_decrease > 0 ? o.intermediate_decrease : solver.stop.relative_decrease;
+  if (followed == Followed::by_level) return level_end;
+  // A step of Newton's method gains much or is the last one; those of other methods gain less.
+  return std::max(level_end, solver.name == "newton" ? o.substep_decrease : 0.1 * o.substep_decrease);
 }
 
 }  // namespace shellmatch

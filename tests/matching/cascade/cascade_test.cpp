@@ -65,6 +65,28 @@ TEST(Schedule, StepsThatCanWinNothingAreLeftOut) {
   EXPECT_EQ(step_after(2, 3, 0, 1e-4), 3u) << "the last one ends the level";
 }
 
+TEST(Schedule, EachMinimisationStopsAsWhatFollowsItNeeds) {
+  const auto of = [](const ExperimentOptions& o, const std::string& name, Followed followed) {
+    SolverOptions solver = o.solver;
+    solver.name = name;
+    return relative_decrease(o.cascade, solver, followed);
+  };
+  ExperimentOptions o;
+  o.cascade.intermediate_decrease = 1e-3;
+  o.cascade.substep_decrease = 0.02;
+  o.solver.stop.relative_decrease = 5e-3;
+  EXPECT_EQ(of(o, "newton", Followed::by_nothing), 5e-3);
+  EXPECT_EQ(of(o, "newton", Followed::by_level), 1e-3) << "also where the last one stops earlier";
+  EXPECT_EQ(of(o, "newton", Followed::on_level), 0.02);
+  EXPECT_EQ(of(o, "lbfgs", Followed::on_level), 0.002);
+  o.cascade.intermediate_decrease = 0;
+  EXPECT_EQ(of(o, "newton", Followed::by_level), 5e-3);
+  EXPECT_EQ(of(o, "lbfgs", Followed::on_level), 5e-3);
+  const ExperimentOptions paper = profile_defaults(Profile::paper);
+  for (const Followed f : {Followed::on_level, Followed::by_level, Followed::by_nothing})
+    EXPECT_EQ(of(paper, paper.solver.name, f), paper.solver.stop.relative_decrease) << "the paper's minimisations all converge alike";
+}
+
 TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
   ExperimentOptions o = small(6);
   o.cascade.nu_substeps = 4;
