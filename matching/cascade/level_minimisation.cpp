@@ -61,14 +61,15 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   result.term_names = level_.energy.term_names();
   const SolverOptions solver = solver_at_level(options_.solver, level);
   TermValues weights;
-  for (std::size_t s = 0; s < steps.size() && !interrupted;) {
+  follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
+  const std::size_t first = first_step(steps, phi);
+  for (std::size_t s = first; s < steps.size() && !interrupted;) {
     start.nu = steps[s].nu;
     start.volume_weight = steps[s].volume_weight;
     weights = level_.weights(options_, start.nu, start.volume_weight);
     std::vector<double> terms;  // values of the terms at the end of the last minimisation
     for (int round = 0; round < rounds && !interrupted; ++round) {
       start.substep = static_cast<int>(s) * rounds + round + 1;
-      follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
       StopOptions stop = solver.stop;
       const bool ends_level = s + 1 == steps.size() && round + 1 == rounds;
       stop.relative_decrease = relative_decrease(options_.cascade, solver,
@@ -78,7 +79,8 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
-      if (is_refused && is_start && start.substep == 1) refuse_start(level, phi, weights, result.last.message);
+      if (is_refused && is_start && s == first && round == 0) refuse_start(level, phi, weights, result.last.message);
+      if (!ends_level && !interrupted) follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
     }
     const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
     s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
@@ -98,6 +100,17 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
   level_.energy.set_pair_values(phi, weights_, result.reported);
   result.band = report.band;
   result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
+}
+
+template <int Dim>
+std::size_t LevelMinimisation<Dim>::first_step(const std::vector<ScheduleStep>& steps, const std::vector<Vec<Dim>>& phi) {
+  const double share = options_.cascade.negligible_start_rise;
+  if (steps.size() == 1 || share == 0) return 0;
+  const TermValues weights = level_.weights(options_, steps.front().nu, steps.front().volume_weight);
+  TermValues values;
+  if (!level_.energy.evaluate(phi, weights, values, {})) return 0;
+  const double rise = rise_at(steps.back(), {values.begin(), values.end()}, weights);
+  return rise < share * std::abs(values.sum()) ? steps.size() - 1 : 0;
 }
 
 template <int Dim>

@@ -21,7 +21,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.cascade.volume = 0.025;
     options.cascade.volume_factor = 0.5;
     options.cascade.coarse_sigma_cells = options.cascade.sigma_cells;
-    options.cascade.negligible_rise = 0;
+    options.cascade.negligible_start_rise = options.cascade.negligible_rise = 0;
     options.cascade.intermediate_decrease = options.cascade.substep_decrease = 0;
     // Section 5: distances by fast marching, roots by Franca's method.
     options.coefficients.distance = DistanceMethod::fast_marching;

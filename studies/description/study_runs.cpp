@@ -36,7 +36,7 @@ std::string energy_key_of(ExperimentOptions o, const std::string& inputs) {
   c.volume = last.volume_weight;
   c.nu_factor = c.volume_factor = 1;
   c.nu_substeps = 1;
-  c.negligible_rise = 0;
+  c.negligible_start_rise = c.negligible_rise = 0;
   c.intermediate_decrease = c.substep_decrease = 0;
   return text_checksum(portable_yaml(o) + inputs);
 }

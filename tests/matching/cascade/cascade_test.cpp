@@ -87,21 +87,44 @@ TEST(Schedule, EachMinimisationStopsAsWhatFollowsItNeeds) {
     EXPECT_EQ(of(paper, paper.solver.name, f), paper.solver.stop.relative_decrease) << "the paper's minimisations all converge alike";
 }
 
-TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
-  ExperimentOptions o = small(6);
-  o.cascade.nu_substeps = 4;
-  o.cascade.negligible_rise = 0.1;
+// The numbers of the minimisations that each level of circle to ellipse/long runs.
+std::map<int, std::vector<int>> steps_of_levels(const ExperimentOptions& o) {
   struct Counter final : Observer {
     void minimisation_started(const LevelStart& start) override { steps[start.level].push_back(start.substep); }
     std::map<int, std::vector<int>> steps;
   } counter;
   run<2>("circle", "ellipse/long", o, counter);
+  return counter.steps;
+}
+
+TEST(Cascade, LeavesOutStepsThatCanWinNothing) {
+  ExperimentOptions o = small(6);
+  o.cascade.nu_substeps = 4;
+  o.cascade.negligible_start_rise = 0;
+  o.cascade.negligible_rise = 0.1;
   int n_left_out = 0;
-  for (const auto& [level, steps] : counter.steps) {
+  for (const auto& [level, steps] : steps_of_levels(o)) {
+    EXPECT_EQ(steps.front(), 1) << "the first nu is not left out, whatever it wins";
     EXPECT_EQ(steps.back(), level == o.cascade.min_level ? 1 : 4) << "the last nu is never left out";
     n_left_out += level == o.cascade.min_level ? 0 : 4 - static_cast<int>(steps.size());
   }
   EXPECT_GT(n_left_out, 2);
+}
+
+TEST(Cascade, ALevelBeginsWithItsLastNuWhereThatRaisesTheEnergyLittle) {
+  ExperimentOptions o = small(6);
+  o.cascade.negligible_rise = 0;
+  o.cascade.negligible_start_rise = 0;
+  for (const auto& [level, steps] : steps_of_levels(o))
+    EXPECT_EQ(steps.size(), level == o.cascade.min_level ? 1u : 3u) << "all steps are asked for";
+  o.cascade.negligible_start_rise = 10;  // nu falls to a third at most: no energy rises so much
+  for (const auto& [level, steps] : steps_of_levels(o))
+    EXPECT_EQ(steps, std::vector<int>{level == o.cascade.min_level ? 1 : 3});
+  o.cascade.negligible_start_rise = profile_defaults(Profile::standard).cascade.negligible_start_rise;
+  std::set<std::size_t> counts;
+  for (const auto& [level, steps] : steps_of_levels(o))
+    if (level > o.cascade.min_level) counts.insert(steps.size());
+  EXPECT_EQ(counts, (std::set<std::size_t>{1, 3})) << "coarse levels, far from the target, keep all; fine ones need the last";
 }
 
 TEST(Cascade, AnEnergyThatIsNoNumberIsRefusedByItsTerms) {

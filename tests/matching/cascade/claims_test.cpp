@@ -29,7 +29,7 @@ ExperimentOptions first_order(int min_level, int max_level) {
   o.cascade.nu = 0.002;
   o.cascade.nu_factor = 0.1;
   o.cascade.coarse_sigma_cells = o.cascade.sigma_cells;
-  o.cascade.negligible_rise = 0;
+  o.cascade.negligible_start_rise = o.cascade.negligible_rise = 0;
   o.cascade.intermediate_decrease = 0;
   o.solver.name = "lbfgs";
   o.solver.stop = {.max_iterations = 3000, .relative_decrease = 1e-9, .decrease_window = 20};
