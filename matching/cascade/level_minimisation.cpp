@@ -106,8 +106,9 @@ template <int Dim>
 std::size_t LevelMinimisation<Dim>::first_step(const std::vector<ScheduleStep>& steps, const std::vector<Vec<Dim>>& phi) {
   const double share = options_.cascade.negligible_start_rise;
   if (steps.size() == 1 || share == 0) return 0;
-  const TermValues weights = level_.weights(options_, steps.front().nu, steps.front().volume_weight);
-  TermValues values;
+  TermValues weights = level_.weights(options_, steps.front().nu, steps.front().volume_weight), values;
+  // Its pairs are new on this level, and their energy at first mostly what they ask for beyond the level before.
+  if (level_.coverage) weights[*level_.coverage] = 0;
   if (!level_.energy.evaluate(phi, weights, values, {})) return 0;
   const double rise = rise_at(steps.back(), {values.begin(), values.end()}, weights);
   return rise < share * std::abs(values.sum()) ? steps.size() - 1 : 0;

@@ -38,8 +38,8 @@ class LevelMinimisation {
 
  private:
   LevelStart start_of(int level) const;
-  /// The step of the schedule that phi, as the level before left it, goes to: the first, or the last where that raises its energy by less
-  /// than cascade.negligible_start_rise.
+  /// The step of the schedule that phi, as the level before left it, goes to: the first, or the last where that raises its energy, coverage
+  /// aside, by less than cascade.negligible_start_rise.
   std::size_t first_step(const std::vector<ScheduleStep>& steps, const std::vector<Vec<Dim>>& phi);
   /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of another step.
   double rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const;

@@ -96,7 +96,7 @@ struct CascadeOptions {
     visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
     visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
     visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
-    visit("negligible_start_rise", self.negligible_start_rise, {.min = 0, .max = 10, .meaning = "a level begins with its last nu where that, in place of its first one, raises the energy of the map that it begins with by less than this share; 0 asks for all steps"});
+    visit("negligible_start_rise", self.negligible_start_rise, {.min = 0, .max = 10, .meaning = "a level begins with its last nu where that, in place of its first one, raises the energy of the map that it begins with, coverage aside, by less than this share; 0 asks for all steps"});
     visit("negligible_rise", self.negligible_rise, {.min = 0, .max = 1, .meaning = "steps of nu between are left out where the last nu raises the energy by less than this share of it; 0 leaves out none"});
     visit("intermediate_decrease", self.intermediate_decrease, {.min = 0, .max = 0.1, .meaning = "relative decrease at which the last minimisation of each level but the finest stops, instead of solver.stop.relative_decrease; 0 asks for the same of all"});
     visit("substep_decrease", self.substep_decrease, {.min = 0, .max = 0.1, .meaning = "the same within a level, where the next nu, or pairs that are made anew, follow, if it is more; with methods other than Newton's a tenth of it"});
