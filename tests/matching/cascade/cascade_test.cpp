@@ -125,6 +125,10 @@ TEST(Cascade, ALevelBeginsWithItsLastNuWhereThatRaisesTheEnergyLittle) {
   for (const auto& [level, steps] : steps_of_levels(o))
     if (level > o.cascade.min_level) counts.insert(steps.size());
   EXPECT_EQ(counts, (std::set<std::size_t>{1, 3})) << "coarse levels, far from the target, keep all; fine ones need the last";
+  o.coverage.levels = 1;
+  o.coverage.tolerance = 0;
+  o.coverage.weight = 1000;
+  EXPECT_EQ(steps_of_levels(o).at(6), std::vector<int>{3}) << "what new pairs ask for says nothing of nu";
 }
 
 TEST(Cascade, AnEnergyThatIsNoNumberIsRefusedByItsTerms) {
