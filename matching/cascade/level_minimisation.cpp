@@ -61,7 +61,8 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   result.term_names = level_.energy.term_names();
   const SolverOptions solver = solver_at_level(options_.solver, level);
   TermValues weights;
-  follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
+  const auto follow_phi = [&] { follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_); };
+  follow_phi();
   const std::size_t first = first_step(steps, phi);
   for (std::size_t s = first; s < steps.size() && !interrupted;) {
     start.nu = steps[s].nu;
@@ -80,7 +81,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
       if (is_refused && is_start && s == first && round == 0) refuse_start(level, phi, weights, result.last.message);
-      if (!ends_level && !interrupted) follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_);
+      if (!ends_level && !interrupted) follow_phi();
     }
     const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
     s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
