@@ -17,6 +17,10 @@ constexpr std::size_t n_refined_queries = 1000;
 constexpr int n_merged = 9;      // functions at which starts are compared
 constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
 constexpr int n_scored = 40;     // functions at which candidates are compared
+// Candidates that go on from the first of these steps to the last. With 12 to 64 of them, after two to five steps, eighteen pairs of
+// animals and people end alike.
+constexpr int n_promising = 16;
+const std::vector<int> first_steps = {9, 11, 13}, last_steps = {16, 20, 25, 32, n_scored};
 constexpr double least_landmark_scale = 0.05;  // distance at which a landmark has half its weight at least, in roots of the area
 
 /// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
@@ -104,12 +108,17 @@ void start_by_landmarks(const ShapePairSpectra& pair, MapCandidate& candidate) {
   upsample(pair, pair.coarse, n_queries, {k, n_merged}, 0, candidate);
 }
 
-/// From a first map on n_merged functions to one on n_scored, with the rotated surfaces, and its score.
-void refine_coarsely(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
+/// A map on more functions, and its score.
+void refine_coarsely(const ShapePairSpectra& pair, const std::vector<int>& steps, MapCandidate& candidate) {
+  upsample(pair, pair.coarse, n_queries, steps, embedded_normal_weight, candidate);
+  candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
+}
+
+/// From a first map on n_merged functions to one on few more, with the rotated surfaces, and its score.
+void refine_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
   candidate.matches = match_rotated(pair, candidate.c, rotation);
   candidate.c.resize(0, 0);
-  upsample(pair, pair.coarse, n_queries, {9, 11, 13, 16, 20, 25, 32, n_scored}, embedded_normal_weight, candidate);
-  candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
+  refine_coarsely(pair, first_steps, candidate);
 }
 
 /// The first map that the surfaces suggest after a rotation, by their smoothed coordinates alone.
@@ -150,9 +159,12 @@ void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candid
 
 }  // namespace
 
+bool are_ambiguous(const SpectralShape& a, const SpectralShape& b) { return has_no_axes(a.values) || has_no_axes(b.values); }
+
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
-  const std::vector<Eigen::MatrixXd> starts =
-      start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
+  std::vector<Eigen::MatrixXd> starts;
+  if (!are_ambiguous(*pair.shapes[0], *pair.shapes[1]))
+    starts = start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
   const bool by_landmarks = !pair.landmarks.empty();
   std::vector<MapCandidate> candidates(1 + starts.size() + by_landmarks);
   candidates.back().is_by_landmarks = by_landmarks;
@@ -170,9 +182,11 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   const int n_smoothed = std::min(n_smooth, pair.n_functions);
   parallel_for(candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
-    refine_coarsely(pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
-                    candidate);
+    refine_rotated(pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
+                   candidate);
   }, 1);
+  choose_best(pair, candidates, std::max(n_promising, options.refined));
+  parallel_for(candidates.size(), [&](std::size_t i) { refine_coarsely(pair, last_steps, candidates[i]); }, 1);
   choose_best(pair, candidates, options.refined);
   // What the surfaces suggest as they lie is often better than what any signs of eigenfunctions lead to. Turned surfaces suggest
   // the same once they are turned back.
@@ -181,7 +195,8 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   parallel_for(n_first, [&](std::size_t i) {
     const Mat<3> rotation = proper_rotation(pair, candidates[i].matches, n_smoothed);
     start_rotated(pair, rotation, candidates[n_first + i]);
-    refine_coarsely(pair, rotation, candidates[n_first + i]);
+    refine_rotated(pair, rotation, candidates[n_first + i]);
+    refine_coarsely(pair, last_steps, candidates[n_first + i]);
   }, 1);
   choose_best(pair, candidates, options.refined);
   parallel_for(candidates.size(), [&](std::size_t i) {

@@ -15,4 +15,9 @@ namespace shellmatch {
 std::vector<Eigen::MatrixXd> start_maps(const Eigen::VectorXd& values_1, const Eigen::VectorXd& values_2, int n,
                                         double swap_ratio);
 
+/// Whether the first three eigenvalues of a surface behind the constant's nearly agree, as those of a sphere or a cube do. Any rotation of
+/// space then turns its first eigenfunctions into others as good, and no start of start_maps() is near most of them.
+/// \pre more than three eigenvalues, ascending
+bool has_no_axes(const Eigen::VectorXd& values);
+
 }  // namespace shellmatch

@@ -57,6 +57,11 @@ class Hand {
   };
   double finger(int k, const Vec<3>& x) const;
   double palm(const Vec<3>& x) const;
+  // Lower bounds, which cost little.
+  double finger_at_least(int k, const Vec<3>& x) const;
+  double palm_at_least(const Vec<3>& x) const;
+  // The union of the fingers, given their lower bounds.
+  double fingers(const Vec<3>& x, const std::array<double, 5>& at_least) const;
 
   std::array<Finger, 5> fingers_;
 };

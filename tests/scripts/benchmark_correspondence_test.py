@@ -234,6 +234,10 @@ class Benchmark(ScriptTest):
             self.assertNotIn("old", text)
             self.assertEqual(text.count("| a0-a1 | tool | 0.00 | 20.00 | 25.00 | 25.00 | 80.0 % |"), 1, text)
             self.assertEqual(text.count("**mean of 2**"), 1)
+            command = next(line for line in text.splitlines() if line.startswith("    scripts/benchmark-correspondence "))
+            self.assertTrue(command.endswith(" -o out/shapes"), command)
+            for own in (str(self.folder / "out"), "--program", "--measure", "--plots", "--page"):
+                self.assertNotIn(own, command)
         self.assertTrue((self.folder / "pictures/correspondence-shapes-geodesic.svg").exists())
         page.write_text("no marks")
         self.refused([shapes, *self.other("shift"), "--page", page], "page.md needs the lines")

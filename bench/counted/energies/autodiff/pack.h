@@ -49,6 +49,7 @@ class Pack {
   Pack& operator+=(const Pack& y) { return *this = *this + y; }
   Pack& operator-=(const Pack& y) { return *this = *this - y; }
   Pack& operator*=(const Pack& y) { return *this = *this * y; }
+  Pack& operator*=(double y) { return *this = *this * y; }
   Pack& operator/=(const Pack& y) { return *this = *this / y; }
 
   // One lane: what chooses between two packs lane by lane is a plain bool.
