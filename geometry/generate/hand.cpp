@@ -19,8 +19,15 @@ const Vec<3> anatomy_offset(0.052, 0.045, 0);
 // computed in a space whose z is divided by `flatness`.
 constexpr double flatness = 0.78;
 struct PalmBone {
-  Vec<3> a, b;
-  double ra, rb;
+  PalmBone(const Vec<3>& a, const Vec<3>& b, double ra, double rb, bool is_flat, double width)
+      : cone(a, b, ra, rb), flat(is_flat), blend(width) {
+    for (const auto& [centre, radius] : {std::pair(a, ra), std::pair(b, rb)}) {
+      box.add(centre.head<2>() + Vec<2>::Constant(radius));
+      box.add(centre.head<2>() - Vec<2>::Constant(radius));
+    }
+  }
+  RoundedCone cone;
+  Box<2> box;  // from the front
   bool flat;
   double blend;  // width of the union with the bones before it
 };
@@ -49,20 +56,17 @@ Hand::Hand(const HandOptions& options) {
     const Mat<3> direction = Eigen::AngleAxisd(radians(-a.angle), Vec<3>::UnitZ()).toRotationMatrix();
     // A rotation about -x moves y towards -z. The thumb is rotated by 12 degrees at rest.
     const double turn = radians(a.bend + (k == 0 ? 12 : 0));
-    fingers_[k] = {a.base + anatomy_offset,
-                   direction * Eigen::AngleAxisd(turn, -Vec<3>::UnitX()).toRotationMatrix(), a.length,
-                   a.thickness};
+    const double r = a.thickness, end = a.length - 0.75 * r, knuckle = (k == 0 ? 0.62 : 0.5) * a.length;
+    const auto at = [](double along) { return Vec<3>(0, along, 0); };
+    fingers_.push_back({a.base + anatomy_offset, direction * Eigen::AngleAxisd(turn, -Vec<3>::UnitX()).toRotationMatrix(), a.length, r,
+                        RoundedCone(at(0), at(knuckle), r, 0.88 * r), RoundedCone(at(knuckle), at(end), 0.92 * r, 0.74 * r)});
   }
 }
 
 double Hand::finger(int k, const Vec<3>& x) const {
   const Finger& f = fingers_[k];
   const Vec<3> y = f.rotation.transpose() * (x - f.base);
-  const double r = f.thickness, end = f.length - 0.75 * r, knuckle = (k == 0 ? 0.62 : 0.5) * f.length;
-  const auto at = [](double along) { return Vec<3>(0, along, 0); };
-  const double lower = rounded_cone(y, at(0), at(knuckle), r, 0.88 * r);
-  const double upper = rounded_cone(y, at(knuckle), at(end), 0.92 * r, 0.74 * r);
-  return smooth_union(lower, upper, finger_blend);
+  return smooth_union(f.lower(y), f.upper(y), finger_blend);
 }
 
 // The distance to a point of the axis is at least its largest component, less the greatest radius.
@@ -77,28 +81,26 @@ double Hand::palm(const Vec<3>& point) const {
   const Vec<3> x = point - anatomy_offset, stretched(x.x(), x.y(), 0.5 + (x.z() - 0.5) / flatness);
   double d = 0;
   for (const PalmBone& bone : palm_bones) {
-    const double other = bone.flat ? flatness * rounded_cone(stretched, bone.a, bone.b, bone.ra, bone.rb)
-                                   : rounded_cone(x, bone.a, bone.b, bone.ra, bone.rb);
+    const double other = bone.flat ? flatness * bone.cone(stretched) : bone.cone(x);
     d = &bone == palm_bones ? other : smooth_union(d, other, bone.blend);
   }
   return d;
 }
 
-// As for a finger, with the box of all bones; a stretched distance is at least `flatness` times it.
+// As for a finger, with the box of all bones. A stretched distance is at least `flatness` times it, and each blend lowers the union by a
+// sixth of its width at most.
 double Hand::palm_at_least(const Vec<3>& point) const {
-  static const Box<2> box = [] {
-    Box<2> all;
-    for (const PalmBone& bone : palm_bones)
-      for (const auto& [centre, radius] : {std::pair(bone.a, bone.ra), std::pair(bone.b, bone.rb)}) {
-        all.add(centre.head<2>() + Vec<2>::Constant(radius));
-        all.add(centre.head<2>() - Vec<2>::Constant(radius));
-      }
+  static const auto [box, lowered] = [] {
+    std::pair<Box<2>, double> all{{}, 0};
+    for (const PalmBone& bone : palm_bones) {
+      all.first.add(bone.box.min);
+      all.first.add(bone.box.max);
+      all.second += bone.blend / 6;
+    }
     return all;
   }();
   const Vec<2> x = (point - anatomy_offset).head<2>();
   const double beyond = std::max((x - box.max).maxCoeff(), (box.min - x).maxCoeff());
-  double lowered = 0;
-  for (const PalmBone& bone : palm_bones) lowered += bone.blend / 6;
   return std::min(beyond, flatness * beyond) - lowered;
 }
 
@@ -107,16 +109,16 @@ double Hand::fingers(const Vec<3>& x, const std::array<double, 5>& at_least) con
   const double least = finger(nearest, x);
   double d = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 5; ++k) {
-    if (at_least[k] > least + 3 * finger_blend) continue;
+    if (at_least[k] > (k > nearest ? d : least + 1.5 * finger_blend) + finger_blend) continue;
     const double other = k == nearest ? least : finger(k, x);
     d = std::isinf(d) ? other : smooth_union(d, other, finger_blend);
   }
   return d;
 }
 
-// Parts too far to change the union are left out; it stays the same to the bit. Of two values that differ by more
-// than the width smooth_union() returns the smaller, and it lowers none by more than a sixth of the width: with three
-// widths between a finger and the nearest, what it changes before the nearest is added is above that by a width.
+// Parts too far to change the union are left out; it stays the same to the bit. Of two values that differ by more than the width
+// smooth_union() returns the smaller, and it lowers none by more than a sixth of the width. A finger before the nearest one that is 2.5
+// widths above it changes nothing nearer to it than 2.5 - 1 - 1/6 widths, of which nothing is left once the nearest is added.
 double Hand::operator()(const Vec<3>& x) const {
   std::array<double, 5> at_least;
   for (int k = 0; k < 5; ++k) at_least[k] = finger_at_least(k, x);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace shellmatch {
 
@@ -54,6 +55,7 @@ class Hand {
     Vec<3> base;      // centre of the rotation
     Mat<3> rotation;  // from the finger's axes (y along it) to those of the domain
     double length, thickness;
+    RoundedCone lower, upper;  // in the finger's axes
   };
   double finger(int k, const Vec<3>& x) const;
   double palm(const Vec<3>& x) const;
@@ -63,7 +65,7 @@ class Hand {
   // The union of the fingers, given their lower bounds.
   double fingers(const Vec<3>& x, const std::array<double, 5>& at_least) const;
 
-  std::array<Finger, 5> fingers_;
+  std::vector<Finger> fingers_;
 };
 
 /// Rest shape: the posed shape itself. Hand::corresponding_point() defines the correspondence.

@@ -6,21 +6,26 @@
 namespace shellmatch {
 
 double smooth_union(double a, double b, double width) {
-  const double overlap = std::max(1 - std::abs(a - b) / width, 0.0);
+  const double gap = std::abs(a - b);
+  if (gap >= width) return std::min(a, b);
+  const double overlap = std::max(1 - gap / width, 0.0);
   return std::min(a, b) - width / 6 * overlap * overlap * overlap;
 }
 
-double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb) {
-  const Vec<3> axis = b - a;
-  const double length = axis.norm();
-  const double along = (x - a).dot(axis) / length;
-  const double across = std::sqrt(std::max((x - a).squaredNorm() - along * along, 0.0));
-  // In the half plane (along, across) the mantle is a segment with the unit normal (sine, cosine).
-  const double sine = (ra - rb) / length, cosine = std::sqrt(1 - sine * sine);
-  const double on_mantle = along * cosine - across * sine;
-  if (on_mantle <= 0) return std::hypot(along, across) - ra;
-  if (on_mantle >= length * cosine) return std::hypot(along - length, across) - rb;
-  return along * sine + across * cosine - ra;
+// In the half plane (along, across) the mantle is a segment with the unit normal (sine, cosine).
+RoundedCone::RoundedCone(const Vec<3>& a, const Vec<3>& b, double ra, double rb) : a_(a), axis_(b - a), ra_(ra), rb_(rb) {
+  length_ = axis_.norm();
+  sine_ = (ra - rb) / length_;
+  cosine_ = std::sqrt(1 - sine_ * sine_);
+}
+
+double RoundedCone::operator()(const Vec<3>& x) const {
+  const double along = (x - a_).dot(axis_) / length_;
+  const double across = std::sqrt(std::max((x - a_).squaredNorm() - along * along, 0.0));
+  const double on_mantle = along * cosine_ - across * sine_;
+  if (on_mantle <= 0) return std::hypot(along, across) - ra_;
+  if (on_mantle >= length_ * cosine_) return std::hypot(along - length_, across) - rb_;
+  return along * sine_ + across * cosine_ - ra_;
 }
 
 double rounded_box(const Vec<3>& x, const Vec<3>& half_sides, double radius) {

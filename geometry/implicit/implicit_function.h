@@ -22,8 +22,21 @@ double smooth_union(double a, double b, double width);
 /// The part of `a` outside `b`, with the same rounding.
 inline double smooth_difference(double a, double b, double width) { return -smooth_union(-a, b, width); }
 
-/// Distance to the convex hull of two balls: centres a, b, radii ra, rb >= 0. \pre |a - b| > |ra - rb|.
-double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb);
+/// The convex hull of two balls: centres a, b, radii ra, rb >= 0.
+class RoundedCone {
+ public:
+  /// \pre |a - b| > |ra - rb|
+  RoundedCone(const Vec<3>& a, const Vec<3>& b, double ra, double rb);
+  /// Distance to it.
+  double operator()(const Vec<3>& x) const;
+
+ private:
+  Vec<3> a_, axis_;
+  double ra_, rb_, length_, sine_, cosine_;
+};
+
+/// As RoundedCone, for one point.
+inline double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb) { return RoundedCone(a, b, ra, rb)(x); }
 
 /// Distance to the box with the given half sides, centred at 0, whose edges are rounded with `radius`.
 /// \pre every half side is at least `radius` >= 0.

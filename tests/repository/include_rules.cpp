@@ -34,6 +34,7 @@ const std::vector<Adapter>& adapter_table() {
       {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp", "cohorts/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
       {"libpng", {"png.h"}, {"geometry/io/*png*.cpp"}},
+      {"libdeflate", {"libdeflate"}, {"matching/map_file/libdeflate_*.cpp"}},
       {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
