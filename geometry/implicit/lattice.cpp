@@ -109,6 +109,11 @@ class Lattice {
           ring[q] = site(corner[0], corner[1], corner[2], false);
         }
         const Site lower = site(c[0], c[1], c[2], true), upper = site(next[0], next[1], next[2], true);
+        // Nearly everywhere all four lie on one side.
+        const auto all = [&](const auto& is_there) {
+          return is_there(lower) && is_there(upper) && std::all_of(ring.begin(), ring.end(), is_there);
+        };
+        if (all([&](Site s) { return values_[s] > 0; }) || all([&](Site s) { return values_[s] < 0; })) continue;
         for (int q = 0; q < 4; ++q) body({lower, upper, ring[q], ring[(q + 1) % 4]});
       }
     });

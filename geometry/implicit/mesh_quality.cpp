@@ -50,14 +50,19 @@ void swap_to_delaunay(Surface<3>& s) {
   std::vector<int> valence(x.size(), 0);
   for (const auto& facet : s.facets)
     for (const Index v : facet) ++valence[v];
+  // Whose edges have all been seen to be, before any change of the facet or a neighbour.
+  std::vector<char> is_delaunay(s.facets.size(), false);
   for (int pass = 0; pass < 8; ++pass) {
     int n_swaps = 0;
-    for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
+    for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
+      if (is_delaunay[f]) continue;
+      is_delaunay[f] = true;
       for (int k = 0; k < 3; ++k) {
         const Index a = s.facets[f][k], b = s.facets[f][(k + 1) % 3];
         const Index g = facet_of.at(edge_key(b, a));
         const Index c = opposite(s.facets[f], a, b), d = opposite(s.facets[g], a, b);
         if (!exceed_two_right_angles(x[a], x[b], x[c], x[d])) continue;
+        is_delaunay[f] = false;
         if (facet_of.count(edge_key(c, d)) || facet_of.count(edge_key(d, c))) continue;
         if (valence[a] <= 3 || valence[b] <= 3) continue;
         const Vec<3> normal = (x[b] - x[a]).cross(x[c] - x[a]) + (x[a] - x[b]).cross(x[d] - x[b]);
@@ -70,10 +75,13 @@ void swap_to_delaunay(Surface<3>& s) {
         s.facets[g] = {d, b, c};
         for (const Index h : {f, g})
           for (int q = 0; q < 3; ++q) facet_of[edge_key(s.facets[h][q], s.facets[h][(q + 1) % 3])] = h;
+        for (const Index h : {f, g})
+          for (int q = 0; q < 3; ++q) is_delaunay[facet_of.at(edge_key(s.facets[h][(q + 1) % 3], s.facets[h][q]))] = false;
         --valence[a], --valence[b], ++valence[c], ++valence[d];
         ++n_swaps;
         break;
       }
+    }
     if (n_swaps == 0) break;
   }
 }
