@@ -48,5 +48,12 @@ TEST(Starts, NeighboursThatOverlapAreSwappedOneAtATime) {
   EXPECT_EQ(start_maps(values, values, 3, 1.35).size(), 3u * 8u);
 }
 
+TEST(Starts, ASphereHasNoAxesAndASolidOfRevolutionHasOne) {
+  const auto with = [](double second, double third) { return Eigen::VectorXd((Eigen::VectorXd(5) << 0, 1, second, third, 3).finished()); };
+  EXPECT_TRUE(has_no_axes(with(1.0001, 1.0002)));
+  EXPECT_FALSE(has_no_axes(with(1, 1.1)));
+  EXPECT_FALSE(has_no_axes(with(1.1, 1.1)));
+}
+
 }  // namespace
 }  // namespace shellmatch

@@ -153,6 +153,17 @@ TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {
   EXPECT_TRUE(find_pairs(hand(), other, options).candidates[0].is_identity);
 }
 
+TEST(FindPairs, SpheresLeaveOpenByWhichRotationTheyCorrespond) {
+  const Surface<3> sphere = generated_surface("ellipsoid", "round", 0.05), ellipsoid = generated_surface("ellipsoid", "long", 0.05);
+  for (const auto& [reference, template_surface] : {std::pair(&sphere, &ellipsoid), std::pair(&ellipsoid, &sphere)}) {
+    const AutomaticPairs found = find_pairs(*reference, *template_surface, quick());
+    EXPECT_EQ(found.margin, 1);
+    ASSERT_EQ(found.candidates.size(), 1u) << "no signs of eigenfunctions are tried";
+    EXPECT_TRUE(found.candidates[0].is_identity);
+  }
+  EXPECT_GT(find_pairs(ellipsoid, ellipsoid, quick()).candidates.size(), 1u);
+}
+
 TEST(FindPairs, LargeSurfacesWithSeveralPartsAndHolesAreMatched) {
   Surface<3> fine = generated_surface("hand", "", 0.01);
   AlignmentOptions options = quick();

@@ -52,6 +52,24 @@ TEST_P(EveryPair, TruthLiesOnTheTemplateToTheErrorOfItsTessellation) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryPair, testing::ValuesIn(generator_catalogue()),
                          [](const auto& named) { return named.param.name; });
 
+// Where a part that is left out would count, the function jumps.
+TEST(HandFunction, HasNoJumps) {
+  HandOptions options;
+  options.bend_index = 40;
+  const Hand hand(options);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(0.2, 0.8);
+  const auto point = [&] { return Vec<3>(coordinate(random), coordinate(random), coordinate(random)); };
+  constexpr int n_steps = 4000;
+  for (int line = 0; line < 200; ++line) {
+    const Vec<3> from = point(), step = (point() - from) / n_steps;
+    for (int i = 0; i < n_steps; ++i) {
+      const double change = std::abs(hand(from + (i + 1) * step) - hand(from + i * step));
+      ASSERT_LE(change, 1.3 * step.norm() + 1e-12) << "at " << (from + i * step).transpose();
+    }
+  }
+}
+
 TEST(HandPair, FingersMoveRigidlyAndThePalmStays) {
   const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.009));
   const Hand rest(HandOptions{});
