@@ -18,7 +18,7 @@ namespace shellmatch {
 /// at most `max_chunks` chunks, so their partial sums fit on the stack.
 inline constexpr std::size_t max_chunks = 256;
 inline std::size_t chunk_length(std::size_t n) {
-  return std::max<std::size_t>(8192, (n + max_chunks - 1) / max_chunks);
+  return std::max<std::size_t>(2048, (n + max_chunks - 1) / max_chunks);
 }
 
 /// Calls body(begin, end) for chunks of [0, n), in parallel.

@@ -16,10 +16,11 @@
 namespace shellmatch {
 
 /// Number of elements in a block, a multiple of the lanes of a pack. Blocks are small enough for their element
-/// gradients and matrices to stay in a core's second-level cache, and there are enough of them for several threads.
+/// gradients and matrices to stay in a core's second-level cache. Of a colour there are some 256 / 8, enough for 16 threads;
+/// with 64 blocks in all, more than four threads gained nothing (docs/performance.md).
 inline std::size_t cells_per_block(std::size_t n_elements) {
-  constexpr std::size_t lanes = autodiff::pack_size, least = 16 * lanes, most = 64 * lanes;
-  return std::clamp(n_elements / 64 / lanes * lanes, least, most);
+  constexpr std::size_t lanes = autodiff::pack_size, least = 8 * lanes, most = 64 * lanes;
+  return std::clamp(n_elements / 256 / lanes * lanes, least, most);
 }
 
 /// The elements of a grid in blocks. What is computed for the elements of a block is stored for that block alone and

@@ -16,7 +16,8 @@ namespace {
 // product of a few rows.
 constexpr std::ptrdiff_t prefetch_distance = 64;
 
-std::size_t rows_per_slab(std::size_t n_rows) { return std::clamp<std::size_t>(n_rows / 64, 64, 512); }
+// As cells_per_block().
+std::size_t rows_per_slab(std::size_t n_rows) { return std::clamp<std::size_t>(n_rows / 256, 32, 512); }
 
 /// The elements that depend on each unknown node, ascending.
 struct ElementsOfUnknowns {

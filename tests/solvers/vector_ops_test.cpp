@@ -25,7 +25,7 @@ double reference_dot(const std::vector<double>& x, const std::vector<double>& y)
 }
 
 // Lengths below, at and above the lanes and the pieces.
-const std::size_t lengths[] = {0, 1, 7, 8, 9, 8191, 8192, 8193, 100003};
+const std::size_t lengths[] = {0, 1, 7, 8, 9, 2047, 2048, 2049, 100003};
 
 TEST(VectorOps, AgreeWithPlainLoops) {
   for (const std::size_t n : lengths) {
