@@ -169,7 +169,7 @@ TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
     if (wanted == MatchDirection::automatic) {
       const DirectionSummary& d = *prepared.direction;
       EXPECT_TRUE(d.forward_distance && d.backward_distance);
-      EXPECT_EQ(d.backward, *d.backward_distance < 0.93 * *d.forward_distance);
+      EXPECT_EQ(d.backward, *d.backward_distance < 0.985 * *d.forward_distance);
     } else {
       EXPECT_FALSE(prepared.direction && prepared.direction->forward_distance);
     }
