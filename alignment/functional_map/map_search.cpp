@@ -17,8 +17,8 @@ constexpr std::size_t n_refined_queries = 1000;
 constexpr int n_merged = 9;      // functions at which starts are compared
 constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
 constexpr int n_scored = 40;     // functions at which candidates are compared
-// Candidates that go on from the first of these steps to the last. With 12 to 64 of them, after two to five steps, eighteen pairs of
-// animals and people end alike.
+// Candidates that go on from the first steps to the last. With 12 to 64 of them, after three to five steps, eighteen pairs of animals
+// and people end alike.
 constexpr int n_promising = 16;
 const std::vector<int> first_steps = {9, 11, 13}, last_steps = {16, 20, 25, 32, n_scored};
 constexpr double least_landmark_scale = 0.05;  // distance at which a landmark has half its weight at least, in roots of the area

@@ -27,7 +27,8 @@ struct MapCandidate {
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 
 /// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are known, which are
-/// those of maps by spectra alone, maps are refined again with landmarks among the pairs. Where spectra are ambiguous, only the surfaces as they lie and landmarks give starts.
+/// those of maps by spectra alone, maps are refined again with landmarks among the pairs. Where spectra are_ambiguous(), only the surfaces
+/// as they lie and landmarks give starts.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
 
 }  // namespace shellmatch

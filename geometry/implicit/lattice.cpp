@@ -109,7 +109,7 @@ class Lattice {
           ring[q] = site(corner[0], corner[1], corner[2], false);
         }
         const Site lower = site(c[0], c[1], c[2], true), upper = site(next[0], next[1], next[2], true);
-        // Nearly everywhere all four lie on one side.
+        // Nearly everywhere all four tetrahedra lie on one side.
         const auto all = [&](const auto& is_there) {
           return is_there(lower) && is_there(upper) && std::all_of(ring.begin(), ring.end(), is_there);
         };

@@ -14,7 +14,7 @@ namespace shellmatch {
 namespace {
 
 // What ends alike stays forward. Of 14 pairs of animals and men all that gain from backward lie at 0.98 or below (docs/alignment.md).
-constexpr double clearly_closer = 0.985;
+constexpr double closer = 0.985;
 
 /// Keeps what is said of an alignment until it is known to be used.
 class DeferredNotes final : public Observer {
@@ -67,7 +67,7 @@ Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landma
   exchange(shapes);
   DirectedAlignment<Dim> backward = tried(shapes, exchanged(landmarks), options, true, of_backward);
   exchange(shapes);
-  direction.backward = backward.distance < clearly_closer * forward.distance;
+  direction.backward = backward.distance < closer * forward.distance;
   if (std::isfinite(forward.distance)) direction.forward_distance = forward.distance;
   if (std::isfinite(backward.distance)) direction.backward_distance = backward.distance;
   (direction.backward ? of_backward : of_forward).tell();
