@@ -23,7 +23,8 @@ class Misbehaviour(ScriptTest):
     def inject(self, command, after):
         """The output for a program that runs the real one and then these lines of a shell, which know its exit code."""
         fake = self.folder / "shellmatch"
-        fake.write_text(f"#!/bin/sh\n'{program}' \"$@\"\ncode=$?\n{after}\nexit $code\n")
+        fake.write_text(f"#!/bin/sh\n'{program}' \"$@\"\ncode=$?\n{after}\n"
+                        "[ $code = 137 ] && kill -KILL $$  # dies as the real one was killed\nexit $code\n")
         fake.chmod(0o755)
         done = subprocess.run([here / "inject_faults", "--program", fake, "--only", command, "--random-kills", "0", "--kills", "4", "--faults",
                                "40", "--memory", "0"], capture_output=True, text=True)
