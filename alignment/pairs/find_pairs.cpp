@@ -126,7 +126,8 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   double runner_up = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < result.candidates.size(); ++i)
     if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored) runner_up = std::min(runner_up, result.candidates[i].score);
-  result.margin = are_ambiguous(*shapes[0], *shapes[1]) ? 1 : runner_up / std::max(result.candidates[0].score, 1e-12);
+  result.is_ambiguous = are_ambiguous(*shapes[0], *shapes[1]);
+  result.margin = result.is_ambiguous ? 1 : runner_up / std::max(result.candidates[0].score, 1e-12);
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
   project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);
   return result;

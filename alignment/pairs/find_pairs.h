@@ -30,7 +30,8 @@ struct PairCandidate {
 struct AutomaticPairs {
   PreparedSurface reference, template_surface;
   std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, the others by score and distance of landmarks, the mirrored ones behind equals
-  double margin = 0;                      ///< score of the best other of the same handedness over that of the first; infinite without, 1 where spectra are_ambiguous()
+  double margin = 0;                      ///< score of the best other of the same handedness over that of the first; infinite without, 1 where ambiguous
+  bool is_ambiguous = false;              ///< spectra are_ambiguous()
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }
   /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the

@@ -20,7 +20,7 @@ template <int Dim>
 class Choosing {
  public:
   Choosing(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials)
-      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), options_(options), try_(trials), trials_(starts_.size()) {
+      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), is_ambiguous_(search.is_ambiguous), options_(options), try_(trials), trials_(starts_.size()) {
     for (std::size_t i = 0; i < starts_.size(); ++i)
       if (starts_[i].is_usable()) usable_.push_back(i);
   }
@@ -32,6 +32,7 @@ class Choosing {
     choice.index = usable_.front();
     const std::vector<std::size_t> close = close_ones();
     if (close.size() > 1) among(close, choice);
+    if (is_ambiguous_) choice.margin = 1;
     const Start<Dim>& best = starts_[choice.index];
     choice.is_doubtful = is_doubtful(best, choice.margin);
     if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity && !landmarks_confirm(best))
@@ -90,7 +91,7 @@ class Choosing {
   }
 
   const std::vector<Start<Dim>>& starts_;
-  const bool landmarks_are_spread_;
+  const bool landmarks_are_spread_, is_ambiguous_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
   std::vector<std::optional<Trial>> trials_;

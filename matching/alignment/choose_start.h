@@ -39,6 +39,7 @@ struct StartSearch {
   bool landmarks_are_spread = false;
   std::size_t n_landmarks = 0;      ///< that took part
   std::vector<std::string> notes = {};  ///< what was left out
+  bool is_ambiguous = false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
 };
 
 struct StartChoice {

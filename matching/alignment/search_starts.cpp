@@ -85,6 +85,7 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
   const std::vector<CorrespondingPoints> known = points_of(landmarks);
   const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
   StartSearch<3> search{{}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
+  search.is_ambiguous = found.is_ambiguous;
   for (const auto& [shape, prepared] : {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
     if (prepared->share < 1)
       search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area", shape->source, 100 * prepared->share));

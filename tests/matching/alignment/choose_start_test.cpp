@@ -62,11 +62,13 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
 
 template <int Dim>
 StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin, const ExperimentOptions& options,
-                      bool landmarks_are_spread = false) {
+                      bool landmarks_are_spread = false, bool is_ambiguous = false) {
   Observer quiet;
   const std::vector<Landmark<Dim>> no_landmarks;
   Trials<Dim> trials(shapes, no_landmarks, options, quiet);
-  return choose_start<Dim>({starts, margin, landmarks_are_spread}, options.align, trials);
+  StartSearch<Dim> search{starts, margin, landmarks_are_spread};
+  search.is_ambiguous = is_ambiguous;
+  return choose_start<Dim>(search, options.align, trials);
 }
 
 TEST(ChooseStart, TheEnergyChoosesAmongScoresThatAreClose) {
@@ -184,6 +186,9 @@ TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
   EXPECT_EQ(choice.n_tried, 2u);
   EXPECT_FALSE(choice.is_doubtful);
   EXPECT_NEAR(choice.margin, 1.6, 1e-12);
+  const StartChoice ambiguous = choice_of<2>(circles, {scored(0.50), other, scored(0.8)}, clear, quick(), false, true);
+  EXPECT_EQ(ambiguous.margin, 1);
+  EXPECT_TRUE(ambiguous.is_doubtful);
 }
 
 TEST(Trial, ReportsEnergyAndCoverage) {
