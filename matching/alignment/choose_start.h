@@ -45,7 +45,7 @@ struct StartSearch {
 struct StartChoice {
   std::size_t index = 0;
   /// By which factor the others are worse, at least: ratio of scores (with distances of landmarks added) times root of the ratio of energies for those tried, ratio of
-  /// scores for the others; infinite without others. Others of the other handedness do not count: on a shape that is its own
+  /// scores for the others; infinite without others, 1 where the search is ambiguous. Others of the other handedness do not count: on a shape that is its own
   /// mirror image they are as good, and right as well.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 where the scores were clear enough
