@@ -18,6 +18,7 @@ struct StopOptions {
   int max_iterations = 1000;
   double relative_decrease = 1e-6;
   int decrease_window = 10;
+  double restrained_factor = 1;
   double gradient_norm = 1e-9;
   double max_seconds = 0;
   template <class Self, class Visitor>
@@ -27,6 +28,8 @@ struct StopOptions {
           {.min = 0, .meaning = "stop when the value fell by less than this share of itself over `decrease_window` iterations"});
     visit("decrease_window", self.decrease_window,
           {.unit = "iterations", .min = 0, .meaning = "number of iterations over which `relative_decrease` is measured; 0: 1 for Newton's method, 50 for the others, whose steps cost about a fiftieth (minimize_with_fallback; Minimizer::minimize takes 0 as 1)"});
+    visit("restrained_factor", self.restrained_factor,
+          {.min = 1, .max = 1000, .meaning = "factor on `relative_decrease` where the last step was restrained, that is, led beyond the model in all regularised systems that Newton's method may solve for one step: such steps gain little less than the one before, for long"});
     visit("gradient_norm", self.gradient_norm,
           {.min = 0, .meaning = "stop when the gradient's norm in the chosen metric is at most this share of its first value"});
     visit("max_seconds", self.max_seconds, {.unit = "seconds", .min = 0, .meaning = "time limit for one minimisation; 0 means none"});
@@ -45,6 +48,7 @@ struct IterationRecord {
   long gradient_evaluations = 0;   ///< so far
   double seconds = 0;              ///< since the start of this minimisation
   std::string solver;              ///< name of the method (solvers/methods/fallback.h)
+  bool restrained = false;         ///< did the step lead beyond the model in all its systems (StepRegularisation::is_restrained)?
 };
 
 enum class StopReason {

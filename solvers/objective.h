@@ -91,6 +91,9 @@ class SecondOrderObjective : public Objective {
   }
   /// Adds factor * D_r to H for each of these regions.
   virtual void add_damping(std::span<const RegionDamping> /*regions*/) {}
+  /// Adds to H what the step d from x meets and H at x does not know of, as inequalities that become active, and the same to the
+  /// gradient of the model at x, of which d is the descent. Returns whether there was any that had not been added since H was prepared.
+  virtual bool extend_model(std::span<const double> /*x*/, std::span<const double> /*d*/, std::span<double> /*gradient*/) { return false; }
   /// Brings the step d in each of these regions nearer to one that leads nowhere beyond the model: of what would, this share stays.
   virtual void contract_step(std::span<const RegionDamping> /*regions*/, double /*share*/, std::span<double> /*d*/) {}
 };

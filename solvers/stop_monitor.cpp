@@ -9,6 +9,7 @@ namespace shellmatch {
 StopMonitor::StopMonitor(const StopOptions& options)
     : options_(options),
       start_(std::chrono::steady_clock::now()),
+      decrease_(options.relative_decrease),
       window_(static_cast<std::size_t>(std::max(options.decrease_window, 1)) + 1) {}
 
 double StopMonitor::seconds() const {
@@ -23,8 +24,8 @@ std::optional<StopReason> StopMonitor::check(const IterationRecord& record) {
   if (record.gradient_norm <= options_.gradient_norm * first_gradient_norm_) return StopReason::gradient_norm;
   if (k + 1 >= window_.size()) {
     const double earlier = window_[(k + 1) % window_.size()];
-    if (earlier - record.value < options_.relative_decrease * std::abs(earlier))
-      return StopReason::relative_decrease;
+    decrease_ = options_.relative_decrease * (record.restrained ? options_.restrained_factor : 1);
+    if (earlier - record.value < decrease_ * std::abs(earlier)) return StopReason::relative_decrease;
   }
   if (record.iteration >= options_.max_iterations) return StopReason::max_iterations;
   if (out_of_time()) return StopReason::max_seconds;
@@ -39,7 +40,7 @@ std::string StopMonitor::message(StopReason reason) const {
                                                      options_.gradient_norm);
     case StopReason::relative_decrease:
       return fmt::format("the value fell by less than {:g} of itself over {} iterations",
-                         options_.relative_decrease, window_.size() - 1);
+                         decrease_, window_.size() - 1);
     case StopReason::max_iterations:
       return fmt::format("{} iterations are done", options_.max_iterations);
     case StopReason::max_seconds:

@@ -22,6 +22,7 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
   folds_cost_ = energy_->terms().forbid_folds(weights);
   const bool in_tangent = energy_->terms().fit_tangent(weights);
   if (!sum_) sum_.emplace(*unknowns_);
+  is_active_.clear();
   energy_->cell_blocks().for_each([&](const Chunk& cells) {
     static thread_local ElementMatrices<Dim> matrices;
     matrices.resize(cells.end - cells.begin);
@@ -51,6 +52,12 @@ void EnergyHessian<Dim>::invert_block(std::size_t unknown) {
   Mat<Dim> block = sum_->diagonal(unknown);
   block.diagonal().array() += 1e-6 * block.trace() + 1e-300;
   inverse_blocks_[unknown] = block.inverse();
+}
+
+template <int Dim>
+void EnergyHessian<Dim>::invert_blocks_of(std::size_t element) {
+  for (const Index node : unknowns_->elements()[element].nodes)
+    for (const ConstraintEntry& entry : unknowns_->constraint_entries(node)) invert_block(static_cast<std::size_t>(entry.unknown));
 }
 
 template <int Dim>

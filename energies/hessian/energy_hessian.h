@@ -7,13 +7,14 @@
 /// Gauss-Newton model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
 /// elements where they act. Terms of point pairs: 2 w rho' B^T B, without rho''. To the model is added, where the solver asks
 /// for it, a multiple of the Laplacian's matrix on single elements: it resists changes of the step within the element, and no
-/// common motion of its nodes.
+/// common motion of its nodes. And pairs that a step carries out of their tolerance (an active-set method).
 
 #include "energies/assembly/matching_energy.h"
 #include "energies/assembly/not_finite.h"
 #include "energies/sparse/element_matrices.h"
 #include "energies/sparse/node_matrix.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,6 +51,12 @@ class EnergyHessian {
   /// Adds multiples of the Laplacian's matrices to the model.
   void add_damping(std::span<const ElementDamping> more);
 
+  /// Adds the pairs that rest within their tolerance at phi, where the model was assembled with these weights, and that the step d (by
+  /// the unknowns) carries beyond it: to the model their stiffness, and to the energy's gradient at phi, which becomes that of the
+  /// model, their pull towards the end of their tolerance (ActivatedPair). Each pair once. Returns how many were added.
+  std::size_t activate_pairs(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
+                             std::span<double> gradient);
+
   /// Brings the step d (by the unknowns) in each of these elements, one after the other, nearer to a common motion of all its unknown
   /// nodes: from their mean, d keeps this share. Where nodes of the element are fixed, from zero.
   void contract_step(std::span<const ElementDamping> elements, double share, std::span<double> d) const;
@@ -81,6 +88,7 @@ class EnergyHessian {
   std::optional<Vec<Dim>> model_point(std::size_t term, std::size_t e, std::span<const Vec<Dim>> phi) const;
   void measure_margins(const Chunk& cells, std::span<const Vec<Dim>> phi);
   void invert_block(std::size_t unknown);
+  void invert_blocks_of(std::size_t element);  // of all unknown nodes on which the element depends
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
@@ -89,7 +97,8 @@ class EnergyHessian {
   bool folds_cost_ = false;               ///< is there a term that forbids them?
   std::vector<Margin> margins_;           ///< by eight elements, at the phi of the last assemble()
   std::vector<Mat<Dim>> inverse_blocks_;  ///< of each unknown node
-  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin()
+  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin() and activate_pairs()
+  std::vector<std::vector<std::uint8_t>> is_active_;  ///< by term of pairs and pair: was it added by activate_pairs()?
 };
 
 }  // namespace shellmatch

@@ -103,10 +103,10 @@ std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span
 
 template <int Dim>
 void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping> more) {
-  for (const ElementDamping& one : more) sum_->add_isotropic(one.element, one.factor, laplacian<Dim>());
-  for (const ElementDamping& one : more)
-    for (const Index node : unknowns_->elements()[one.element].nodes)
-      for (const ConstraintEntry& entry : unknowns_->constraint_entries(node)) invert_block(static_cast<std::size_t>(entry.unknown));
+  const auto& k = laplacian<Dim>();
+  const auto of_corners = [&](int c, int d) { return k[c][d]; };
+  for (const ElementDamping& one : more) sum_->add_to_element(one.element, of_corners, one.factor * Mat<Dim>::Identity());
+  for (const ElementDamping& one : more) invert_blocks_of(one.element);
 }
 
 template <int Dim>

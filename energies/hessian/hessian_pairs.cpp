@@ -1,6 +1,8 @@
-// The Gauss-Newton model of the terms of point pairs.
+// The Gauss-Newton model of the terms of point pairs, and the pairs that a step brings into it.
 
 #include "energies/hessian/energy_hessian.h"
+
+#include <utility>
 
 namespace shellmatch {
 
@@ -21,9 +23,40 @@ void EnergyHessian<Dim>::add_pair_terms(const Chunk& cells, std::span<const Vec<
   }
 }
 
+template <int Dim>
+std::size_t EnergyHessian<Dim>::activate_pairs(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
+                                               std::span<double> gradient) {
+  const auto terms = energy_->pair_terms();
+  const auto elements = unknowns_->elements();
+  is_active_.resize(terms.size());
+  nodal_.resize(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
+  unknowns_->expand(d, nodal_);
+  std::size_t n = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double weight = weights[energy_->terms().size() + t];
+    if (!(weight > 0)) continue;
+    const auto pairs = terms[t].pairs.pairs_of(0, elements.size());
+    is_active_[t].resize(pairs.size(), 0);
+    for (const ActivatedPair<Dim>& one : terms[t].pairs.activated(elements, phi, nodal_, weight)) {
+      if (std::exchange(is_active_[t][one.pair], 1) != 0) continue;
+      ++n;
+      const LocatedPair<Dim>& pair = pairs[one.pair];
+      sum_->add_to_element(pair.element, [&](int b, int c) { return pair.n[b] * pair.n[c]; }, one.stiffness);
+      for (int c = 0; c < n_corners<Dim>; ++c)
+        for (const ConstraintEntry& entry : unknowns_->constraint_entries(elements[pair.element].nodes[c]))
+          for (int k = 0; k < Dim; ++k)
+            gradient[static_cast<std::size_t>(entry.unknown) * Dim + k] += static_cast<double>(entry.weight) * pair.n[c] * one.pull[k];
+      invert_blocks_of(pair.element);
+    }
+  }
+  return n;
+}
+
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                            \
   template void EnergyHessian<Dim>::add_pair_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, \
-                                                   ElementMatrices<Dim>&) const;
+                                                   ElementMatrices<Dim>&) const; \
+  template std::size_t EnergyHessian<Dim>::activate_pairs(std::span<const Vec<Dim>>, std::span<const double>, const TermValues&, \
+                                                          std::span<double>);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

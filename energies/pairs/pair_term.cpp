@@ -1,6 +1,7 @@
 #include "energies/pairs/pair_term.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "grid/fields/interpolation.h"
 
 #include <algorithm>
@@ -47,6 +48,29 @@ double PairTerm<Dim>::add(std::size_t begin, std::size_t end, std::span<const El
       for (int k = 0; k < Dim; ++k) *g++ += factor * pair.n[c] * r[k];
   }
   return sum;
+}
+
+template <int Dim>
+std::vector<ActivatedPair<Dim>> PairTerm<Dim>::activated(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
+                                                         std::span<const Vec<Dim>> step, double weight) const {
+  if (tolerance_ == 0) return {};
+  constexpr std::size_t pairs_per_chunk = 1024;
+  std::vector<std::vector<ActivatedPair<Dim>>> of_chunk(n_chunks(pairs_.size(), pairs_per_chunk));
+  parallel_chunks(pairs_.size(), pairs_per_chunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const LocatedPair<Dim>& pair = pairs_[i];
+      const Element<Dim>& element = elements[pair.element];
+      const Vec<Dim> before = counted(pair, at_p(pair, element, phi) - pair.y);
+      if (!beyond_tolerance(before).isZero(0)) continue;
+      const Vec<Dim> after = before + counted(pair, at_p(pair, element, step)), beyond = beyond_tolerance(after);
+      if (beyond.isZero(0)) continue;
+      const Mat<Dim> k = stiffness(pair, weight, beyond);
+      of_chunk[chunk.index].push_back({i, k, k * (before - (after - beyond))});
+    }
+  });
+  std::vector<ActivatedPair<Dim>> all;
+  for (const auto& found : of_chunk) all.insert(all.end(), found.begin(), found.end());
+  return all;
 }
 
 template class PairTerm<2>;

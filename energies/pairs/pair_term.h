@@ -22,6 +22,16 @@ struct LocatedPair {
   double weight;
 };
 
+/// A pair that rests within its tolerance at phi, and which a step carries beyond it: its part of the model of a step v of phi(p) is
+/// w rho' |B (phi(p) + v - y) - b|^2 with the point b within the tolerance that is nearest to the step's end, and the loss's weight
+/// there.
+template <int Dim>
+struct ActivatedPair {
+  std::size_t pair;    ///< of PairTerm::pairs_of() all elements
+  Mat<Dim> stiffness;  ///< second derivative by v: 2 w rho' B^T B
+  Vec<Dim> pull;       ///< derivative by v at 0: 2 w rho' (B (phi(p) - y) - b), which points away from b
+};
+
 template <int Dim>
 class PairTerm {
  public:
@@ -47,14 +57,15 @@ class PairTerm {
   void for_each_model(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements,
                       std::span<const Vec<Dim>> phi, double weight, Body&& body) const {
     for (const LocatedPair<Dim>& pair : pairs_of(begin, end)) {
-      const bool in_plane = !pair.normal.isZero(0);
       const Vec<Dim> r = residual(pair, elements[pair.element], phi);
       if (tolerance_ > 0 && r.isZero(0)) continue;
-      const double factor = 2 * weight * pair.weight * robust_weight(loss_, scale_, r.squaredNorm());
-      const Mat<Dim> b = in_plane ? Mat<Dim>(pair.normal * pair.normal.transpose()) : Mat<Dim>::Identity();
-      body(pair, Mat<Dim>(factor * b));
+      body(pair, stiffness(pair, weight, r));
     }
   }
+
+  /// The pairs within the tolerance at phi that the step from phi, by nodes, carries beyond it; ascending.
+  std::vector<ActivatedPair<Dim>> activated(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
+                                            std::span<const Vec<Dim>> step, double weight) const;
 
   /// The term's weighted value on one element, from the positions of its corners, over any scalar: the functor with which
   /// derivative checks compare add().
@@ -85,14 +96,29 @@ class PairTerm {
   }
 
  private:
-  // B^T B (phi(p) - y), shortened by the tolerance.
-  Vec<Dim> residual(const LocatedPair<Dim>& pair, const Element<Dim>& element, std::span<const Vec<Dim>> phi) const {
-    Vec<Dim> r = -pair.y;
-    for (int c = 0; c < n_corners<Dim>; ++c) r += pair.n[c] * phi[element.nodes[c]];
-    if (!pair.normal.isZero(0)) r = Vec<Dim>(pair.normal.dot(r) * pair.normal);
+  // The nodal field at p.
+  static Vec<Dim> at_p(const LocatedPair<Dim>& pair, const Element<Dim>& element, std::span<const Vec<Dim>> nodal) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int c = 0; c < n_corners<Dim>; ++c) sum += pair.n[c] * nodal[element.nodes[c]];
+    return sum;
+  }
+  // B^T B x.
+  static Vec<Dim> counted(const LocatedPair<Dim>& pair, const Vec<Dim>& x) {
+    return pair.normal.isZero(0) ? x : Vec<Dim>(pair.normal.dot(x) * pair.normal);
+  }
+  Vec<Dim> beyond_tolerance(const Vec<Dim>& r) const {
     if (tolerance_ == 0) return r;
     const double length = r.norm();
     return length > tolerance_ ? Vec<Dim>((1 - tolerance_ / length) * r) : Vec<Dim>(Vec<Dim>::Zero());
+  }
+  // B^T B (phi(p) - y), shortened by the tolerance.
+  Vec<Dim> residual(const LocatedPair<Dim>& pair, const Element<Dim>& element, std::span<const Vec<Dim>> phi) const {
+    return beyond_tolerance(counted(pair, at_p(pair, element, phi) - pair.y));
+  }
+  // 2 w rho' B^T B, with the residual's rho'.
+  Mat<Dim> stiffness(const LocatedPair<Dim>& pair, double weight, const Vec<Dim>& residual) const {
+    const double factor = 2 * weight * pair.weight * robust_weight(loss_, scale_, residual.squaredNorm());
+    return pair.normal.isZero(0) ? Mat<Dim>(factor * Mat<Dim>::Identity()) : Mat<Dim>(factor * pair.normal * pair.normal.transpose());
   }
 
   std::vector<LocatedPair<Dim>> pairs_;  ///< ascending by element

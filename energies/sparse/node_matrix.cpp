@@ -163,23 +163,6 @@ void NodeMatrix<Dim>::add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::add_isotropic(std::size_t e, double factor,
-                                    const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& k) {
-  const auto unknowns = element_unknowns(*unknowns_, e);
-  const std::uint8_t* offset = block_offsets_.data() + offsets_begin_[e];
-  for (int i = 0; i < unknowns.size(); ++i)
-    for (int j = i; j < unknowns.size(); ++j) {
-      double sum = 0;
-      for (const auto& a : unknowns.corners_of(i))
-        for (const auto& b : unknowns.corners_of(j))
-          sum += static_cast<double>(a.weight * b.weight) * k[a.corner][b.corner];
-      const auto row = static_cast<std::size_t>(std::min(unknowns[i], unknowns[j]));
-      float* block = values_.data() + (row_begin_[row] + *offset++) * block_size;
-      for (int l = 0; l < Dim; ++l) block[l * Dim + l] += static_cast<float>(factor * sum);
-    }
-}
-
-template <int Dim>
 void NodeMatrix<Dim>::add_product(std::size_t begin, std::size_t end, std::span<const double> x,
                                   std::span<double> y) const {
   using Column = BlockColumn<Dim>;

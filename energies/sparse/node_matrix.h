@@ -5,10 +5,11 @@
 #include "base/large_vector.h"
 #include "energies/elements/cell_blocks.h"
 #include "energies/elements/coloured_schedule.h"
+#include "energies/elements/element_unknowns.h"
 #include "energies/elements/unknowns.h"
 #include "energies/sparse/element_matrices.h"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -33,9 +34,21 @@ class NodeMatrix {
   /// the sum over all elements, whatever the matrix was before. \pre `cell_blocks` are those of the same unknowns
   void add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells, const ElementMatrices<Dim>& of_block);
 
-  /// Adds factor * k[c][d] times the identity for all corners c, d of element e. Not thread-safe. \pre k is symmetric
-  void add_isotropic(std::size_t e, double factor,
-                     const std::array<std::array<double, n_corners<Dim>>, n_corners<Dim>>& k);
+  /// Adds k(c, d) m for all corners c, d of element e. Not thread-safe. \pre k and m are symmetric
+  template <class CornerFactor>
+  void add_to_element(std::size_t e, CornerFactor&& k, const Mat<Dim>& m) {
+    const auto unknowns = element_unknowns(*unknowns_, e);
+    const std::uint8_t* offset = block_offsets_.data() + offsets_begin_[e];
+    for (int i = 0; i < unknowns.size(); ++i)
+      for (int j = i; j < unknowns.size(); ++j) {
+        double sum = 0;
+        for (const auto& a : unknowns.corners_of(i))
+          for (const auto& b : unknowns.corners_of(j)) sum += static_cast<double>(a.weight * b.weight) * k(a.corner, b.corner);
+        const auto row = static_cast<std::size_t>(std::min(unknowns[i], unknowns[j]));
+        float* block = values_.data() + (row_begin_[row] + *offset++) * block_size;
+        for (int l = 0; l < block_size; ++l) block[l] += static_cast<float>(sum * m.data()[l]);
+      }
+  }
 
   /// y = A x: the same bits whatever the number of threads. \pre both have the size of the unknowns
   void multiply(std::span<const double> x, std::span<double> y) const;

@@ -43,6 +43,7 @@ class LevelProblem final : public SecondOrderObjective {
   std::size_t n_regions() const override { return unknowns_->elements().size(); }
   std::vector<RegionDamping> regions_beyond_model(std::span<const double> x, std::span<const double> d) override;
   void add_damping(std::span<const RegionDamping> regions) override;
+  bool extend_model(std::span<const double> x, std::span<const double> d, std::span<double> gradient) override;
   void contract_step(std::span<const RegionDamping> regions, double share, std::span<double> d) override;
 
   /// The unknowns that belong to the nodal positions `phi`.

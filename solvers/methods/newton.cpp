@@ -31,7 +31,7 @@ class LinearSolver {
     if (iterate(d, rz) == 0) std::copy(z_.begin(), z_.end(), d.begin());
   }
 
-  /// The same for an H that has become stiffer here and there since d was found: from d, to the same residual.
+  /// The same for H and g that have changed here and there since d was found: from d, to the same residual.
   void solve_again(std::span<const double> g, std::span<double> d) {
     objective_.apply_second_derivative(d, hp_);
     const double slope = dot(g, d), curvature = dot(d, hp_);
@@ -96,7 +96,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     run.finish(StopReason::library, "the objective has no second derivative to offer");
     return run.summary();
   }
-  std::vector<double> d(run.size());
+  std::vector<double> d(run.size()), g_model(run.size());
   LinearSolver linear(*model, options_.max_linear_iterations, run.size());
   StepRegularisation regularisation(options_, *model);
   Line line(run);
@@ -110,7 +110,8 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     const double relative = gradient_norm / run.start_gradient_norm();
     const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
     linear.solve(g, d, forcing);
-    while (!run.out_of_time() && regularisation.regularise(*model, x, d)) linear.solve_again(g, d);
+    std::copy(g.begin(), g.end(), g_model.begin());
+    while (!run.out_of_time() && regularisation.regularise(*model, x, d, g_model)) linear.solve_again(g_model, d);
     regularisation.contract(*model, x, g, d);
     DirectionSize size = direction_size(g, d);
     if (!(size.slope < 0)) {
@@ -139,7 +140,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     value = found.point.value;
     ratio = found.point.gradient_norm / gradient_norm;
     gradient_norm = found.point.gradient_norm;
-    run.accept(found.point.evaluation(), found.point.alpha * size.length);
+    run.accept(found.point.evaluation(), found.point.alpha * size.length, run.term_values(), regularisation.is_restrained());
   }
   MinimizerSummary summary = run.summary();
   summary.linear_iterations = linear.n_iterations();

@@ -20,10 +20,11 @@ std::span<const float> StepRegularisation::next_damping() {
 }
 
 bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<const double> x,
-                                    std::span<const double> d) {
+                                    std::span<const double> d, std::span<double> gradient) {
   if (n_of_step_ == options_.max_regularisations) return false;
   std::vector<RegionDamping> regions = objective.regions_beyond_model(x, d);
-  if (regions.empty()) return false;
+  const bool extended = objective.extend_model(x, d, gradient);
+  if (regions.empty() && !extended) return false;
   ++n_of_step_;
   ++n_systems_;
   for (RegionDamping& region : regions) {

@@ -20,15 +20,18 @@ class StepRegularisation {
   /// The factors with which the next model is to be prepared: those of the last one, faded.
   std::span<const float> next_damping();
 
-  /// Damps the regions that the step d from x would carry beyond the model, more than before. False where there are none,
-  /// or where d has been computed `max_regularisations` times again.
-  bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d);
+  /// Damps the regions that the step d from x would carry beyond the model, more than before, and extends the model and its gradient
+  /// by what d meets (`extend_model`). False where there is neither, or where d has been computed `max_regularisations` times again.
+  bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d, std::span<double> gradient);
 
   /// Where the step of the last system still leads beyond the model in single regions: halves it there (`contract_step`) and
   /// examines again, as neighbours may now be beyond, `max_contractions` times at most; if regions are left, halves the whole step,
   /// which shortens it for all regions and therefore comes last. d is not changed if the result were no direction of descent.
   /// \param g  the gradient at x
   void contract(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> g, std::span<double> d);
+
+  /// Has this step been computed again as often as may be? Its last system may still lead beyond the model.
+  bool is_restrained() const { return n_of_step_ > 0 && n_of_step_ == options_.max_regularisations; }
 
   long n_systems() const { return n_systems_; }  ///< that were regularised so far
 

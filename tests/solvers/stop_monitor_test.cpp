@@ -27,6 +27,22 @@ TEST(StopMonitor, MeasuresTheDecreaseOverTheWindow) {
   EXPECT_EQ(monitor.check(record(10, value, 1)), StopReason::relative_decrease);
 }
 
+// 2 % are enough after a step that went its own way, but not after a restrained one.
+TEST(StopMonitor, AsksMoreOfRestrainedSteps) {
+  const StopOptions rules{.relative_decrease = 0.01, .decrease_window = 1, .restrained_factor = 3, .gradient_norm = 0};
+  for (const bool restrained : {false, true}) {
+    StopMonitor monitor(rules);
+    EXPECT_EQ(monitor.check(record(0, 100, 1)), std::nullopt);
+    IterationRecord next = record(1, 98, 1);
+    next.restrained = restrained;
+    const auto reason = monitor.check(next);
+    EXPECT_EQ(reason.has_value(), restrained);
+    if (reason) {
+      EXPECT_EQ(monitor.message(*reason), "the value fell by less than 0.03 of itself over 1 iterations");
+    }
+  }
+}
+
 TEST(StopMonitor, IsNotFooledByASlowStartOfTheWindow) {
   StopMonitor monitor(
       {.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});

@@ -218,6 +218,54 @@ TYPED_TEST(Pairs, WithinTheToleranceTheyRest) {
   }
 }
 
+// A pair at rest that a step carries out of its tolerance: the model then has the value's slope and second derivative along the step,
+// as if the pair were beyond already: with v the step, of (d/dt)^2 w rho' |B (phi(p) + t v - y) - b|^2.
+TYPED_TEST(Pairs, AStepBeyondTheToleranceBringsThemIntoTheModel) {
+  constexpr int Dim = TypeParam::value;
+  for (const RobustLoss loss : all_losses)
+    for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet}) {
+      SCOPED_TRACE(fmt::format("{}, {}", enum_name(boundary), enum_name(loss)));
+      const double tolerance = 0.2;  // no pair is farther apart
+      const WithPairs<Dim> a(loss, boundary, 300, tolerance);
+      ASSERT_EQ(a.value(a.phi), 0);
+      EnergyHessian<Dim> hessian(a.problem.energy, a.problem.unknowns);
+      hessian.assemble(a.phi, a.weights);
+      auto v = a.direction();
+      for (double& x : v) x *= 0.3;
+      std::vector<double> g(v.size(), 0.0), hv(v.size());
+      const std::size_t n = hessian.activate_pairs(a.phi, v, a.weights, g);
+      hessian.apply(v, hv);
+      const double slope = std::inner_product(v.begin(), v.end(), g.begin(), 0.0);
+      const double curvature = std::inner_product(v.begin(), v.end(), hv.begin(), 0.0);
+
+      const auto end = a.moved(v, 1);
+      std::size_t n_beyond = 0;
+      double expected_slope = 0, expected_curvature = 0;
+      for (const auto& pair : a.pairs.pairs) {
+        const auto counted = [&](const Vec<Dim>& x) { return pair.normal.isZero() ? x : Vec<Dim>(pair.normal.dot(x) * pair.normal); };
+        const Vec<Dim> before = counted(evaluate(a.grid, a.phi, pair.p) - pair.y), after = counted(evaluate(a.grid, end, pair.p) - pair.y);
+        const double beyond = after.norm() - tolerance;
+        if (beyond <= 0) continue;
+        ++n_beyond;
+        const double factor = 2 * 3 * pair.weight * robust_weight(loss, 0.05, beyond * beyond);
+        expected_slope += factor * (before - tolerance * after.normalized()).dot(after - before);
+        expected_curvature += factor * (after - before).squaredNorm();
+      }
+      EXPECT_GT(n_beyond, 20u);
+      EXPECT_LT(n_beyond, a.pairs.pairs.size());
+      EXPECT_EQ(n, n_beyond);
+      EXPECT_LT(slope, 0);
+      EXPECT_NEAR(slope, expected_slope, 1e-9 * std::abs(expected_slope));
+      EXPECT_NEAR(curvature, expected_curvature, 1e-5 * expected_curvature);
+
+      // Once for each model, and no longer than it.
+      EXPECT_EQ(hessian.activate_pairs(a.phi, v, a.weights, g), 0u);
+      hessian.assemble(a.phi, a.weights);
+      hessian.apply(v, hv);
+      EXPECT_EQ(std::inner_product(v.begin(), v.end(), hv.begin(), 0.0), 0);
+    }
+}
+
 TYPED_TEST(Pairs, OtherTermsDoNotSeeThem) {
   constexpr int Dim = TypeParam::value;
   const WithPairs<Dim> a(RobustLoss::trivial);
@@ -243,6 +291,12 @@ TYPED_TEST(Pairs, SameBitsForAnyNumberOfThreads) {
     hessian.apply(v, hv);
     all.insert(all.end(), hv.begin(), hv.end());
     all.push_back(a.value(a.phi));
+    const WithPairs<Dim> at_rest(RobustLoss::cauchy, BoundaryCondition::neumann, 5000, 0.2);
+    EnergyHessian<Dim> extended(at_rest.problem.energy, at_rest.problem.unknowns);
+    extended.assemble(at_rest.phi, at_rest.weights);
+    std::vector<double> g(v.size(), 0.0);
+    EXPECT_GT(extended.activate_pairs(at_rest.phi, v, at_rest.weights, g), 1000u);
+    all.insert(all.end(), g.begin(), g.end());
     set_n_threads(0);
     std::vector<std::uint64_t> result;
     for (const double x : all) result.push_back(std::bit_cast<std::uint64_t>(x));

@@ -209,7 +209,7 @@ TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
 
 TEST(ChooseDirection, LandmarksAreThoseOfTheShapesAsGiven) {
   const Similarity<2> by{20, Vec<2>(3, -7), Eigen::Rotation2Dd(1.2).toRotationMatrix()};
-  ShapePair<2> pair{letter(0.02), moved(letter(0.4), by)};
+  ShapePair<2> pair{letter(0.04), moved(letter(0.4), by)};
   std::vector<Landmark<2>> landmarks;
   for (std::size_t i = 0; i < pair.reference.original.vertices.size(); i += 20)
     landmarks.push_back({std::to_string(i), pair.reference.original.vertices[i], pair.template_shape.original.vertices[i]});

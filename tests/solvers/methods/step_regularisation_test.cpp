@@ -27,6 +27,7 @@ class Regions final : public SecondOrderObjective {
   void prepare_second_derivative(std::span<const double>, std::span<const float> damping) override {
     prepared.assign(damping.begin(), damping.end());
     std::ranges::fill(added, 0.0);
+    extended = false;
     std::ranges::copy(damping, added.begin());
     if (first_prepared.empty()) first_prepared = prepared;
   }
@@ -49,6 +50,17 @@ class Regions final : public SecondOrderObjective {
     for (const RegionDamping& one : regions) d[one.region] *= share;
   }
 
+  // x_0 beyond `bound` costs 9 (x_0 - bound)^2: the step meets it, once for each model.
+  bool extend_model(std::span<const double> x, std::span<const double> d, std::span<double> gradient) override {
+    if (x.empty() || extended || !(x[0] + d[0] > bound)) return false;
+    extended = true;
+    added[0] += 18;
+    gradient[0] += 18 * (x[0] - bound);
+    return true;
+  }
+
+  double bound = 1e9;
+  bool extended = false;
   int n_contracted = 0;
   std::vector<RegionDamping> beyond;  ///< the regions, with their own stiffness
   int n_beyond = 0;
@@ -60,9 +72,10 @@ class Regions final : public SecondOrderObjective {
 /// One step of the policy: the model is prepared, and the step regularised as often as may be. Returns how often.
 int one_step(StepRegularisation& policy, Regions& objective) {
   const std::vector<double> x(objective.size(), 0.0);
+  std::vector<double> g(objective.size(), -1.0);
   objective.prepare_second_derivative(x, policy.next_damping());
   int n = 0;
-  while (policy.regularise(objective, x, x)) ++n;
+  while (policy.regularise(objective, x, x, g)) ++n;
   return n;
 }
 
@@ -159,6 +172,39 @@ TEST(StepRegularisation, AStepWithSystemsToSpareIsNotContracted) {
   policy.contract(objective, d, {}, d);
   EXPECT_EQ(objective.n_asked, n_asked);
   EXPECT_EQ(objective.n_contracted, 0);
+}
+
+TEST(StepRegularisation, IsRestrainedWhereAllItsSystemsWereUsed) {
+  Regions objective(2);
+  objective.beyond = {{0, 1}};
+  StepRegularisation policy(options, objective);
+  for (const int n : {0, options.max_regularisations - 1, options.max_regularisations, 0}) {
+    objective.n_beyond = n;
+    EXPECT_EQ(one_step(policy, objective), n);
+    EXPECT_EQ(policy.is_restrained(), n == options.max_regularisations) << n;
+  }
+}
+
+// What a step meets is neither damped nor kept for the next step, and the step is that of the extended model: x_0 of
+// x^2 / 2 - x + 9 (x - 0.5)^2.
+TEST(StepRegularisation, AnExtendedModelIsSolvedAgain) {
+  Regions objective(2);
+  objective.bound = 0.5;
+  StepRegularisation policy(options, objective);
+  const std::vector<double> x(2, 0.0), d(2, 1.0);
+  std::vector<double> g(2, -1.0);
+  objective.prepare_second_derivative(x, policy.next_damping());
+  EXPECT_TRUE(policy.regularise(objective, x, d, g));
+  EXPECT_EQ(g, (std::vector<double>{-10, -1}));
+  EXPECT_FALSE(policy.regularise(objective, x, d, g));
+  EXPECT_EQ(objective.n_added, 1);
+  objective.prepare_second_derivative(x, policy.next_damping());
+  EXPECT_EQ(objective.prepared, (std::vector<float>{0, 0}));
+
+  std::vector<double> at(2, 0.0);
+  Newton(options).minimize(objective, at, {.max_iterations = 1}, {});
+  EXPECT_NEAR(at[0], 10.0 / 19, 1e-6);
+  EXPECT_NEAR(at[1], 1, 1e-6);
 }
 
 TEST(StepRegularisation, AnObjectiveWithoutRegionsIsLeftAlone) {
