@@ -77,6 +77,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
                                                  !ends_level                             ? Followed::on_level
                                                  : level < options_.cascade.max_level ? Followed::by_level
                                                                                          : Followed::by_nothing);
+      if (!ends_level || level < options_.cascade.max_level) stop.restrained_factor = 1;  // what follows builds on it
       terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
