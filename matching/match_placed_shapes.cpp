@@ -1,7 +1,6 @@
 #include "matching/match_placed_shapes.h"
 
 #include "geometry/distance/surface_distance.h"
-#include "geometry/surface/subdivision.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
@@ -10,6 +9,7 @@
 #include "matching/result/nearest_faces.h"
 #include "matching/result/verdict.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -41,8 +41,7 @@ class Matching {
         recorder_(recorder),
         clock_(clock),
         observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
-        parts_(is_backward_ ? MeasuredParts<Dim>(observed_.template_shape, reference_.surface.vertices, observed_.reference)
-                            : MeasuredParts<Dim>(observed_.reference, reference_.surface.vertices, observed_.template_shape)),
+        parts_(observed_of_result().reference, reference_.surface.vertices, observed_of_result().template_shape),
         d1_(is_backward_ ? template_.surface : reference_.surface),
         d2_(is_backward_ ? reference_.surface : template_.surface) {}
 
@@ -52,7 +51,10 @@ class Matching {
     summary_.unit = unit();
     summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
                                  (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
-    summary_.distance_before = two_sided_distance(reference_.surface, template_distance_, parts_).figures;
+    const auto as_it_lies = [](const Surface<Dim>& surface) { return surface; };
+    summary_.distance_before = two_sided_distance<Dim>(reference_.surface, as_it_lies, template_distance_, observed_of_result(),
+                                                       std::ldexp(1.0, -options_.cascade.max_level))
+                                   .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
@@ -101,7 +103,7 @@ class Matching {
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
     const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
     if (options_.report) levels_.push_back({s.level, deformed.vertices});
-    s.distance = measure_distance(deformed, state.grid, state.phi);
+    s.distance = measure_distance(state.grid, state.phi);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.warn(*warning);
@@ -116,16 +118,18 @@ class Matching {
     return is_backward_ ? inversely_deformed_surface(reference, grid, phi) : deformed_surface(reference, grid, phi);
   }
 
-  // The distances, and where they are greatest. In the plane segments bend within themselves.
-  TwoSidedDistance measure_distance(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-    const LocatedDistance<Dim> distance = [&] {
-      if constexpr (Dim == 3) return two_sided_distance(deformed, template_distance_, parts_);
-      else return two_sided_distance(deformed_reference(subdivided(reference_.surface, grid.finest_side()), grid, phi), template_distance_);
-    }();
+  // The distances, and where they are greatest.
+  TwoSidedDistance measure_distance(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+    const LocatedDistance<Dim> distance =
+        two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return deformed_reference(surface, grid, phi); },
+                                template_distance_, observed_of_result(), grid.finest_side());
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
   }
+
+  // Of the surface that is carried, and of the template.
+  ObservedPair<Dim> observed_of_result() const { return is_backward_ ? exchanged(observed_) : observed_; }
 
   // The user's word, or that of the files.
   std::string unit() const {
@@ -159,7 +163,7 @@ class Matching {
       for (std::size_t v = 0; v < shape.vertices.size(); ++v) attribute.values[v] = is_observed(v) ? 1 : 0;
       set_attribute(shape, std::move(attribute));
     };
-    const ObservedPart<Dim>& of_template = is_backward_ ? observed_.reference : observed_.template_shape;
+    const ObservedPart<Dim> of_template = observed_of_result().template_shape;
     const auto unit = [&](const Vec<Dim>& y) { return map.placement(is_backward_ ? inputs_.prepared.alignment.pose(y) : y); };
     add(moved, "template_observed", [&](std::size_t v) { return of_template.contains(unit(moved.vertices[v])); });
     std::vector<Vec<Dim>> points;
@@ -194,7 +198,7 @@ class Matching {
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(deformed, cascade.grid, cascade.phi);
+    if (places_.deformed.empty()) measure_distance(cascade.grid, cascade.phi);
     add_distortions(deformed);
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
     OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);

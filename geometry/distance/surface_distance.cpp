@@ -1,33 +1,32 @@
 #include "geometry/distance/surface_distance.h"
 
 #include "base/parallel.h"
+#include "geometry/surface/subdivision.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace shellmatch {
 
 namespace {
 
-/// Vertices of a surface at which distances are measured.
+/// Points of a surface at which distances are measured.
 template <int Dim>
-struct MeasuredVertices {
+struct MeasuredPoints {
   std::vector<Vec<Dim>> points;
-  std::vector<double> areas;  ///< of the facets around each
+  std::vector<double> areas;  ///< around each
 };
 
-/// Those that have facets. \param measured one entry for each vertex; empty for all
+/// Vertices that have facets. \param measured one entry for each vertex; empty for all
 template <int Dim>
-MeasuredVertices<Dim> measured_vertices(const Surface<Dim>& surface, const std::vector<char>& measured) {
-  std::vector<double> area(surface.vertices.size(), 0.0);
+MeasuredPoints<Dim> measured_points(const Surface<Dim>& surface, const std::vector<char>& measured) {
+  const std::vector<double> area = vertex_measures(surface);
   std::vector<bool> used(surface.vertices.size(), false);
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    for (const Index v : surface.facets[f]) {
-      area[v] += facet_measure(surface, static_cast<Index>(f));
-      used[v] = measured.empty() || measured[v] != 0;
-    }
-  MeasuredVertices<Dim> found;
+  for (const auto& facet : surface.facets)
+    for (const Index v : facet) used[v] = measured.empty() || measured[v] != 0;
+  MeasuredPoints<Dim> found;
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     found.points.push_back(surface.vertices[v]);
@@ -65,6 +64,21 @@ DistanceStatistics statistics(std::vector<double> values) {
   return {mean, quantile(std::move(values), 0.95), max};
 }
 
+DistanceStatistics weighted_statistics(const std::vector<double>& values, const std::vector<double>& weights) {
+  double sum = 0, total = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += weights[i] * values[i];
+    total += weights[i];
+  }
+  if (!(total > 0)) return statistics(values);
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(values[i], i); });
+  double passed = 0;
+  const auto at = std::ranges::find_if(order, [&](std::size_t i) { return (passed += weights[i]) >= 0.95 * total; });
+  return {sum / total, values[at == order.end() ? order.back() : *at], values[order.back()]};
+}
+
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
   std::vector<double> distances(points.size());
@@ -74,14 +88,15 @@ std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Sign
 }
 
 template <int Dim>
-MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts) {
-  const Surface<Dim>& template_surface = template_distance.surface();
-  const MeasuredVertices<Dim> of_deformed = measured_vertices(deformed, parts.of_deformed(deformed));
-  const MeasuredVertices<Dim> of_template = measured_vertices(template_surface, parts.of_template(template_surface.vertices, deformed));
+MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts,
+                                double spacing) {
+  const Surface<Dim> fine = subdivided(template_distance.surface(), spacing);
+  const MeasuredPoints<Dim> of_deformed = measured_points(deformed, parts.of_deformed(deformed));
+  const MeasuredPoints<Dim> of_template = measured_points(fine, parts.of_template(fine.vertices, deformed));
   // Of the whole template, whatever is measured.
-  const double diagonal = bounding_box(measured_vertices(template_surface, {}).points).diagonal();
-  const auto summary = [&](std::vector<double> distances) {
-    const DistanceStatistics s = statistics(std::move(distances));
+  const double diagonal = bounding_box(measured_points(template_distance.surface(), {}).points).diagonal();
+  const auto summary = [&](const MeasuredPoints<Dim>& of, const std::vector<double>& distances) {
+    const DistanceStatistics s = weighted_statistics(distances, of.areas);
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
   };
   const auto farthest = [](const std::vector<Vec<Dim>>& points, const std::vector<double>& distances) -> Vec<Dim> {
@@ -90,13 +105,13 @@ MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistan
   };
   const std::vector<double> there = distances_to(of_deformed.points, template_distance);
   const std::vector<double> back = distances_to(of_template.points, SignedDistance<Dim>(deformed));
-  return {summary(there), summary(back), share_beyond(of_template.areas, back, covered_within * diagonal),
+  return {summary(of_deformed, there), summary(of_template, back), share_beyond(of_template.areas, back, covered_within * diagonal),
           farthest(of_deformed.points, there), farthest(of_template.points, back)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
-template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&);
-template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&);
+template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double);
+template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double);
 
 }  // namespace shellmatch

@@ -19,6 +19,16 @@ double surface_measure(const Surface<Dim>& s) {
 }
 
 template <int Dim>
+std::vector<double> vertex_measures(const Surface<Dim>& s) {
+  std::vector<double> measure(s.vertices.size(), 0.0);
+  for (std::size_t f = 0; f < s.facets.size(); ++f) {
+    const double share = facet_measure(s, static_cast<Index>(f)) / Dim;
+    for (const Index v : s.facets[f]) measure[v] += share;
+  }
+  return measure;
+}
+
+template <int Dim>
 std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& s) {
   std::vector<Vec<Dim>> normals(s.vertices.size(), Vec<Dim>::Zero());
   for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
@@ -46,6 +56,8 @@ double enclosed_measure(const Surface<Dim>& s) {
 
 template double surface_measure(const Surface<2>&);
 template double surface_measure(const Surface<3>&);
+template std::vector<double> vertex_measures(const Surface<2>&);
+template std::vector<double> vertex_measures(const Surface<3>&);
 template std::vector<Vec<2>> vertex_normals(const Surface<2>&);
 template std::vector<Vec<3>> vertex_normals(const Surface<3>&);
 template double enclosed_measure(const Surface<2>&);

@@ -100,6 +100,10 @@ double facet_measure(const Surface<Dim>& s, Index f) {
 template <int Dim>
 double surface_measure(const Surface<Dim>& s);
 
+/// For each vertex the area (length) that it stands for: its share of the facets around it, which adds up to surface_measure.
+template <int Dim>
+std::vector<double> vertex_measures(const Surface<Dim>& s);
+
 /// Unit normals at the vertices, the mean over the facets around by their length (plane) or area (space); zero where there is none.
 template <int Dim>
 std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& s);

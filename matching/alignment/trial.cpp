@@ -80,9 +80,8 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
     const std::vector<std::string>& names = end.levels.back().term_names;
     const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
     result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
-    result.template_distance = two_sided_distance(deformed_surface(d1.surface(), end.grid, end.phi), d2,
-                                                  MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape))
-                                   .figures.template_to_deformed.mean;
+    const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
+    result.template_distance = two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side()).figures.template_to_deformed.mean;
   });
   return result;
 }
@@ -92,10 +91,12 @@ double Trials<Dim>::distance(const Alignment<Dim>& start, Carried carried) const
   double result = std::numeric_limits<double>::infinity();
   run(start, cascade_options(options_, start), [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const bool forward = carried == Carried::reference;
-    const Surface<Dim> moved = forward ? deformed_surface(d1.surface(), end.grid, end.phi) : inversely_deformed_surface(d2.surface(), end.grid, end.phi);
-    const MeasuredParts<Dim> parts = forward ? MeasuredParts<Dim>(observed.reference, d1.surface().vertices, observed.template_shape)
-                                             : MeasuredParts<Dim>(observed.template_shape, d2.surface().vertices, observed.reference);
-    const auto figures = two_sided_distance(moved, forward ? d2 : d1, parts).figures;
+    const auto deform = [&](const Surface<Dim>& surface) {
+      return forward ? deformed_surface(surface, end.grid, end.phi) : inversely_deformed_surface(surface, end.grid, end.phi);
+    };
+    const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
+    const TwoSidedDistance figures =
+        two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side()).figures;
     result = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
   });
   return result;

@@ -25,6 +25,11 @@ ObservedPair<Dim> observed_pair(const Shape<Dim>& deformed, const Shape<Dim>& ot
   return {ObservedPart<Dim>(deformed.evidence), ObservedPart<Dim>(other.evidence)};
 }
 
+template <int Dim>
+ObservedPair<Dim> exchanged(const ObservedPair<Dim>& pair) {
+  return {pair.template_shape, pair.reference};
+}
+
 /// 1 where both shapes have data, 0 from the edges of gaps on, and a cubic between, over a given width or that of the
 /// gap, whichever is less.
 template <int Dim>

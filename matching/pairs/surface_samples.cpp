@@ -27,10 +27,7 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
                                                 const std::function<bool(const Vec<Dim>&)>& contains) {
   const auto n = static_cast<Index>(surface.vertices.size());
   const std::vector<Vec<Dim>> normals = vertex_normals(surface);
-  std::vector<double> area(surface.vertices.size(), 0.0);
-  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f)
-    for (const Index v : surface.facets[f]) area[v] += facet_measure(surface, f) / Dim;
-
+  const std::vector<double> area = vertex_measures(surface);
   std::vector<Index> order;
   double total = 0;
   for (Index v = 0; v < n; ++v)

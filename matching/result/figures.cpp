@@ -1,7 +1,9 @@
 #include "matching/result/figures.h"
 
-#include "geometry/distance/surface_distance.h"
 #include "geometry/distance/distortion.h"
+#include "geometry/distance/measured_parts.h"
+#include "geometry/distance/surface_distance.h"
+#include "geometry/surface/subdivision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +13,25 @@
 
 namespace shellmatch {
 
+namespace {
+
+/// A deformation has no finer detail than its cells, between whose nodes a surface bends; a mean over 20000 points is within 3 % of that over
+/// ten times as many (fish, hands, boxes).
 template <int Dim>
-LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
-                                         const MeasuredParts<Dim>& parts) {
-  const MatchQuality<Dim> quality = match_quality(deformed, template_distance, parts);
+double measured_spacing(const Surface<Dim>& surface, double side) {
+  constexpr double enough = 20000;
+  return std::max(0.5 * side, std::pow(surface_measure(surface) / enough, 1.0 / (Dim - 1)));
+}
+
+}  // namespace
+
+template <int Dim>
+LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference, const std::function<Surface<Dim>(const Surface<Dim>&)>& deform,
+                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side) {
+  const double spacing = measured_spacing(template_distance.surface(), side);
+  const Surface<Dim> fine = subdivided(reference, spacing);
+  const MeasuredParts<Dim> parts(observed.reference, fine.vertices, observed.template_shape);
+  const MatchQuality<Dim> quality = match_quality(deform(fine), template_distance, parts, spacing);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
   return {{one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered},
           quality.farthest_of_deformed,
@@ -124,7 +141,8 @@ Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>&
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
-  template LocatedDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const SignedDistance<Dim>&, const MeasuredParts<Dim>&); \
+  template LocatedDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const std::function<Surface<Dim>(const Surface<Dim>&)>&, \
+                                                        const SignedDistance<Dim>&, const ObservedPair<Dim>&, double);  \
   template Surface<Dim> measured_facets<Dim>(const Surface<Dim>&, const std::vector<char>&);          \
   template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \

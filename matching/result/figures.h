@@ -2,11 +2,13 @@
 /// \file
 /// Computes the figures of a summary from the results of a matching.
 
-#include "geometry/distance/measured_parts.h"
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
 #include "matching/cascade/level_result.h"
+#include "matching/level/observed_mask.h"
 #include "matching/result/match_summary.h"
+
+#include <functional>
 
 namespace shellmatch {
 
@@ -14,12 +16,16 @@ namespace shellmatch {
 template <int Dim>
 struct LocatedDistance {
   TwoSidedDistance figures;
-  Vec<Dim> farthest_of_deformed, farthest_of_template;  ///< vertices
+  Vec<Dim> farthest_of_deformed, farthest_of_template;
 };
 
+/// Distances between the deformed reference and the template, over the parts of both that were observed. Large facets are subdivided before
+/// they are deformed, as phi bends them, and those of the template are measured within.
+/// \param deform  moves a surface's vertices
+/// \param side    of the finest cells of the deformation, unit domain
 template <int Dim>
-LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
-                                         const MeasuredParts<Dim>& parts = {});
+LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference, const std::function<Surface<Dim>(const Surface<Dim>&)>& deform,
+                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side);
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 
