@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,8 +14,8 @@ namespace shellmatch {
 
 namespace {
 
-// What ends alike stays forward. Of 14 pairs of animals and men all that gain from backward lie at 0.98 or below (docs/alignment.md).
-constexpr double closer = 0.985;
+// What ends alike stays forward.
+constexpr double clearly_better = 0.985;
 
 /// Keeps what is said of an alignment until it is known to be used.
 class DeferredNotes final : public Observer {
@@ -39,8 +40,17 @@ void exchange(ShapePair<Dim>& shapes) { std::swap(shapes.reference, shapes.templ
 template <int Dim>
 struct DirectedAlignment {
   Alignment<Dim> alignment;
-  double distance;
+  DirectionTrial trial;
 };
+
+/// Less is better. Distances between whole surfaces hardly tell whether a paw is reached, which drives up the energy; the energy alone takes
+/// a shape that does not bend for one that need not (docs/alignment.md). Its root goes with lengths, as those of the match term do.
+template <int Dim>
+bool is_better(const DirectedAlignment<Dim>& one, const DirectedAlignment<Dim>& other) {
+  const bool same_band = one.alignment.pairs.empty() == other.alignment.pairs.empty();
+  const auto cost = [&](const DirectionTrial& t) { return same_band ? t.distance * std::sqrt(t.energy) : t.distance; };
+  return cost(one.trial) < clearly_better * cost(other.trial);
+}
 
 /// \param shapes the deformed one first
 template <int Dim>
@@ -49,15 +59,15 @@ DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Lan
   DirectedAlignment<Dim> result;
   result.alignment = align_shapes(shapes, landmarks, options, observer, backward ? "template" : "reference");
   const Trials<Dim> trials(shapes, landmarks, options, observer);
-  result.distance = trials.distance(result.alignment, backward ? Carried::template_shape : Carried::reference);
+  result.trial = trials.of_direction(result.alignment, backward ? Carried::template_shape : Carried::reference);
   return result;
 }
 
-std::string reached(double distance) {
-  return std::isfinite(distance) ? fmt::format("{:.2g} diagonals", distance) : "unknown, as it cannot be tried";
+std::string reached(const DirectionTrial& trial) {
+  return std::isfinite(trial.distance) ? fmt::format("{:.2g} diagonals with energy {:.2g}", trial.distance, trial.energy) : "unknown, as it cannot be tried";
 }
 
-/// Both directions are tried on coarse levels; backward is chosen where the reference lies clearly closer to the template after it.
+/// Both directions are tried on coarse levels; backward is chosen where it ends clearly better.
 template <int Dim>
 Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
                                 DirectionSummary& direction, Observer& observer) {
@@ -67,14 +77,19 @@ Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landma
   exchange(shapes);
   DirectedAlignment<Dim> backward = tried(shapes, exchanged(landmarks), options, true, of_backward);
   exchange(shapes);
-  direction.backward = backward.distance < closer * forward.distance;
-  if (std::isfinite(forward.distance)) direction.forward_distance = forward.distance;
-  if (std::isfinite(backward.distance)) direction.backward_distance = backward.distance;
+  direction.backward = is_better(backward, forward);
+  const auto keep = [](const DirectionTrial& trial, std::optional<double>& distance, std::optional<double>& energy) {
+    if (!std::isfinite(trial.distance)) return;
+    distance = trial.distance;
+    energy = trial.energy;
+  };
+  keep(forward.trial, direction.forward_distance, direction.forward_energy);
+  keep(backward.trial, direction.backward_distance, direction.backward_energy);
   (direction.backward ? of_backward : of_forward).tell();
   DirectedAlignment<Dim>&chosen = direction.backward ? backward : forward, &other = direction.backward ? forward : backward;
   observer.note(fmt::format("direction: {}; distance after coarse levels {}, in the other direction {}",
                             direction.backward ? "the template is deformed, and the inverse of that map carries the reference" : "the reference is deformed",
-                            reached(chosen.distance), reached(other.distance)));
+                            reached(chosen.trial), reached(other.trial)));
   return std::move(chosen.alignment);
 }
 

@@ -87,8 +87,8 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
 }
 
 template <int Dim>
-double Trials<Dim>::distance(const Alignment<Dim>& start, Carried carried) const {
-  double result = std::numeric_limits<double>::infinity();
+DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried carried) const {
+  DirectionTrial result;
   run(start, cascade_options(options_, start), [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const bool forward = carried == Carried::reference;
     const auto deform = [&](const Surface<Dim>& surface) {
@@ -97,7 +97,8 @@ double Trials<Dim>::distance(const Alignment<Dim>& start, Carried carried) const
     const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
     const TwoSidedDistance figures =
         two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side()).figures;
-    result = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
+    result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
+    result.energy = end.levels.back().minimised.sum();
   });
   return result;
 }

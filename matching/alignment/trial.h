@@ -20,6 +20,12 @@ struct Trial {
   double template_distance = std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
 };
 
+/// Of a trial of one of both directions. Both infinite as above.
+struct DirectionTrial {
+  double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the shape that is not carried
+  double energy = std::numeric_limits<double>::infinity();    ///< with all terms
+};
+
 /// Whose distance from the other shape is measured at the end of a trial: phi(M1), or what the inverse of phi makes of M2.
 enum class Carried { reference, template_shape };
 
@@ -33,8 +39,8 @@ class Trials {
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
-  /// Sum of the mean distances both ways between a carried shape and the other one, in diagonals of the latter; infinite as above.
-  double distance(const Alignment<Dim>& start, Carried carried) const;
+  /// As the run itself would begin, in its own band: energies compare only where both starts have pairs, or neither has.
+  DirectionTrial of_direction(const Alignment<Dim>& start, Carried carried) const;
   /// Of the shapes as they lie, without pairs; tried once.
   const Trial& as_they_lie();
 

@@ -27,7 +27,7 @@ Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, I
 /// Facets that are larger than samples are apart have samples within, and bend with phi.
 template <int Dim>
 Surface<Dim> resolved(const Surface<Dim>& surface, double side, const CoverageOptions& options) {
-  return subdivided(surface, 3 * std::max(side, std::pow(surface_measure(surface) / options.samples, 1.0 / (Dim - 1))));
+  return subdivided(surface, std::max(side, std::pow(surface_measure(surface) / options.samples, 1.0 / (Dim - 1))));
 }
 
 /// pair(i), of weight 0 where there is none, for i < n, appended in their order.

@@ -90,6 +90,7 @@ struct DirectionSummary {
   std::optional<double> reference_gaps = {}, template_gaps = {};
   /// With align.direction auto: sum of the mean distances both ways after a trial of each direction, in diagonals; none where it failed.
   std::optional<double> forward_distance = {}, backward_distance = {};
+  std::optional<double> forward_energy = {}, backward_energy = {};  ///< at the end of these trials
 };
 
 /// Figures that differ between runs of the same experiment.
