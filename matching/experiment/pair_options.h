@@ -44,7 +44,7 @@ struct CoverageOptions {
   double weight = 2;
   double loss_scale = 0.1;
   double point_distance = 0.3;
-  double tolerance = 1e-4;
+  double tolerance = 2e-4;
   double coarse_tolerance = 0.5;
   int samples = 10000;
   int rounds = 1;

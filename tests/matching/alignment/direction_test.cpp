@@ -168,8 +168,8 @@ TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
     EXPECT_EQ(pair.reference.original.vertices[60], reference.original.vertices[60]);  // in the order given
     if (wanted == MatchDirection::automatic) {
       const DirectionSummary& d = *prepared.direction;
-      EXPECT_TRUE(d.forward_distance && d.backward_distance);
-      EXPECT_EQ(d.backward, *d.backward_distance < 0.985 * *d.forward_distance);
+      EXPECT_TRUE(d.forward_distance && d.backward_distance && d.forward_energy && d.backward_energy);
+      EXPECT_EQ(d.backward, *d.backward_distance * std::sqrt(*d.backward_energy) < 0.985 * *d.forward_distance * std::sqrt(*d.forward_energy));
     } else {
       EXPECT_FALSE(prepared.direction && prepared.direction->forward_distance);
     }
@@ -229,14 +229,16 @@ TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
   const ExperimentOptions o = options_to(5, MatchDirection::forward);
   Observer quiet;
   const Trials<2> trials(pair, {}, o, quiet);
-  const double carried = trials.distance({}, Carried::reference), inverse = trials.distance({}, Carried::template_shape);
-  EXPECT_LT(carried, 0.02);
-  EXPECT_LT(inverse, 0.05);
-  EXPECT_NE(carried, inverse);
-  EXPECT_GT(carried, trials({}).template_distance);  // that, and the way back
+  const DirectionTrial carried = trials.of_direction({}, Carried::reference), inverse = trials.of_direction({}, Carried::template_shape);
+  EXPECT_LT(carried.distance, 0.02);
+  EXPECT_LT(inverse.distance, 0.05);
+  EXPECT_NE(carried.distance, inverse.distance);
+  EXPECT_EQ(carried.energy, inverse.energy);  // of the same map
+  EXPECT_EQ(carried.energy, trials({}).energy);
+  EXPECT_GT(carried.distance, trials({}).template_distance);  // that, and the way back
   Alignment<2> far;
   far.pose.scale = 100;
-  EXPECT_FALSE(trials.distance(far, Carried::reference) < 0.1);
+  EXPECT_FALSE(trials.of_direction(far, Carried::reference).distance < 0.1);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include "matching/result/figures.h"
 
 #include "geometry/generate/generate_shape.h"
+#include "geometry/surface/subdivision.h"
+#include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +55,19 @@ Surface<Dim> moved(Surface<Dim> s, const Mat<Dim>& a) {
   const Vec<Dim> centre = Vec<Dim>::Constant(0.5);
   for (Vec<Dim>& x : s.vertices) x = centre + a * (x - centre);
   return s;
+}
+
+// A box of twelve triangles, bent: between its vertices it follows the deformation, not the chords.
+TEST(TwoSidedDistance, LargeFacetsBendWithTheDeformation) {
+  const auto bent = [](const Surface<3>& s) {
+    return test::mapped<3>(s, [](const Vec<3>& x) { return Vec<3>(x.x() + 0.05 * std::sin(std::numbers::pi * (x.y() - 0.3) / 0.4), x.y(), x.z()); });
+  };
+  const Surface<3> box = test::box({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
+  const SignedDistance<3> target(bent(subdivided(box, 0.01)));
+  const TwoSidedDistance fine = two_sided_distance<3>(box, bent, target, {}, 1.0 / 32).figures;
+  EXPECT_LT(std::max(fine.template_to_deformed.max, fine.deformed_to_template.max), 1e-3);
+  // Cells larger than the box tell nothing of what lies between.
+  EXPECT_GT(two_sided_distance<3>(box, bent, target, {}, 4).figures.template_to_deformed.max, 0.05);
 }
 
 TEST(MatchResult, ThePlacementIsUndone) {
