@@ -1,16 +1,19 @@
 #include "matching/match_placed_shapes.h"
 
+#include "base/parallel.h"
 #include "geometry/distance/surface_distance.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/inverse_carrier.h"
 #include "matching/result/nearest_faces.h"
 #include "matching/result/verdict.h"
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,9 +104,10 @@ class Matching {
   void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
-    const Surface<Dim> deformed = deformed_reference(reference_.surface, state.grid, state.phi);
+    const ReferenceMap carry(*this, state.grid, state.phi);
+    const Surface<Dim> deformed = carry(reference_.surface);
     if (options_.report) levels_.push_back({s.level, deformed.vertices});
-    s.distance = measure_distance(state.grid, state.phi);
+    s.distance = measure_distance(carry);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.warn(*warning);
@@ -114,15 +118,39 @@ class Matching {
                         levels_});
   }
 
-  Surface<Dim> deformed_reference(const Surface<Dim>& reference, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
-    return is_backward_ ? inversely_deformed_surface(reference, grid, phi) : deformed_surface(reference, grid, phi);
-  }
+  // Carries surfaces of the unit domain as the reference, by phi or its inverse.
+  class ReferenceMap {
+   public:
+    ReferenceMap(const Matching& matching, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) : grid_(grid), phi_(phi) {
+      if (matching.is_backward_) inverse_.emplace(matching.d1_.surface(), grid, phi);
+    }
+    Surface<Dim> operator()(const Surface<Dim>& surface) const { return inverse_ ? (*inverse_)(surface) : deformed_surface(surface, grid_, phi_); }
+
+    // Points of the reference as it was read, user's coordinates. Its normals are those of the surface, which is oriented.
+    std::vector<Vec<Dim>> points(std::vector<Vec<Dim>> x, const Deformation<Dim>& map, const Surface<Dim>& surface) const {
+      if (inverse_) {
+        for (Vec<Dim>& at : x) at = map.placement(at);
+        x = inverse_->carried(x, nearest_normals<Dim>(surface, x));
+        for (Vec<Dim>& at : x) at = map.pose.inverse(map.placement.inverse(at));
+      } else {
+        parallel_for(x.size(), [&](std::size_t i) { x[i] = map.apply(x[i]); });
+      }
+      return x;
+    }
+
+    double finest_side() const { return grid_.finest_side(); }
+
+   private:
+    const Octree<Dim>& grid_;
+    const std::vector<Vec<Dim>>& phi_;
+    std::optional<InverseCarrier<Dim>> inverse_;
+  };
 
   // The distances, and where they are greatest.
-  TwoSidedDistance measure_distance(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
+  TwoSidedDistance measure_distance(const ReferenceMap& carry) {
     const LocatedDistance<Dim> distance =
-        two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return deformed_reference(surface, grid, phi); },
-                                template_distance_, observed_of_result(), grid.finest_side());
+        two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return carry(surface); }, template_distance_,
+                                observed_of_result(), carry.finest_side());
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
@@ -194,14 +222,17 @@ class Matching {
 
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
-    Surface<Dim> deformed = deformed_reference(reference_.surface, cascade.grid, cascade.phi);
+    Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
+    std::optional<ReferenceMap> carry(std::in_place, *this, map.grid, map.phi);
+    Surface<Dim> deformed = (*carry)(reference_.surface);
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(cascade.grid, cascade.phi);
+    if (places_.deformed.empty()) measure_distance(*carry);
     add_distortions(deformed);
-    Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
-    OriginalShape<Dim> moved = deformed_original(reference_.original, map, template_distance_);
+    OriginalShape<Dim> moved =
+        deformed_original(reference_.original, carry->points(reference_.original.vertices, map, reference_.surface), map, template_distance_);
+    carry.reset();  // it refers to the map, which moves into the result
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
     add_correspondence_error(moved);

@@ -5,8 +5,8 @@
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
 #include "matching/experiment/level_solver.h"
-#include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/inverse_carrier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +91,9 @@ DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried ca
   DirectionTrial result;
   run(start, cascade_options(options_, start), [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
     const bool forward = carried == Carried::reference;
-    const auto deform = [&](const Surface<Dim>& surface) {
-      return forward ? deformed_surface(surface, end.grid, end.phi) : inversely_deformed_surface(surface, end.grid, end.phi);
-    };
+    std::optional<InverseCarrier<Dim>> inverse;
+    if (!forward) inverse.emplace(d1.surface(), end.grid, end.phi);
+    const auto deform = [&](const Surface<Dim>& surface) { return inverse ? (*inverse)(surface) : deformed_surface(surface, end.grid, end.phi); };
     const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
     const TwoSidedDistance figures =
         two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side()).figures;

@@ -1,36 +1,16 @@
 #include "matching/result/deformed_shape.h"
 
 #include "base/parallel.h"
-#include "grid/fields/interpolation.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 namespace shellmatch {
 
 namespace {
-
-/// Moves the points by the map; one without an image moves as the nearest one that has one.
-template <int Dim>
-void carry(std::vector<Vec<Dim>>& points, const auto& map) {
-  std::vector<std::optional<Vec<Dim>>> images(points.size());
-  parallel_for(points.size(), [&](std::size_t i) { images[i] = map(points[i]); });
-  std::vector<Vec<Dim>> moved = points;
-  parallel_for(points.size(), [&](std::size_t i) {
-    std::size_t from = i;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; !images[i] && k < points.size(); ++k)
-      if (const double distance = (points[k] - points[i]).squaredNorm(); images[k] && distance < least) from = k, least = distance;
-    if (from == i && images[i]) moved[i] = *images[i];
-    else if (images[from]) moved[i] += *images[from] - points[from];
-  });
-  points = std::move(moved);
-}
 
 /// Area of a polygon, or length of an edge of a ring.
 double polygon_measure(const std::vector<Vec<3>>& x, const std::vector<Index>& polygon) {
@@ -69,11 +49,11 @@ void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute) {
 }
 
 template <int Dim>
-OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const Deformation<Dim>& deformation,
+OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::vector<Vec<Dim>> carried, const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance) {
   OriginalShape<Dim> moved = reference;
+  moved.vertices = std::move(carried);
   std::vector<double> distance(reference.vertices.size());
-  carry(moved.vertices, PointMap<Dim>(deformation, Toward::template_shape));
   // Backward the template is the shape that the pose has moved.
   const Similarity<Dim> pose = deformation.is_backward ? deformation.pose : Similarity<Dim>{};
   parallel_for(distance.size(), [&](std::size_t i) {
@@ -88,18 +68,9 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, const 
   return moved;
 }
 
-template <int Dim>
-Surface<Dim> inversely_deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
-  Surface<Dim> deformed = surface;
-  carry(deformed.vertices, InverseMap<Dim>(grid, phi));
-  return deformed;
-}
-
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
   template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                                             \
-  template Surface<Dim> inversely_deformed_surface<Dim>(const Surface<Dim>&, const Octree<Dim>&, const std::vector<Vec<Dim>>&);   \
-  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, const Deformation<Dim>&,              \
-                                                     const SignedDistance<Dim>&)
+  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, std::vector<Vec<Dim>>, const Deformation<Dim>&, const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -51,6 +51,13 @@ OriginalShape<2> uneven_square(const Similarity<2>& placement) {
 }
 
 template <int Dim>
+std::vector<Vec<Dim>> carried(const OriginalShape<Dim>& shape, const Deformation<Dim>& map) {
+  std::vector<Vec<Dim>> vertices;
+  for (const Vec<Dim>& x : shape.vertices) vertices.push_back(map.apply(x));
+  return vertices;
+}
+
+template <int Dim>
 Surface<Dim> moved(Surface<Dim> s, const Mat<Dim>& a) {
   const Vec<Dim> centre = Vec<Dim>::Constant(0.5);
   for (Vec<Dim>& x : s.vertices) x = centre + a * (x - centre);
@@ -77,7 +84,7 @@ TEST(MatchResult, ThePlacementIsUndone) {
   const auto& p = map.placement;
   const OriginalShape<2> square = uneven_square(p);
   Surface<2> far{{{0.1, 0.8}, {0.9, 0.8}, {0.9, 0.9}, {0.1, 0.9}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-  const auto result = deformed_original(square, map, SignedDistance<2>(far));
+  const auto result = deformed_original(square, carried(square, map), map, SignedDistance<2>(far));
   EXPECT_EQ(result.polygons, square.polygons);
   ASSERT_EQ(result.attributes.size(), 2u);
   EXPECT_EQ(result.attributes[0].name, "distance_to_template");
@@ -103,7 +110,7 @@ TEST(MatchResult, AreaRatiosInSpaceAreThoseOfAPolygonsPlane) {
   for (const Vec<3>& x : {Vec<3>(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 5}, {0, 1, 5}, {0, 1, 6}, {0, 0, 6}})
     quads.vertices.push_back(x);
   quads.polygons = {{0, 1, 2, 3}, {4, 5, 6, 7}};  // across z, and across x
-  const auto result = deformed_original(quads, map, SignedDistance<3>(sphere()));
+  const auto result = deformed_original(quads, carried(quads, map), map, SignedDistance<3>(sphere()));
   EXPECT_EQ(result.attributes[1].name, "area_ratio");
   for (int v = 0; v < 8; ++v) EXPECT_NEAR(result.attributes[1].values[v], v < 4 ? 2 : 0.5, 1e-12);
 }
@@ -137,8 +144,8 @@ TEST(MatchResult, FreshAttributesReplaceThoseOfAnEarlierMatching) {
   const Surface<2> far{{{0.1, 0.8}, {0.9, 0.8}, {0.9, 0.9}, {0.1, 0.9}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
   const SignedDistance<2> distance(far);
   square.attributes.push_back({"label", "int", std::vector<double>(square.vertices.size(), 7)});
-  const auto once = deformed_original(square, map, distance);
-  const auto twice = deformed_original(once, map, distance);
+  const auto once = deformed_original(square, carried(square, map), map, distance);
+  const auto twice = deformed_original(once, carried(once, map), map, distance);
   ASSERT_EQ(twice.attributes.size(), 3u);
   EXPECT_EQ(twice.attributes[0].name, "label");
   EXPECT_EQ(twice.attributes[1].name, "distance_to_template");

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// Nearest facets of those that face the way a point's own surface does: of two limbs that touch, the nearest facet as such may belong to
+/// the other one, or to the other side of a thin part.
+
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/facet_point.h"
+#include "geometry/surface/surface.h"
+
+#include <optional>
+#include <vector>
+
+namespace shellmatch {
+
+template <int Dim>
+class OrientedFacets {
+ public:
+  struct Nearest {
+    Index facet;
+    FacetPoint<Dim> point;
+    double distance;
+  };
+
+  /// \param surface must outlive this object; its coordinates are finite
+  explicit OrientedFacets(const Surface<Dim>& surface);
+
+  /// The nearest facet whose normal has a positive product with the given one, found among those whose normals are largest along an axis, with
+  /// its sign, along which the given one points: more than 75 degrees apart a facet may be passed over for one that is farther. None where
+  /// there is none.
+  std::optional<Nearest> nearest(const Vec<Dim>& x, const Vec<Dim>& normal) const;
+
+ private:
+  /// The facets whose normals have their largest component along one axis, with one sign.
+  struct Side {
+    std::vector<Index> facets;
+    std::optional<FacetTree<Dim>> tree;
+  };
+
+  const Surface<Dim>* surface_;
+  std::vector<Side> sides_;  ///< 2 k for the positive direction of axis k, 2 k + 1 for the negative one
+};
+
+}  // namespace shellmatch
