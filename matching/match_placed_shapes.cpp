@@ -1,14 +1,13 @@
 #include "matching/match_placed_shapes.h"
 
-#include "base/parallel.h"
 #include "geometry/distance/surface_distance.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
-#include "matching/result/inverse_carrier.h"
 #include "matching/result/nearest_faces.h"
+#include "matching/result/reference_map.h"
 #include "matching/result/verdict.h"
 
 #include <cmath>
@@ -104,7 +103,7 @@ class Matching {
   void finish_level(const LevelResult& level, const LevelState<Dim>& state) {
     const auto& rows = recorder_.history.rows;
     LevelSummary s = level_summary(level, rows.empty() ? IterationRecord{} : rows.back().record);
-    const ReferenceMap carry(*this, state.grid, state.phi);
+    const ReferenceMap<Dim> carry = reference_map(state.grid, state.phi);
     const Surface<Dim> deformed = carry(reference_.surface);
     if (options_.report) levels_.push_back({s.level, deformed.vertices});
     s.distance = measure_distance(carry);
@@ -118,36 +117,12 @@ class Matching {
                         levels_});
   }
 
-  // Carries surfaces of the unit domain as the reference, by phi or its inverse.
-  class ReferenceMap {
-   public:
-    ReferenceMap(const Matching& matching, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) : grid_(grid), phi_(phi) {
-      if (matching.is_backward_) inverse_.emplace(matching.d1_.surface(), grid, phi);
-    }
-    Surface<Dim> operator()(const Surface<Dim>& surface) const { return inverse_ ? (*inverse_)(surface) : deformed_surface(surface, grid_, phi_); }
-
-    // Points of the reference as it was read, user's coordinates. Its normals are those of the surface, which is oriented.
-    std::vector<Vec<Dim>> points(std::vector<Vec<Dim>> x, const Deformation<Dim>& map, const Surface<Dim>& surface) const {
-      if (inverse_) {
-        for (Vec<Dim>& at : x) at = map.placement(at);
-        x = inverse_->carried(x, nearest_normals<Dim>(surface, x));
-        for (Vec<Dim>& at : x) at = map.pose.inverse(map.placement.inverse(at));
-      } else {
-        parallel_for(x.size(), [&](std::size_t i) { x[i] = map.apply(x[i]); });
-      }
-      return x;
-    }
-
-    double finest_side() const { return grid_.finest_side(); }
-
-   private:
-    const Octree<Dim>& grid_;
-    const std::vector<Vec<Dim>>& phi_;
-    std::optional<InverseCarrier<Dim>> inverse_;
-  };
+  ReferenceMap<Dim> reference_map(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
+    return {is_backward_ ? &d1_.surface() : nullptr, grid, phi};
+  }
 
   // The distances, and where they are greatest.
-  TwoSidedDistance measure_distance(const ReferenceMap& carry) {
+  TwoSidedDistance measure_distance(const ReferenceMap<Dim>& carry) {
     const LocatedDistance<Dim> distance =
         two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return carry(surface); }, template_distance_,
                                 observed_of_result(), carry.finest_side());
@@ -223,16 +198,15 @@ class Matching {
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
-    std::optional<ReferenceMap> carry(std::in_place, *this, map.grid, map.phi);
-    Surface<Dim> deformed = (*carry)(reference_.surface);
+    const ReferenceMap<Dim> carry = reference_map(map.grid, map.phi);  // not to be used once the map moves into the result
+    Surface<Dim> deformed = carry(reference_.surface);
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(*carry);
+    if (places_.deformed.empty()) measure_distance(carry);
     add_distortions(deformed);
     OriginalShape<Dim> moved =
-        deformed_original(reference_.original, carry->points(reference_.original.vertices, map, reference_.surface), map, template_distance_);
-    carry.reset();  // it refers to the map, which moves into the result
+        deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface), map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
     add_correspondence_error(moved);

@@ -24,9 +24,10 @@ class OrientedFacets {
   /// \param surface must outlive this object; its coordinates are finite
   explicit OrientedFacets(const Surface<Dim>& surface);
 
-  /// The nearest facet whose normal has a positive product with the given one, found among those whose normals are largest along an axis, with
-  /// its sign, along which the given one points: more than 75 degrees apart a facet may be passed over for one that is farther. None where
-  /// there is none.
+  /// A near facet whose normal has a positive product with the given one. The facets are kept in groups by the largest component of their
+  /// normals; of each group to whose side the given normal points the nearest one is looked at, and of these the nearest that faces its way is
+  /// returned. That is the nearest of all whose normals differ by less than 35 degrees, unless one that faces away lies before it; none
+  /// where all of them face away.
   std::optional<Nearest> nearest(const Vec<Dim>& x, const Vec<Dim>& normal) const;
 
  private:

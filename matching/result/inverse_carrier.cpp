@@ -15,7 +15,8 @@ InverseCarrier<Dim>::InverseCarrier(const Surface<Dim>& moving, const Octree<Dim
       moving_(subdivided(moving, grid.finest_side())),
       moved_(deformed_surface(moving_, grid, phi)),
       facets_(moved_),
-      reach_(4 * grid.finest_side()) {}
+      reach_(4 * grid.finest_side()),
+      slack_(0.1 * grid.finest_side()) {}
 
 template <int Dim>
 std::optional<Vec<Dim>> InverseCarrier<Dim>::operator()(const Vec<Dim>& x, const Vec<Dim>& normal) const {
@@ -28,8 +29,9 @@ std::optional<Vec<Dim>> InverseCarrier<Dim>::operator()(const Vec<Dim>& x, const
   const auto& facet = moving_.facets[static_cast<std::size_t>(nearest->facet)];
   for (std::size_t k = 0; k < Dim; ++k) p += weights[k] * moving_.vertices[static_cast<std::size_t>(facet[k])];
   const Vec<Dim> offset = *y - p;
-  const double most = nearest->distance / (1 - nearest->distance / reach_), length = offset.norm();
-  return length > most ? Vec<Dim>(p + offset * (most / length)) : *y;
+  const double own = nearest->distance / (1 - nearest->distance / reach_) + slack_, length = offset.norm();
+  if (length <= 2 * own) return y;
+  return Vec<Dim>(p + offset * (own / length * (1 + 2 * own / length)));  // from 2 d at 2 d down to d
 }
 
 template <int Dim>

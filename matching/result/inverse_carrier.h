@@ -15,8 +15,9 @@ namespace shellmatch {
 
 /// In the unit domain. Vertices of the reference that phi(M2) misses by a hundredth of a diagonal lie in space that phi has compressed, between
 /// limbs that it brought together, and the inverse alone draws them out to spurs of a tenth. Here a point that is d away from the nearest
-/// part of phi(M2) that faces its way, phi(p), is carried to at most d from p. The limit grows with d and ends at four sides of the finest
-/// cells, beyond which a point is part of nothing that was matched.
+/// part of phi(M2) that faces its way, phi(p), stays where the inverse has it up to 2 d from p; one that is drawn out farther comes to lie
+/// between 2 d and d from p, the nearer the more it was drawn out. For this d counts more the larger it is, and ends at four sides
+/// of the finest cells, beyond which a point is part of nothing that was matched. A tenth of a side is added to it.
 template <int Dim>
 class InverseCarrier {
  public:
@@ -38,6 +39,7 @@ class InverseCarrier {
   Surface<Dim> moving_, moved_;  ///< subdivided to the finest cells
   OrientedFacets<Dim> facets_;   ///< of moved_
   double reach_;
+  double slack_;  ///< as p is interpolated in facets, which phi bends
 };
 
 /// For each point the normal of the surface's nearest facet.
