@@ -15,12 +15,12 @@ namespace shellmatch {
 
 namespace {
 
-/// A deformation has no finer detail than its cells, between whose nodes a surface bends; a mean over 20000 points is within 3 % of that over
-/// ten times as many (fish, hands, boxes).
+/// A deformation has no finer detail than its cells, over which distances from coarse meshes rise and fall: at half a side the fish's mean is
+/// 10 % too large, at a quarter 1 %. A mean over 20000 points is within 6 % of that over ten times as many (fish, hands, boxes).
 template <int Dim>
 double measured_spacing(const Surface<Dim>& surface, double side) {
   constexpr double enough = 20000;
-  return std::max(0.5 * side, std::pow(surface_measure(surface) / enough, 1.0 / (Dim - 1)));
+  return std::max(0.25 * side, std::pow(surface_measure(surface) / enough, 1.0 / (Dim - 1)));
 }
 
 }  // namespace
