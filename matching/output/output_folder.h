@@ -5,6 +5,8 @@
 #include "matching/output/file_lock.h"
 #include "matching/output/written_files.h"
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +57,7 @@ class OutputFolder {
   bool committed_ = false;  ///< the result is in its place: partial_ holds what it has replaced, or nothing
   ChangedFiles changed_;
   std::optional<FileLock> lock_;
+  std::unique_ptr<std::byte[]> reserve_;  ///< memory with which the destructor can list the hidden folder where there is no more
 };
 
 }  // namespace shellmatch
