@@ -89,13 +89,6 @@ Eigenpairs<Dim> eigenpairs(const Mat<Dim>& a) {
   return pairs;
 }
 
-template <int Dim>
-Eigenpairs<Dim> eigenpairs_in_closed_form(const Mat<Dim>& a) {
-  Eigen::SelfAdjointEigenSolver<Mat<Dim>> solver;
-  solver.computeDirect(a);
-  return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
 void remove_negative_eigenvalues(int n, double* matrix) {
   const JacobiEigen eigen(n, matrix);
   std::fill(matrix, matrix + n * n, 0.0);
@@ -117,7 +110,5 @@ double largest_eigenvalue(int n, const double* matrix) {
 
 template Eigenpairs<2> eigenpairs<2>(const Mat<2>&);
 template Eigenpairs<3> eigenpairs<3>(const Mat<3>&);
-template Eigenpairs<2> eigenpairs_in_closed_form<2>(const Mat<2>&);
-template Eigenpairs<3> eigenpairs_in_closed_form<3>(const Mat<3>&);
 
 }  // namespace shellmatch

@@ -17,10 +17,6 @@ struct Eigenpairs {
 template <int Dim>
 Eigenpairs<Dim> eigenpairs(const Mat<Dim>& a);
 
-/// The same in closed form: faster, but half the digits are lost near double eigenvalues.
-template <int Dim>
-Eigenpairs<Dim> eigenpairs_in_closed_form(const Mat<Dim>& a);
-
 /// Sets the negative eigenvalues of a symmetric matrix of n rows to 0, in place.
 void remove_negative_eigenvalues(int n, double* matrix);
 

@@ -1,78 +1,101 @@
 #include "energies/densities/isotropic_hessian.h"
 
-#include "base/symmetric_eigen.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "energies/densities/pack_eigen.h"
 
 namespace shellmatch {
 
-template <int Dim>
-Stretches<Dim> principal_stretches(const Mat<Dim>& a) {
-  // Singular vectors from A^T A; the decomposition need not be accurate where stretches coincide, as any
-  // basis serves there.
-  Mat<Dim> v = eigenpairs_in_closed_form<Dim>(a.transpose() * a).vectors;
-  if (v.determinant() < 0) v.col(0) = -v.col(0);
-  Mat<Dim> u;
-  Vec<Dim> s;
-  for (int i = Dim - 1; i > 0; --i) {  // ascending eigenvalues: the smallest is column 0
-    u.col(i) = a * v.col(i);
-    for (int j = i + 1; j < Dim; ++j) u.col(i) -= u.col(j).dot(u.col(i)) * u.col(j);
-    s[i] = u.col(i).norm();
-    u.col(i) = s[i] > 1e-12 ? Vec<Dim>(u.col(i) / s[i]) : Vec<Dim>(Vec<Dim>::Unit(i));
+using autodiff::Pack;
+
+namespace {
+
+Pack size_of(Pack x) { return x > 0 ? x : -x; }
+
+/// Adds value q q^T to the upper triangle of h.
+template <int N>
+void add_mode(const std::array<Pack, N>& q, Pack value, SquarePack<N>& h) {
+  value = autodiff::max_of(value, Pack{});
+  for (int i = 0; i < N; ++i) {
+    const Pack scaled = value * q[i];
+    for (int j = i; j < N; ++j) h[i][j] += scaled * q[j];
   }
-  if constexpr (Dim == 3)
-    u.col(0) = u.col(1).cross(u.col(2));
-  else
-    u.col(0) = Vec<2>(u(1, 1), -u(0, 1));
-  s[0] = u.col(0).dot(a * v.col(0));
-  return {u, v, s};
+}
+
+}  // namespace
+
+template <int Dim>
+Stretches<Dim> principal_stretches(const SmallMat<Pack, Dim>& a) {
+  SmallMat<Pack, Dim> square;  // A^T A
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j)
+      for (int k = 0; k < Dim; ++k) square(i, j) += a(k, i) * a(k, j);
+  Stretches<Dim> found;
+  auto& [u, v, s] = found;
+  v = pack_eigenpairs<Dim>(square).vectors;
+  const Pack turned = determinant(v);
+  for (int k = 0; k < Dim; ++k) v(k, 0) = turned < 0 ? -v(k, 0) : v(k, 0);
+  SmallMat<Pack, Dim> image;  // A V: orthogonal columns
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j)
+      for (int k = 0; k < Dim; ++k) image(i, j) += a(i, k) * v(k, j);
+  for (int i = Dim - 1; i > 0; --i) {  // ascending eigenvalues: the smallest is column 0
+    Pack square_length{};
+    for (int k = 0; k < Dim; ++k) square_length += image(k, i) * image(k, i);
+    s[i] = autodiff::root_of(square_length);
+    for (int k = 0; k < Dim; ++k) u(k, i) = s[i] > 1e-12 ? image(k, i) / s[i] : Pack{} + (k == i ? 1.0 : 0.0);
+  }
+  if constexpr (Dim == 3) {
+    for (int k = 0; k < 3; ++k) {
+      const int p = (k + 1) % 3, q = (k + 2) % 3;
+      u(k, 0) = u(p, 1) * u(q, 2) - u(q, 1) * u(p, 2);
+    }
+  } else {
+    u(0, 0) = u(1, 1);
+    u(1, 0) = -u(0, 1);
+  }
+  s[0] = Pack{};
+  for (int k = 0; k < Dim; ++k) s[0] += u(k, 0) * image(k, 0);
+  return found;
 }
 
 template <int Dim>
-Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
-    const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi, int lane) {
-  Vec<Dim> first;
-  Mat<Dim> second;
-  for (int i = 0; i < Dim; ++i) {
-    first[i] = psi.g[i][lane];
-    for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j)[lane];
-  }
+SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, Pack>& psi) {
   constexpr int n = Dim * Dim;
-  Eigen::Matrix<double, n, n> h = Eigen::Matrix<double, n, n>::Zero();
-  const auto add = [&](const Mat<Dim>& mode, double value) {
-    if (!(value > 0)) return;
-    const Mat<Dim> q = a.u * mode * a.v.transpose();
-    std::array<double, n> flat, scaled;
-    for (int i = 0; i < n; ++i) flat[i] = q(i / Dim, i % Dim), scaled[i] = value * flat[i];
-    // Eigen would form the product in a matrix of its own and add that, out of line.
-    double* entry = h.data();
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) *entry++ += scaled[i] * flat[j];
-  };
+  constexpr double root_half = 0.70710678118654752440;
+  using Mode = std::array<Pack, n>;
+  std::array<std::array<Mode, Dim>, Dim> outer;  // u_i v_j^T
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j)
+      for (int k = 0; k < n; ++k) outer[i][j][k] = a.u(k / Dim, i) * a.v(k % Dim, j);
+  SquarePack<n> h{};
   for (int i = 0; i < Dim; ++i)
     for (int j = i + 1; j < Dim; ++j) {
-      Mat<Dim> twist = Mat<Dim>::Zero(), flip = Mat<Dim>::Zero();
-      twist(i, j) = flip(i, j) = flip(j, i) = std::sqrt(0.5);
-      twist(j, i) = -twist(i, j);
-      const double sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
-      if (std::abs(sum) > 1e-9) add(twist, (first[i] + first[j]) / sum);
-      add(flip, std::abs(gap) > 1e-4 ? (first[i] - first[j]) / gap
-                                     : 0.5 * (second(i, i) + second(j, j)) - second(i, j));
+      Mode twist, flip;
+      for (int k = 0; k < n; ++k) {
+        twist[k] = root_half * (outer[i][j][k] - outer[j][i][k]);
+        flip[k] = root_half * (outer[i][j][k] + outer[j][i][k]);
+      }
+      const Pack sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
+      add_mode<n>(twist, size_of(sum) > 1e-9 ? (psi.g[i] + psi.g[j]) / sum : Pack{}, h);
+      add_mode<n>(flip, size_of(gap) > 1e-4 ? (psi.g[i] - psi.g[j]) / gap : 0.5 * (psi.h(i, i) + psi.h(j, j)) - psi.h(i, j), h);
     }
-  const Eigenpairs<Dim> stretch = eigenpairs<Dim>(second);
-  for (int m = 0; m < Dim; ++m) add(stretch.vectors.col(m).asDiagonal(), stretch.values[m]);
+  SmallMat<Pack, Dim> second;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) second(i, j) = psi.h(i, j);
+  const PackEigenpairs<Dim> stretch = pack_eigenpairs<Dim>(second);
+  for (int m = 0; m < Dim; ++m) {
+    Mode mode{};
+    for (int i = 0; i < Dim; ++i)
+      for (int k = 0; k < n; ++k) mode[k] += stretch.vectors(i, m) * outer[i][i][k];
+    add_mode<n>(mode, stretch.values[m], h);
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) h[i][j] = h[j][i];
   return h;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                   \
-  template Stretches<Dim> principal_stretches(const Mat<Dim>&);                       \
-  template Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(             \
-      const Stretches<Dim>&, const autodiff::SecondOrder<Dim, autodiff::Pack>&, int);
+#define SHELLMATCH_INSTANTIATE(Dim)                                              \
+  template Stretches<Dim> principal_stretches(const SmallMat<Pack, Dim>&);       \
+  template SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>&, const autodiff::SecondOrder<Dim, Pack>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches.
+/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches, eight matrices at
+/// a time.
 ///
 /// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s).
 /// In the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each
@@ -9,10 +10,11 @@
 /// isotropic distortion energies', ACM TOG 38(1), 2019. psi and its derivatives come from the density itself, by
 /// second-order automatic differentiation.
 
-#include "base/types.h"
+#include "energies/autodiff/pack.h"
 #include "energies/autodiff/second_order.h"
 #include "energies/densities/material.h"
 #include "energies/densities/small_matrix.h"
+#include "energies/densities/square_pack.h"
 
 #include <array>
 
@@ -21,26 +23,24 @@ namespace shellmatch {
 /// A = U diag(s) V^T.
 template <int Dim>
 struct Stretches {
-  Mat<Dim> u, v;
-  Vec<Dim> s;  ///< the first is the smallest and carries the sign of det A
+  SmallMat<autodiff::Pack, Dim> u, v;
+  std::array<autodiff::Pack, Dim> s;  ///< the first is the smallest and carries the sign of det A
 };
 
 template <int Dim>
-Stretches<Dim> principal_stretches(const Mat<Dim>& a);
+Stretches<Dim> principal_stretches(const SmallMat<autodiff::Pack, Dim>& a);
 
-/// psi with its derivatives by the stretches; V is double, or Pack for eight matrices at once.
-template <class Density, int Dim, class V>
-autodiff::SecondOrder<Dim, V> density_of_stretches(const std::array<V, Dim>& s, const Material<double>& c) {
-  using Scalar = autodiff::SecondOrder<Dim, V>;
+/// psi with its derivatives by the stretches.
+template <class Density, int Dim>
+autodiff::SecondOrder<Dim, autodiff::Pack> density_of_stretches(const std::array<autodiff::Pack, Dim>& s, const Material<double>& c) {
+  using Scalar = autodiff::SecondOrder<Dim, autodiff::Pack>;
   SmallMat<Scalar, Dim> diagonal;
   for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);
   return Density::template value<Scalar, double>(diagonal, c);
 }
 
-/// Second derivative by the entries of A in row order, its negative modes removed. A is one of eight
-/// matrices, given by its lane of psi.
+/// Second derivative by the entries of A in row order, its negative modes removed.
 template <int Dim>
-Eigen::Matrix<double, Dim * Dim, Dim * Dim> projected_hessian(
-    const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi, int lane);
+SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi);
 
 }  // namespace shellmatch

@@ -49,27 +49,6 @@ struct OnTangentMaps {
   }
 };
 
-template <int Dim>
-SquarePack<Dim * Dim> by_stretches(const SmallMat<autodiff::Pack, Dim>& a, auto&& density_at) {
-  std::array<Stretches<Dim>, autodiff::pack_size> stretches;
-  std::array<autodiff::Pack, Dim> s;
-  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
-    Mat<Dim> m;
-    for (int i = 0; i < Dim; ++i)
-      for (int j = 0; j < Dim; ++j) m(i, j) = a(i, j)[lane];
-    stretches[lane] = principal_stretches<Dim>(m);
-    for (int k = 0; k < Dim; ++k) s[k][lane] = stretches[lane].s[k];
-  }
-  const auto psi = density_at(s);
-  SquarePack<Dim * Dim> h;
-  for (int lane = 0; lane < autodiff::pack_size; ++lane) {
-    const auto m = projected_hessian<Dim>(stretches[lane], psi, lane);
-    for (int i = 0; i < Dim * Dim; ++i)
-      for (int j = 0; j < Dim * Dim; ++j) h[i][j][lane] = m(i, j);
-  }
-  return h;
-}
-
 }  // namespace detail
 
 /// Positive semidefinite part of W'' at eight arguments. \pre W is finite there
@@ -82,8 +61,8 @@ SquarePack<n_arguments_of<Density>> positive_hessian(const typename Density::tem
     return Density::positive_hessian(a, c);
   } else if constexpr (detail::IsIsotropic<Density>) {
     constexpr int dim = n == 4 ? 2 : 3;
-    return detail::by_stretches<dim>(
-        a, [&](const std::array<Pack, dim>& s) { return density_of_stretches<Density, dim>(s, c); });
+    const Stretches<dim> stretches = principal_stretches<dim>(a);
+    return projected_hessian<dim>(stretches, density_of_stretches<Density, dim>(stretches.s, c));
   } else {
     const auto w = detail::second_order<Density, Pack>(a, c);
     SquarePack<n> h;

@@ -15,6 +15,9 @@ namespace shellmatch {
 namespace {
 
 using autodiff::Pack;
+/// What the matrix is kept in. Two points are summed at a time, the second in the upper half.
+typedef float FloatPack __attribute__((vector_size(sizeof(float) * autodiff::pack_size)));
+typedef float TwoPoints __attribute__((vector_size(2 * sizeof(FloatPack))));
 
 /// Unit vectors along the template's normals; where there is none any one serves.
 template <int Dim>
@@ -27,52 +30,72 @@ std::array<Pack, Dim> unit_normal(const Pack* n) {
   return unit;
 }
 
-/// Adds weight V^T (L L^T) V to the upper triangle of an element's matrix `k`, row after row, where h = L L^T and V is the
-/// derivative of the variables by the element's degrees of freedom.
+/// Modes of two points: the columns of V^T L, where h = L L^T and V is the derivative of the variables by the element's degrees of
+/// freedom.
 template <class Variables, int Dim>
-void add_modes(const BandModelPoint<Dim>& at, const SquarePack<Variables::n>& h,
-               const typename ShapeTable<Dim>::Point& q, const Pack& inverse_side,
-               std::array<Pack, ElementMatrices<Dim>::n_packed>& k) {
-  constexpr int n_dofs = n_corners<Dim> * Dim, n_variables = Variables::n;
-  const auto l = cholesky<n_variables>(h);
-  const Pack root_weight = autodiff::root_of(at.weight);
-  std::array<std::array<Pack, n_variables>, n_dofs> modes;
-  // The factor is lower triangular: the first `mode` entries of a mode are 0.
-  const auto add_mode = [&]<int Mode>(std::integral_constant<int, Mode>) __attribute__((always_inline)) {
-    constexpr bool moves_dphi = Mode < Variables::n_dphi;
-    std::array<Pack, n_variables> direction{};
-    for (int v = Mode; v < n_variables; ++v) direction[v] = l[v][Mode];
-    std::array<std::array<Pack, Dim>, Dim> dphi{};
-    if constexpr (moves_dphi) {
-      Variables::template dphi_of<Mode>(at, direction, dphi);
-      for (int a = 0; a < Dim; ++a)
-        for (int d = 0; d < Dim; ++d) dphi[a][d] *= root_weight * inverse_side;
-    }
-    // Component a of corner c moves row a of Dphi by grad N_c, and phi_a by N_c.
-    for (int a = 0; a < Dim; ++a) {
-      const Pack of_phi = root_weight * direction[Variables::n_dphi + a];
-      for (int c = 0; c < n_corners<Dim>; ++c) {
-        Pack s = q.n[c] * of_phi;
-        if constexpr (moves_dphi)
-          for (int d = 0; d < Dim; ++d) s += q.dn[c][d] * dphi[a][d];
-        modes[c * Dim + a][Mode] = s;
+class Modes {
+ public:
+  static constexpr int n_dofs = n_corners<Dim> * Dim, n_variables = Variables::n;
+
+  /// Of the first or the second point.
+  void set(int half, const BandModelPoint<Dim>& at, const SquarePack<n_variables>& h, const typename ShapeTable<Dim>::Point& q,
+           const Pack& inverse_side) {
+    const auto l = cholesky<n_variables>(h);
+    const Pack root_weight = autodiff::root_of(at.weight);
+    // The factor is lower triangular: the first `mode` entries of a mode are 0.
+    const auto set_mode = [&]<int Mode>(std::integral_constant<int, Mode>) __attribute__((always_inline)) {
+      constexpr bool moves_dphi = Mode < Variables::n_dphi;
+      std::array<Pack, n_variables> direction{};
+      for (int v = Mode; v < n_variables; ++v) direction[v] = l[v][Mode];
+      std::array<std::array<Pack, Dim>, Dim> dphi{};
+      if constexpr (moves_dphi) {
+        Variables::template dphi_of<Mode>(at, direction, dphi);
+        for (int a = 0; a < Dim; ++a)
+          for (int d = 0; d < Dim; ++d) dphi[a][d] *= root_weight * inverse_side;
       }
-    }
-  };
-  [&]<int... Mode>(std::integer_sequence<int, Mode...>) __attribute__((always_inline)) {
-    (add_mode(std::integral_constant<int, Mode>{}), ...);
-  }(std::make_integer_sequence<int, n_variables>{});
-  // All modes of a point at once: the sums are read and written once, which is what this loop's time is.
-  int entry = 0;
-  for (int i = 0; i < n_dofs; ++i) {
-    const auto row = modes[i];
-    for (int j = i; j < n_dofs; ++j) {
-      Pack sum = k[entry];
-      for (int mode = 0; mode < n_variables; ++mode) sum += row[mode] * modes[j][mode];
-      k[entry++] = sum;
-    }
+      // Component a of corner c moves row a of Dphi by grad N_c, and phi_a by N_c.
+      for (int a = 0; a < Dim; ++a) {
+        const Pack of_phi = root_weight * direction[Variables::n_dphi + a];
+        for (int c = 0; c < n_corners<Dim>; ++c) {
+          Pack s = q.n[c] * of_phi;
+          if constexpr (moves_dphi)
+            for (int d = 0; d < Dim; ++d) s += q.dn[c][d] * dphi[a][d];
+          modes_[c * Dim + a][Mode].half[half] = __builtin_convertvector(s, FloatPack);
+        }
+      }
+    };
+    [&]<int... Mode>(std::integer_sequence<int, Mode...>) __attribute__((always_inline)) {
+      (set_mode(std::integral_constant<int, Mode>{}), ...);
+    }(std::make_integer_sequence<int, n_variables>{});
   }
-}
+  void clear(int half) {
+    for (auto& row : modes_)
+      for (auto& entry : row) entry.half[half] = FloatPack{};
+  }
+
+  /// Adds weight V^T (L L^T) V to the matrices of eight elements, each as ElementMatrices stores it.
+  void add_squares_to(std::array<TwoPoints, ElementMatrices<Dim>::n_block_entries>& k) const {
+    // A block at a time: its sums stay in registers.
+    TwoPoints* block = k.data();
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int d = c; d < n_corners<Dim>; ++d, block += Dim * Dim) {
+        std::array<TwoPoints, Dim * Dim> sum;
+        for (int i = 0; i < Dim * Dim; ++i) sum[i] = block[i];
+        for (int mode = 0; mode < n_variables; ++mode)
+          for (int column = 0; column < Dim; ++column)
+            for (int row = 0; row < Dim; ++row)
+              sum[column * Dim + row] += modes_[c * Dim + row][mode].both * modes_[d * Dim + column][mode].both;
+        for (int i = 0; i < Dim * Dim; ++i) block[i] = sum[i];
+      }
+  }
+
+ private:
+  union Entry {
+    TwoPoints both;
+    FloatPack half[2];
+  };
+  std::array<std::array<Entry, n_variables>, n_dofs> modes_;
+};
 
 }  // namespace
 
@@ -81,7 +104,7 @@ template <class Variables>
 void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                         ElementMatrices<Dim>& matrices) const {
   using Arrays = PointArrays<Dim>;
-  constexpr int n_packed = ElementMatrices<Dim>::n_packed;
+  constexpr int n_entries = ElementMatrices<Dim>::n_block_entries;
   struct Acting {
     const BandCode<Dim>* code;
     const double* own;
@@ -103,14 +126,16 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
   Arrays p;
   p.passive[Arrays::n_reference] = Pack{} + terms[0].material.lambda;
   p.passive[Arrays::n_reference + 1] = Pack{} + terms[0].material.mu;
-  std::array<Pack, n_packed> k;
+  std::array<TwoPoints, n_entries> k;
+  Modes<Variables, Dim> modes;
   const auto [first, last] = band.batches_of(cells.index);
   for (std::size_t b = first; b < last; ++b) {
     const auto& members = band.batches()[b];
     batch.load(elements, phi, [&](int lane) { return members.element[lane]; });
     if (b + 1 < last) batch.prefetch(elements, phi, [&](int lane) { return band.batches()[b + 1].element[lane]; });
     evaluator.evaluate(batch);
-    k.fill(Pack{});
+    k.fill(TwoPoints{});
+    int n_set = 0;
     for (std::size_t q = 0; q < points.size(); ++q) {
       const auto& point = band.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
@@ -127,11 +152,19 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       for (int i = 0; i < Variables::n; ++i)
         for (int j = 0; j <= i; ++j)
           h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
-      add_modes<Variables>(at, h, points[q], batch.inverse_side, k);
+      modes.set(n_set++, at, h, points[q], batch.inverse_side);
+      if (n_set == 2) {
+        modes.add_squares_to(k);
+        n_set = 0;
+      }
+    }
+    if (n_set == 1) {
+      modes.clear(1);
+      modes.add_squares_to(k);
     }
     for (int lane = 0; lane < members.n_elements; ++lane) {
-      std::array<float, n_packed> of_element;
-      for (int i = 0; i < n_packed; ++i) of_element[i] = static_cast<float>(k[i][lane]);
+      std::array<float, n_entries> of_element;
+      for (int i = 0; i < n_entries; ++i) of_element[i] = k[i][lane] + k[i][lane + autodiff::pack_size];
       matrices.add(static_cast<std::size_t>(members.element[lane]) - cells.begin, of_element);
     }
   }

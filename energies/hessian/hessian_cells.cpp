@@ -25,13 +25,14 @@ std::array<std::array<double, n_corners<Dim> * Dim>, n_corners<Dim> * Dim> gradi
   return g;
 }
 
-/// Dphi at the centre of an element.
+/// Dphi at the centres of elements.
 template <int Dim>
-Mat<Dim> centre_jacobian(const Element<Dim>& element, std::span<const Vec<Dim>> phi) {
-  Mat<Dim> j = Mat<Dim>::Zero();
+SmallMat<Pack, Dim> centre_jacobian(const ElementBatch<Dim>& batch) {
+  SmallMat<Pack, Dim> j;
+  const Pack factor = batch.inverse_side / (1 << (Dim - 1));
   for (int c = 0; c < n_corners<Dim>; ++c)
     for (int k = 0; k < Dim; ++k)
-      j.col(k) += ((c >> k) & 1 ? 1.0 : -1.0) * phi[element.nodes[c]] / (element.side * (1 << (Dim - 1)));
+      for (int i = 0; i < Dim; ++i) j(i, k) += (((c >> k) & 1) ? factor : -factor) * batch.u[c * Dim + i];
   return j;
 }
 
@@ -41,18 +42,15 @@ template <int Dim>
 void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                         ElementMatrices<Dim>& matrices) const {
   static const auto products = gradient_products<Dim>();
-  const auto elements = unknowns_->elements().subspan(cells.begin, cells.end - cells.begin);
+  const auto elements = unknowns_->elements().first(cells.end);
   const EnergyTerms<Dim>& terms = energy_->terms();
-  for (std::size_t first = 0; first < elements.size(); first += pack_size) {
-    const int n = static_cast<int>(std::min<std::size_t>(pack_size, elements.size() - first));
-    SmallMat<Pack, Dim> dphi;
-    Pack scale{};  // the gradients of the shape functions bring side^-2, the volume side^Dim
-    for (int lane = 0; lane < pack_size; ++lane) {
-      const auto& element = elements[first + static_cast<std::size_t>(std::min(lane, n - 1))];
-      const Mat<Dim> j = centre_jacobian<Dim>(element, phi);
-      for (int i = 0; i < Dim * Dim; ++i) dphi.v[i][lane] = j(i / Dim, i % Dim);
-      scale[lane] = std::pow(element.side, Dim - 2);
-    }
+  ElementBatch<Dim> batch;
+  std::array<Pack, ElementMatrices<Dim>::n_block_entries> k;
+  for (std::size_t first = cells.begin; first < cells.end; first += pack_size) {
+    const std::size_t n = batch.load_run(elements, phi, first);
+    const SmallMat<Pack, Dim> dphi = centre_jacobian<Dim>(batch);
+    Pack scale = Pack{} + 1.0;  // the gradients of the shape functions bring side^-2, the volume side^Dim
+    for (int i = 2; i < Dim; ++i) scale *= batch.side;
     SquarePack<Dim * Dim> h{};
     for (std::size_t t = 0; t < terms.size(); ++t)
       if (const auto* code = std::get_if<CellCode<Dim>>(&terms[t].term.code); code && weights[t] > 0) {
@@ -61,15 +59,21 @@ void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<
         for (int i = 0; i < Dim * Dim; ++i)
           for (int j = 0; j < Dim * Dim; ++j) h[i][j] += factor * of_term[i][j];
       }
-    for (int i = 0; i < n_dofs; ++i)
-      for (int j = i; j < n_dofs; ++j) {
-        const int k = i % Dim, l = j % Dim, c = i / Dim, d = j / Dim;
-        Pack sum{};
-        for (int p = 0; p < Dim; ++p)
-          for (int q = 0; q < Dim; ++q) sum += products[c * Dim + p][d * Dim + q] * h[k * Dim + p][l * Dim + q];
-        for (int lane = 0; lane < n; ++lane)
-          matrices.set(first + static_cast<std::size_t>(lane), i, j, static_cast<float>(sum[lane]));
-      }
+    auto* entry = k.data();
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int d = c; d < n_corners<Dim>; ++d)
+        for (int column = 0; column < Dim; ++column)
+          for (int row = 0; row < Dim; ++row) {
+            Pack sum{};
+            for (int p = 0; p < Dim; ++p)
+              for (int q = 0; q < Dim; ++q) sum += products[c * Dim + p][d * Dim + q] * h[row * Dim + p][column * Dim + q];
+            *entry++ = sum;
+          }
+    for (std::size_t lane = 0; lane < n; ++lane) {
+      std::array<float, ElementMatrices<Dim>::n_block_entries> of_element;
+      for (std::size_t i = 0; i < k.size(); ++i) of_element[i] = static_cast<float>(k[i][lane]);
+      matrices.set(first - cells.begin + lane, of_element);
+    }
   }
 }
 

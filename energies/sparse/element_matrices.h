@@ -4,6 +4,7 @@
 
 #include "grid/octree/octree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -16,11 +17,10 @@ class ElementMatrices {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
   static constexpr int block_size = Dim * Dim;
-  /// Entries (i, j) with i <= j.
-  static constexpr int n_packed = n_dofs * (n_dofs + 1) / 2;
-  /// Blocks (c, d) with c <= d, row after row, each stored by columns. Padding at the end allows the last block to be
-  /// read as a whole register (WideBlock).
-  static constexpr int n_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size + 16 - block_size;
+  /// Entries of the blocks (c, d) with c <= d, row after row, each stored by columns.
+  static constexpr int n_block_entries = n_corners<Dim> * (n_corners<Dim> + 1) / 2 * block_size;
+  /// With padding, so that the last block can be read as a whole register (WideBlock).
+  static constexpr int n_entries = n_block_entries + 16 - block_size;
   /// Single precision suffices: Newton's equations are solved to a relative residual of about 0.1.
   using Matrix = std::array<float, n_entries>;
 
@@ -43,13 +43,12 @@ class ElementMatrices {
   Matrix& operator[](std::size_t e) { return matrices_[e]; }
   const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
 
-  /// Adds x to the matrix of element e. x holds entries (i, j) with i <= j, row after row.
-  void add(std::size_t e, const std::array<float, n_packed>& x) {
+  /// Assigns x, stored as the matrices are, to the matrix of element e.
+  void set(std::size_t e, const std::array<float, n_block_entries>& x) { std::copy(x.begin(), x.end(), matrices_[e].begin()); }
+  /// Adds it.
+  void add(std::size_t e, const std::array<float, n_block_entries>& x) {
     Matrix& to = matrices_[e];
-    for (int i = 0; i < n_packed; ++i) to[packed_to_entry_[i]] += x[i];
-    for (int c = 0; c < n_corners<Dim>; ++c)
-      for (int k = 0; k < Dim; ++k)
-        for (int l = k + 1; l < Dim; ++l) to[block(c, c) + k * Dim + l] = to[block(c, c) + l * Dim + k];
+    for (int i = 0; i < n_block_entries; ++i) to[i] += x[i];
   }
 
   /// Adds x to entry (i, j) of element e, and to entry (j, i) of a block on the diagonal, which is stored in full.
@@ -58,12 +57,6 @@ class ElementMatrices {
     matrices_[e][entry(i, j)] += x;
     if (i != j && i / Dim == j / Dim) matrices_[e][entry(j, i)] += x;
   }
-  /// The same for assignment.
-  void set(std::size_t e, int i, int j, float x) {
-    matrices_[e][entry(i, j)] = x;
-    if (i / Dim == j / Dim) matrices_[e][entry(j, i)] = x;
-  }
-
   float trace(std::size_t e) const {
     float sum = 0;
     for (int i = 0; i < n_dofs; ++i) sum += matrices_[e][entry(i, i)];
@@ -71,13 +64,6 @@ class ElementMatrices {
   }
 
  private:
-  static constexpr auto packed_to_entry_ = [] {
-    std::array<int, n_packed> entries{};
-    int n = 0;
-    for (int i = 0; i < n_dofs; ++i)
-      for (int j = i; j < n_dofs; ++j) entries[n++] = entry(i, j);
-    return entries;
-  }();
   std::unique_ptr<Matrix[]> matrices_;
   std::size_t size_ = 0, capacity_ = 0;
 };

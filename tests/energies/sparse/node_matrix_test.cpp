@@ -18,9 +18,11 @@ struct RandomMatrices {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> u(-1, 1);
     matrices.resize(unknowns.elements().size());
-    for (std::size_t e = 0; e < matrices.size(); ++e)
+    for (std::size_t e = 0; e < matrices.size(); ++e) {
+      matrices.set(e, {});
       for (int i = 0; i < ElementMatrices<Dim>::n_dofs; ++i)
-        for (int j = i; j < ElementMatrices<Dim>::n_dofs; ++j) matrices.set(e, i, j, u(random));
+        for (int j = i; j < ElementMatrices<Dim>::n_dofs; ++j) matrices.add(e, i, j, u(random));
+    }
   }
   ElementMatrices<Dim> matrices;
 };
