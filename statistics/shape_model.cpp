@@ -12,13 +12,25 @@ namespace shellmatch {
 
 namespace {
 
-// Of a mode and its scores.
-void fix_sign(Eigen::Ref<Eigen::VectorXd> mode, Eigen::Ref<Eigen::VectorXd> scores) {
-  Eigen::Index greatest = 0;
-  mode.cwiseAbs().maxCoeff(&greatest);
-  if (mode[greatest] > 0) return;
-  mode = -mode;
-  scores = -scores;
+// A change of size of less than this share is rounding, and entries that differ by less count as equal: in symmetric shapes, the
+// greatest entries of a mode come in pairs of opposite signs.
+constexpr double sign_share = 0.01;
+
+// How much larger a mode makes the mean, of what it moves.
+double growth(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode, const Eigen::VectorXd& weights) {
+  const Eigen::Index dim = mean.size() / weights.size();
+  const Eigen::Map<const Eigen::MatrixXd> points(mean.data(), dim, weights.size()), moved(mode.data(), dim, weights.size());
+  const Eigen::MatrixXd centred = points.colwise() - points * weights;
+  const double norm = std::sqrt(centred.colwise().squaredNorm().dot(weights) * moved.colwise().squaredNorm().dot(weights));
+  return norm > 0 ? centred.cwiseProduct(moved).colwise().sum().dot(weights) / norm : 0;
+}
+
+bool is_negative(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode, const Eigen::VectorXd& weights) {
+  const double larger = growth(mean, mode, weights);
+  if (std::abs(larger) > sign_share) return larger < 0;
+  const double greatest = mode.cwiseAbs().maxCoeff();
+  const auto first = std::ranges::find_if(mode, [&](double x) { return std::abs(x) >= (1 - sign_share) * greatest; });
+  return first != mode.end() && *first < 0;
 }
 
 }  // namespace
@@ -72,7 +84,11 @@ ShapeModel fit_shape_model(const PointSets& aligned, const Eigen::VectorXd& weig
   model.modes = combinations(centred, eigen.vectors);
   combine_in_place(model.modes, orthonormalising_combinations(gram_matrix({model.modes}, weights)));
   model.scores = inner_products(centred, {model.modes}, weights);
-  for (Eigen::Index k = 0; k < n_modes; ++k) fix_sign(model.modes.col(k), model.scores.col(k));
+  for (Eigen::Index k = 0; k < n_modes; ++k)
+    if (is_negative(model.mean, model.modes.col(k), weights)) {
+      model.modes.col(k) *= -1;
+      model.scores.col(k) *= -1;
+    }
   model.variances = model.scores.colwise().squaredNorm().transpose() / degrees;
   return model;
 }

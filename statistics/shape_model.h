@@ -9,8 +9,9 @@
 namespace shellmatch {
 
 /// x = mean + sum_k b_k mode_k, where b_k has variance variances[k]. With the inner product <u, v> = sum_p w_p u_p . v_p the
-/// modes are orthonormal; a score is thus a root mean square displacement of points, in the unit of the shapes. Signs: the entry
-/// of a mode of greatest magnitude is positive.
+/// modes are orthonormal; a score is thus a root mean square displacement of points, in the unit of the shapes. Signs: positive
+/// scores make the mean larger; of a mode that leaves its size alone to a hundredth, the first entry of greatest magnitude (to a
+/// hundredth) is positive.
 struct ShapeModel {
   int dimension = 3;
   Eigen::VectorXd weights;    ///< V, sum 1

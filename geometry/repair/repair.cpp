@@ -15,9 +15,6 @@
 namespace shellmatch {
 namespace {
 
-// Surfaces with more triangles are not searched for self-intersections.
-constexpr std::size_t self_intersection_limit = 100'000;
-
 // A volume below this share of the cubed diagonal of a part is a rounding error.
 constexpr double flat_share = 1e-9;
 

@@ -43,7 +43,7 @@ class ShapeModel:
     is a root mean square displacement in the unit of the shapes. After fit():
 
     mean_: (V, d), where the first shape lies; with "similarity" as large as that
-    modes_: (K, V, d), variances descending; the entry of greatest magnitude is positive
+    modes_: (K, V, d), variances descending; positive scores are larger shapes (docs/statistics.md)
     variances_: (K,), of the scores, with n - 1 in the denominator
     explained_variance_ratio_: (K,), shares of the total variance
     scores_: (n, K), of the shapes of fit()

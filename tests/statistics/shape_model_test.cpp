@@ -59,6 +59,36 @@ TEST(ShapeModel, OfPrescribedScoresIsExact) {
   }
 }
 
+// Four points on the axes, far from the origin, and one mode with standard deviation 1 along `mode`.
+ShapeModel cross_model(const Eigen::VectorXd& mode) {
+  Eigen::VectorXd cross(8);
+  cross << 11, 7, 9, 7, 10, 8, 10, 6;
+  PointSets sets{2, Eigen::MatrixXd(8, 3)};
+  for (int i = 0; i < 3; ++i) sets.coordinates.col(i) = cross + (i - 1) * 0.1 * mode;
+  return fit_shape_model(sets, Eigen::VectorXd::Constant(4, 0.25));
+}
+
+TEST(ShapeModel, PositiveScoresAreLargerShapes) {
+  for (const double sign : {1.0, -1.0}) {
+    // Wider: the entries of greatest magnitude are -1 and 1, as equal as rounding leaves them.
+    for (const double rounding : {0.0, 1e-12, -1e-12}) {
+      Eigen::VectorXd wider = Eigen::VectorXd::Zero(8);
+      wider[0] = sign * (1 + rounding), wider[2] = -sign;
+      const ShapeModel model = cross_model(wider);
+      ASSERT_EQ(model.variances.size(), 1);
+      EXPECT_GT(model.modes(0, 0), 0);
+      EXPECT_GT(model.scores(2, 0) * sign, 0);
+      EXPECT_LT(model.modes(2, 0), 0);
+    }
+    // What leaves the size alone, a turn to begin with.
+    for (const double rounding : {0.0, 1e-12, -1e-12}) {
+      Eigen::VectorXd turn(8);
+      turn << 0, sign * (1 + rounding), 0, -sign, -sign, 0, sign, 0;
+      EXPECT_GT(cross_model(turn).modes(1, 0), 0);
+    }
+  }
+}
+
 // Normal scores from the points of a lattice in the square, so that their moments are close to those of the distribution (J. M.
 // Hammersley 1960), noise, and a motion of each shape.
 TEST(ShapeModel, OfRandomShapesIsThatOfTheFamily) {
@@ -133,7 +163,14 @@ TEST(ShapeModel, ScoresAndShapesAreInverse) {
   const Eigen::MatrixXd products = model.scores.transpose() * model.scores / 8.0;
   EXPECT_LE((products - Eigen::MatrixXd(model.variances.asDiagonal())).norm(), 1e-12);
   for (Eigen::Index k = 1; k < 8; ++k) EXPECT_LE(model.variances[k], model.variances[k - 1]);
-  for (Eigen::Index k = 0; k < 8; ++k) EXPECT_EQ(model.modes.col(k).maxCoeff(), model.modes.col(k).cwiseAbs().maxCoeff());
+  Eigen::VectorXd about_centre = model.mean;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<3>> coordinate(about_centre.data() + i, 12);
+    const double centre = coordinate.dot(weights);
+    for (int p = 0; p < 12; ++p) about_centre[3 * p + i] -= centre;
+  }
+  for (Eigen::Index k = 0; k < 8; ++k)
+    EXPECT_GT(inner(model.modes.col(k), about_centre, weights), -0.01 * std::sqrt(inner(about_centre, about_centre, weights)));
   // Fewer scores are those of the first modes.
   const Eigen::MatrixXd two = model.inverse_transform(model.scores.leftCols(2));
   EXPECT_LE((model.transform(two).leftCols(2) - model.scores.leftCols(2)).norm(), 1e-12);

@@ -82,6 +82,19 @@ TEST(Inspection, VerticesWithoutFacetsDoNotCount) {
   EXPECT_EQ(i.n_components, 1u);
 }
 
+TEST(Inspection, PartsInsideOthersAreCounted) {
+  Surface<3> s = torus(60, 30, 2, 0.5);
+  const Surface<3> other = s;
+  EXPECT_EQ(inspection_text(inspect_shape(shape_of(s))).find("buried"), std::string::npos);
+  for (const Vec<3>& x : other.vertices) s.vertices.push_back(x + Vec<3>(0.01, 0.02, 0.6));  // the tubes overlap by 0.4
+  for (const auto& f : other.facets) s.facets.push_back({f[0] + 1800, f[1] + 1800, f[2] + 1800});
+  const Inspection i = inspect_shape(shape_of(s));
+  EXPECT_GT(i.n_buried_vertices, 500u);
+  EXPECT_NEAR(i.burial_depth, 0.4, 0.03);
+  EXPECT_NE(inspection_text(i).find("lie inside other parts"), std::string::npos);
+  EXPECT_NE(inspection_json(i).find("\"buried\""), std::string::npos);
+}
+
 TEST(Inspection, TextAndJsonSayTheSame) {
   Inspection i = inspect_shape(shape_of(torus(12, 8, 2, 0.5)));
   i.notes = {"3 duplicate vertices welded"};
