@@ -7,6 +7,7 @@
 #include "geometry/surface/self_intersections.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -17,8 +18,11 @@ namespace {
 
 using Part = std::vector<Index>;
 
+// A part costs the time of a tree over all facets; where thousands of facets cross there are thousands of parts of a few facets each.
+constexpr std::size_t most_parts = 64;
+
 /// Facets that cross no other and are connected across edges: no other part of the surface lies between them. Across vertices they need
-/// not be: two facets of one vertex can cross each other.
+/// not be: two facets of one vertex can cross each other. The largest parts first.
 std::vector<Part> parts_between(const Surface<3>& s, const std::vector<Index>& crossing) {
   std::vector<bool> crosses(s.facets.size());
   for (const Index f : crossing) crosses[f] = true;
@@ -34,6 +38,8 @@ std::vector<Part> parts_between(const Surface<3>& s, const std::vector<Index>& c
     if (!crosses[f]) parts[sets.find(f)].push_back(f);
   std::vector<Part> result;
   for (auto& [first, part] : parts) result.push_back(std::move(part));
+  std::ranges::stable_sort(result, std::ranges::greater{}, &Part::size);
+  result.resize(std::min(result.size(), most_parts));
   return result;
 }
 

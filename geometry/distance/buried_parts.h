@@ -15,8 +15,8 @@ struct BuriedParts {
   double depth = 0;            ///< largest distance of such a vertex from all facets but those of the part to which it belongs
 };
 
-/// Parts between facets that cross others, about whose outer side the surface winds once or more instead of never. Takes the time of
-/// winding_number() for every part. \pre closed and oriented outward
+/// Parts between facets that cross others, about whose outer side the surface winds once or more instead of never. Of the
+/// 64 largest parts, each of which takes the time of winding_number(). \pre closed and oriented outward
 BuriedParts buried_parts(const Surface<3>& surface);
 
 }  // namespace shellmatch

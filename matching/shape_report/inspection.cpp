@@ -130,7 +130,7 @@ std::string inspection_text(const Inspection& r) {
   row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
                             r.level_of_curvature, r.level_of_edges));
   if (r.n_buried_vertices > 0)
-    row("buried", fmt::format("{} vertices lie inside other parts of the shape, up to {:.4g} deep; a deformed shape does not cross itself "
+    row("buried", fmt::format("at least {} vertices lie inside other parts of the shape, up to {:.4g} deep; a deformed shape does not cross itself "
                               "and cannot reach them all",
                               r.n_buried_vertices, r.burial_depth));
   for (const std::string& note : r.notes) row("mended", printable(note, max_message_length));

@@ -37,5 +37,14 @@ TEST(BuriedParts, AWholeComponentWithinAnother) {
   EXPECT_NEAR(found.depth, 0.4, 1e-12);
 }
 
+TEST(BuriedParts, TheLargestWhereThereAreMany) {
+  Surface<3> s = joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1}));
+  for (int i = 0; i < 70; ++i) {
+    const Vec<3> corner(0.1 + 0.07 * (i % 10), 0.1 + 0.1 * (i / 10), 0.1);
+    s = joined(s, box(corner, corner + Vec<3>(0.05, 0.05, 0.05)));
+  }
+  EXPECT_EQ(buried_parts(s).n_vertices, 64u * 8u);
+}
+
 }  // namespace
 }  // namespace shellmatch
