@@ -36,7 +36,7 @@ bool TaylorScale::fits(double reach, int decades) const {
 
 TaylorSteps TaylorScale::steps(int decades) const { return {smallest * std::pow(10.0, decades), decades}; }
 
-TaylorScale taylor_scale(const std::function<double(double)>& f, double reach) {
+TaylorScale taylor_scale(const std::function<double(double)>& f, double reach, int decades) {
   const double at_zero = f(0.0);
   TaylorScale scale;
   scale.rounding = std::numeric_limits<double>::epsilon() * std::abs(at_zero);
@@ -47,10 +47,20 @@ TaylorScale taylor_scale(const std::function<double(double)>& f, double reach) {
     const double t = share * reach;
     scale.rounding = std::max(scale.rounding, std::abs(f(2 * t) - 2 * f(t) + at_zero));
   }
-  const double bend = f(reach) + f(-reach) - 2 * at_zero;
-  if (!std::isfinite(bend) || std::abs(bend) <= 100 * scale.rounding) return scale;
-  scale.curvature = bend / (reach * reach);
-  scale.smallest = std::sqrt(2 * 100 * scale.rounding / std::abs(scale.curvature));
+  // Far out the fourth order may hide the second: the curvature is taken at the end of the decades that follow from it.
+  double end = reach;
+  for (bool is_shorter = true; is_shorter;) {
+    const double bend = f(end) + f(-end) - 2 * at_zero;
+    if (!std::isfinite(bend) || std::abs(bend) <= 100 * scale.rounding) {
+      scale.curvature = scale.smallest = 0;
+      break;
+    }
+    scale.curvature = bend / (end * end);
+    scale.smallest = std::sqrt(2 * 100 * scale.rounding / std::abs(scale.curvature));
+    const double next = scale.smallest * std::pow(10.0, decades);
+    is_shorter = next < 0.5 * end;
+    end = next;
+  }
   return scale;
 }
 

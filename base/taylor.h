@@ -41,8 +41,8 @@ struct TaylorScale {
   TaylorSteps steps(int decades) const;
 };
 
-/// Estimates the scales from values of f in [-reach, reach]; uses no derivative. `curvature` and `smallest`
-/// are 0 where f is not finite there or is linear up to rounding.
-TaylorScale taylor_scale(const std::function<double(double)>& f, double reach);
+/// Estimates the scales from values of f in [-reach, reach], for steps over so many decades; uses no derivative.
+/// `curvature` and `smallest` are 0 where f is not finite there or is linear up to rounding.
+TaylorScale taylor_scale(const std::function<double(double)>& f, double reach, int decades = 3);
 
 }  // namespace shellmatch

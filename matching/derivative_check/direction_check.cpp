@@ -90,7 +90,7 @@ DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEn
     }
     result.slope = dot(term.gradient, v);
     Along<Dim> line(context, energy, term.weights, v);
-    const TaylorScale scale = taylor_scale(std::ref(line), reach);
+    const TaylorScale scale = taylor_scale(std::ref(line), reach, n_decades);
     result.curvature = scale.curvature;
     if (!scale.fits(reach, n_decades)) continue;
     result.resolved = true;

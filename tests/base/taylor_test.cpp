@@ -53,6 +53,16 @@ TEST(Taylor, ScaleKnowsThatArgumentsAreRounded) {
   EXPECT_GT(scale.rounding, 1e-14);
 }
 
+// At the reach the fourth order is a hundred times the second.
+TEST(Taylor, TheSecondOrderIsFoundBelowAGreaterFourth) {
+  const auto f = [](double t) { return 1 + 0.3 * t + t * t + 1e4 * t * t * t * t; };
+  const TaylorScale scale = taylor_scale(f, 0.1);
+  ASSERT_TRUE(scale.fits(0.1, 3));
+  EXPECT_NEAR(scale.curvature, 2, 0.2);
+  EXPECT_TRUE(taylor_remainder(f, 0.3, scale.steps(3)).is_second_order());
+  EXPECT_FALSE(taylor_remainder(f, 0.301, scale.steps(3)).is_second_order());
+}
+
 TEST(Taylor, StraightOrBrokenFunctionsHaveNoScale) {
   EXPECT_EQ(taylor_scale([](double t) { return 1 + 3 * t; }, 0.1).smallest, 0);
   EXPECT_EQ(taylor_scale([](double) { return 0.0; }, 0.1).smallest, 0);
