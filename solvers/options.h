@@ -103,6 +103,7 @@ struct NewtonOptions {
   double armijo = 1e-4;
   double max_forcing = 0.1, min_forcing = 0.1;
   int max_linear_iterations = 60;
+  double reuse_below = 0.25;
   int max_regularisations = 3, max_contractions = 64;
   double regularisation_growth = 8, regularisation_decay = 0.25;
   int max_trials = 30;
@@ -112,6 +113,7 @@ struct NewtonOptions {
     visit("max_forcing", self.max_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the linear system is solved to this share of its residual where the model predicts badly, and to the root of the relative gradient norm where that is smaller"});
     visit("min_forcing", self.min_forcing, {.min = 0, .max = 0.9, .min_excluded = true, .meaning = "the same where the model predicts well: in between, 0.9 of the square of the last step's ratio of gradient norms (Eisenstat and Walker 1996, choice 2)"});
     visit("max_linear_iterations", self.max_linear_iterations, {.unit = "iterations", .min = 1, .max = 10000, .meaning = "most iterations of conjugate gradients for one step"});
+    visit("reuse_below", self.reuse_below, {.min = 0, .max = 1, .meaning = "a step that is expected to gain less than this share of the decrease that ends the minimisation (stop.relative_decrease) keeps the model of the step before it; 0: every step has its own"});
     visit("max_regularisations", self.max_regularisations, {.unit = "systems", .min = 0, .max = 100, .meaning = "a step that would fold cells, or carry pairs of points out of the tolerance within which they rest, is computed again with these cells damped and these pairs in the model, so many times at most"});
     visit("max_contractions", self.max_contractions, {.unit = "times", .min = 0, .max = 1000, .meaning = "where single cells would fold in the last of these systems' step, too, their nodes' motion against each other is halved, so many times at most, before the step of all cells is; 0: that is halved at once"});
     visit("regularisation_growth", self.regularisation_growth, {.min = 1, .max = 1000, .min_excluded = true, .meaning = "factor on a cell's damping that was not enough"});

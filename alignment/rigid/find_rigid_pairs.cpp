@@ -3,6 +3,8 @@
 #include "alignment/pairs/order_candidates.h"
 #include "base/parallel.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -74,21 +76,26 @@ std::vector<SearchedMotion> distinct_motions(std::vector<SearchedMotion> motions
   return distinct;
 }
 
+void improve(std::vector<SearchedMotion>& motions, const SampledPair& pair, int n_sweeps, std::size_t chunk_size) {
+  parallel_for(motions.size(), [&](std::size_t i) {
+    motions[i].motion = iterated_points(pair, motions[i].motion, n_sweeps);
+    motions[i].score = rigid_score(pair, motions[i].motion);
+  }, chunk_size);
+}
+
 std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const NormalizedSurface& second, std::size_t n_most) {
-  const SampledPair few{first, second, first.samples(n_few_samples), second.samples(n_few_samples)};
-  const SampledPair many{first, second, first.samples(n_samples), second.samples(n_samples)};
-  const std::vector<RigidMotion> starts = rigid_starts(first, second);
-  std::vector<SearchedMotion> motions(starts.size());
-  parallel_for(starts.size(), [&](std::size_t i) {
-    motions[i].motion = iterated_points(few, starts[i], 6);
-    motions[i].score = rigid_score(few, motions[i].motion);
-  }, 4);
+  const auto nearest_on = [](const auto& points) { return [&](const Vec<3>& x) { return points.nearest(x); }; };
+  const SampleCloud on_first(first.samples(n_samples)), on_second(second.samples(n_samples));
+  const SampledPair few{first.samples(n_few_samples), second.samples(n_few_samples), nearest_on(on_first), nearest_on(on_second)};
+  const SampledPair many{on_first.samples(), on_second.samples(), nearest_on(first), nearest_on(second)};
+  std::vector<SearchedMotion> motions;
+  for (const RigidMotion& start : rigid_starts(first, second)) motions.push_back({start, {}});
+  improve(motions, few, 6, 4);
   // Not yet converged: what is nearer than the starts are to each other may lead to the same pose.
   motions = distinct_motions(std::move(motions), 3 * n_most, 0.4);
-  parallel_for(motions.size(), [&](std::size_t i) {
-    motions[i].motion = iterated_points(many, motions[i].motion, 40);
-    motions[i].score = rigid_score(many, motions[i].motion);
-  }, 1);
+  improve(motions, many, 4, 1);
+  motions = distinct_motions(std::move(motions), n_most + 2, identity_angle);
+  improve(motions, many, 28, 1);
   // Near-spheres would drift: the surfaces as they lie are judged as they lie.
   motions.push_back({{}, rigid_score(many, {}), true});
   return distinct_motions(std::move(motions), n_most, identity_angle);

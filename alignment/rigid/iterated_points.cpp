@@ -1,6 +1,7 @@
 #include "alignment/rigid/iterated_points.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,11 @@ std::vector<MetPoints> met_points(const SampledPair& pair, const RigidMotion& mo
   std::vector<MetPoints> met;
   for (const SurfacePoint& x : pair.on_first) {
     const Vec<3> moved = motion(x.point);
-    const SurfacePoint y = pair.second.nearest(moved);
+    const SurfacePoint y = pair.nearest_on_second(moved);
     met.push_back({moved, y.point, motion.rotation * x.normal, y.normal});
   }
   for (const SurfacePoint& y : pair.on_second) {
-    const SurfacePoint x = pair.first.nearest(motion.inverse(y.point));
+    const SurfacePoint x = pair.nearest_on_first(motion.inverse(y.point));
     met.push_back({motion(x.point), y.point, motion.rotation * x.normal, y.normal});
   }
   return met;
@@ -73,7 +74,7 @@ RigidMotion iterated_points(const SampledPair& pair, RigidMotion motion, int n_s
         angle > 0 ? Eigen::AngleAxisd(angle, step.head<3>() / angle).toRotationMatrix() : Mat<3>(Mat<3>::Identity());
     motion.rotation = turn * motion.rotation;
     motion.offset = turn * motion.offset + step.tail<3>();
-    if (step.norm() < 1e-5) break;
+    if (step.norm() < 1e-4) break;
   }
   return motion;
 }

@@ -4,6 +4,9 @@
 
 #include "alignment/rigid/normalized_surface.h"
 
+#include <functional>
+#include <vector>
+
 namespace shellmatch {
 
 /// x -> rotation x + offset between normalised surfaces.
@@ -21,10 +24,10 @@ struct RigidScore {
   double total() const { return distance + orientation; }
 };
 
-/// Two surfaces and the samples that the search looks at.
+/// What the search looks at of two surfaces: samples of each, and nearest points.
 struct SampledPair {
-  const NormalizedSurface &first, &second;
   std::vector<SurfacePoint> on_first, on_second;
+  std::function<SurfacePoint(const Vec<3>&)> nearest_on_first, nearest_on_second;
 };
 
 RigidScore rigid_score(const SampledPair& pair, const RigidMotion& motion);

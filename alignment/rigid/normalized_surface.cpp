@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 
@@ -45,6 +46,7 @@ NormalizedSurface::NormalizedSurface(const Surface<3>& input) : surface_(input) 
   for (Vec<3>& x : surface_.vertices) x /= radius_;
   axes_ = Eigen::SelfAdjointEigenSolver<Mat<3>>(moments).eigenvectors();
   if (axes_.determinant() < 0) axes_.col(0) *= -1;
+  for (std::size_t f = 0; f < input.facets.size(); ++f) normals_.push_back(facet_normal(surface_, static_cast<Index>(f)).stableNormalized());
   tree_.emplace(surface_);
 }
 
@@ -59,14 +61,28 @@ std::vector<SurfacePoint> NormalizedSurface::samples(std::size_t n) const {
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const auto& [a, b, c] = surface_.facets[f];
     samples.push_back({(1 - u - v) * surface_.vertices[a] + u * surface_.vertices[b] + v * surface_.vertices[c],
-                       facet_normal(surface_, static_cast<Index>(f)).stableNormalized()});
+                       normals_[f]});
   }
   return samples;
 }
 
 SurfacePoint NormalizedSurface::nearest(const Vec<3>& x) const {
   const Index f = tree_->nearest(x);
-  return {closest_point_on_facet<3>(surface_, f, x).point, facet_normal(surface_, f).stableNormalized()};
+  return {closest_point_on_facet<3>(surface_, f, x).point, normals_[static_cast<std::size_t>(f)]};
+}
+
+SampleCloud::SampleCloud(std::vector<SurfacePoint> samples) : samples_(std::move(samples)), points_(samples_.size(), 3) {
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    points_.row(static_cast<Eigen::Index>(i)) = samples_[i].point.transpose().array().cast<float>();
+}
+
+const SurfacePoint& SampleCloud::nearest(const Vec<3>& x) const {
+  const Eigen::Array3f at = x.cast<float>();
+  static thread_local Eigen::ArrayXf squares;
+  squares = (points_.col(0) - at[0]).square() + (points_.col(1) - at[1]).square() + (points_.col(2) - at[2]).square();
+  // Not minCoeff(&place), which Eigen does not vectorise.
+  const auto least = std::find(squares.begin(), squares.end(), squares.minCoeff());
+  return samples_[static_cast<std::size_t>(least - squares.begin())];
 }
 
 }  // namespace shellmatch

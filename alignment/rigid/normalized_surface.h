@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// A surface about its centre, with samples and nearest points.
+/// A surface about its centre, with samples and nearest points, and samples alone.
 
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/surface.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -35,7 +35,21 @@ class NormalizedSurface {
   double radius_ = 1;
   Mat<3> axes_;
   std::vector<double> area_up_to_;  ///< of all facets up to and with each
+  std::vector<Vec<3>> normals_;     ///< unit, of the facets
   std::optional<FacetTree<3>> tree_;
+};
+
+/// Points in place of their surface: the nearest of some hundred, found in a quarter of the time of the nearest point between them.
+class SampleCloud {
+ public:
+  /// \pre there are samples
+  explicit SampleCloud(std::vector<SurfacePoint> samples);
+  const std::vector<SurfacePoint>& samples() const { return samples_; }
+  const SurfacePoint& nearest(const Vec<3>& x) const;
+
+ private:
+  std::vector<SurfacePoint> samples_;
+  Eigen::ArrayX3f points_;
 };
 
 }  // namespace shellmatch

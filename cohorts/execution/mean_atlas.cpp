@@ -20,7 +20,7 @@ double square_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const
 // Root mean square over the surface.
 template <int Dim>
 double distance_from_surface(const std::vector<Vec<Dim>>& points, const Atlas<Dim>& atlas) {
-  const std::vector<double> distances = distances_to(points, SignedDistance<Dim>(atlas.surface));
+  const std::vector<double> distances = distances_to(points, atlas.surface);
   double sum = 0;
   for (std::size_t v = 0; v < points.size(); ++v)
     sum += atlas.weights[static_cast<Eigen::Index>(v)] * distances[v] * distances[v];

@@ -2,10 +2,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "energies/densities/small_matrix.h"
 #include "energies/elements/cell_blocks.h"
 #include "grid/fields/bump.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +14,16 @@ namespace shellmatch {
 
 namespace {
 
-template <int Dim>
-Mat<Dim> full_matrix(const std::array<double, n_symmetric<Dim>>& s) {
-  Mat<Dim> m;
+template <int Dim, class T>
+SmallMat<T, Dim> inverse(const SmallMat<T, Dim>& a) {
+  const SmallMat<T, Dim> c = cofactor(a);
+  T determinant = a(0, 0) * c(0, 0);
+  for (int j = 1; j < Dim; ++j) determinant += a(0, j) * c(0, j);
+  const T factor = 1.0 / determinant;
+  SmallMat<T, Dim> result;
   for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) m(i, j) = s[SmallSym<double, Dim>::slot(i, j)];
-  return m;
+    for (int j = 0; j < Dim; ++j) result(i, j) = factor * c(j, i);
+  return result;
 }
 
 template <int Dim>
@@ -34,32 +37,30 @@ class ElementValues {
  public:
   using Field = GeometryField<Dim>;
   ElementValues(const GeometryField<Dim>& reference, const ShapeTable<Dim>& shape)
-      : reference_(&reference), shape_(&shape), packs_(n_chunks(shape.points.size(), autodiff::pack_size)) {}
+      : reference_(&reference), shape_(&shape), packs_(n_chunks(shape.points.size(), autodiff::pack_size)) {
+    for (int i = 0; i < shape.points_per_direction; ++i) along_axis_.push_back(shape.points[static_cast<std::size_t>(i)].xi[0]);
+  }
 
+  /// The last point fills up the last pack.
   void read(const Element<Dim>& element) {
+    if (reference_->look_up_cube(element.corner, element.side, along_axis_, packs_)) return;
     constexpr std::size_t lanes = autodiff::pack_size;
     for (std::size_t p = 0; p < packs_.size(); ++p) {
-      autodiff::Pack weight{};
-      std::array<autodiff::Pack, Dim> y{};
-      for (std::size_t lane = 0; lane < lanes && p * lanes + lane < shape_->points.size(); ++lane) {
-        weight[lane] = 1;
-        const Vec<Dim> x = position<Dim>(element, shape_->points[p * lanes + lane].xi);
+      std::array<autodiff::Pack, Dim> y;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const Vec<Dim> x = position<Dim>(element, shape_->points[std::min(p * lanes + lane, shape_->points.size() - 1)].xi);
         for (int k = 0; k < Dim; ++k) y[k][lane] = x[k];
       }
-      reference_->look_up(weight, reference_->find(y), packs_[p].data());
+      reference_->look_up(autodiff::Pack{} + 1.0, reference_->find(y), packs_[p].data());
     }
   }
   double distance(std::size_t q) const { return packs_[q / autodiff::pack_size][0][q % autodiff::pack_size]; }
-  typename Field::Values at(std::size_t q) const {
-    typename Field::Values values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = packs_[q / autodiff::pack_size][i][q % autodiff::pack_size];
-    return values;
-  }
+  std::span<const typename Field::Packs> packs() const { return packs_; }
 
  private:
   const Field* reference_;
   const ShapeTable<Dim>* shape_;
+  std::vector<double> along_axis_;  ///< positions of the points on the unit cell
   std::vector<typename Field::Packs> packs_;
 };
 
@@ -91,23 +92,26 @@ autodiff::Pack centre_distances(std::span<const Element<Dim>> elements, const Ge
 }  // namespace
 
 template <int Dim>
-std::array<double, Band<Dim>::n_reference> Band<Dim>::reference_point(
-    const typename GeometryField<Dim>::Values& at_point, bool root_is_inverse) {
-  Vec<Dim> n1;
-  std::array<double, n_symmetric<Dim>> root;
-  for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k];
-  for (int i = 0; i < n_symmetric<Dim>; ++i) root[i] = at_point[1 + Dim + i];
-  n1 /= std::max(n1.norm(), least_normal_length);  // as renormalised() does for the template
-  const Mat<Dim> p = Mat<Dim>::Identity() - n1 * n1.transpose();
-  Mat<Dim> r = full_matrix<Dim>(root);
-  if (!root_is_inverse) r = r.inverse().eval();
-  r = (p * r * p).eval();
-  std::array<double, n_reference> flat;
+template <class T>
+std::array<T, Band<Dim>::n_reference> Band<Dim>::reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point,
+                                                                 bool root_is_inverse) {
+  T square = at_point[1] * at_point[1];
+  for (int k = 1; k < Dim; ++k) square += at_point[1 + k] * at_point[1 + k];
+  const T length = autodiff::max_of(autodiff::root_of(square), T{} + least_normal_length);  // as renormalised() does for the template
+  SmallVec<T, Dim> n1;
+  for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k] / length;
+  SmallMat<T, Dim> p, root;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      p(i, j) = (i == j ? 1.0 : 0.0) - n1[i] * n1[j];
+      root(i, j) = at_point[1 + Dim + SmallSym<double, Dim>::slot(i, j)];
+    }
+  const SmallMat<T, Dim> r = product<Dim>(product<Dim>(p, root_is_inverse ? root : inverse(root)), p);
+  std::array<T, n_reference> flat;
   flat[0] = at_point[0];
   for (int k = 0; k < Dim; ++k) flat[1 + k] = n1[k];
   for (int i = 0; i < Dim; ++i)
-    for (int j = i; j < Dim; ++j)
-      flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
+    for (int j = i; j < Dim; ++j) flat[1 + Dim + SmallSym<double, Dim>::slot(i, j)] = 0.5 * (r(i, j) + r(j, i));
   return flat;
 }
 
@@ -166,14 +170,17 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
         values.read(element);
         double volume = 1;
         for (int k = 0; k < Dim; ++k) volume *= element.side;
-        for (std::size_t q = 0; q < n_points_; ++q) {
-          const auto flat = reference_point(values.at(q), root_is_inverse);
-          Point& point = points_[b * n_points_ + q];
-          const bool counts = lane < batch.n_elements;
-          point.weight[lane] = counts ? bump(flat[0], sigma) * volume * shape.points[q].weight : 0.0;
-          sum.measure += point.weight[lane];
-          sum.n_active += counts && std::abs(flat[0]) < sigma;
-          for (int i = 0; i < n_reference; ++i) point.reference[i][lane] = flat[i];
+        const bool counts = lane < batch.n_elements;
+        for (std::size_t first = 0; first < n_points_; first += n_lanes) {
+          const auto at_points = reference_point(values.packs()[first / n_lanes], root_is_inverse);
+          for (std::size_t q = first; q < std::min(first + n_lanes, n_points_); ++q) {
+            Point& point = points_[b * n_points_ + q];
+            for (int i = 0; i < n_reference; ++i) point.reference[i][lane] = at_points[i][q - first];
+            const double d = at_points[0][q - first];
+            point.weight[lane] = counts ? bump(d, sigma) * volume * shape.points[q].weight : 0.0;
+            sum.measure += point.weight[lane];
+            sum.n_active += counts && std::abs(d) < sigma;
+          }
         }
       }
     }
@@ -185,5 +192,7 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
 
 template class Band<2>;
 template class Band<3>;
+template std::array<double, Band<2>::n_reference> Band<2>::reference_point(const std::array<double, GeometryField<2>::n_values>&, bool);
+template std::array<double, Band<3>::n_reference> Band<3>::reference_point(const std::array<double, GeometryField<3>::n_values>&, bool);
 
 }  // namespace shellmatch

@@ -37,8 +37,9 @@ class Band {
 
   /// ReferencePoint as a flat array, from the reference's field at a point: n1 normalised, the root inverted unless it is
   /// the inverse already, and projected.
-  static std::array<double, n_reference> reference_point(const typename GeometryField<Dim>::Values& at_point,
-                                                         bool root_is_inverse);
+  /// \param at_point numbers, or packs of points
+  template <class T>
+  static std::array<T, n_reference> reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point, bool root_is_inverse);
 
   std::span<const Batch> batches() const { return batches_; }
   /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "energies/fields/spline_sum.h"
+#include "grid/fields/spline_coefficients.h"
 
 namespace shellmatch {
 
@@ -55,11 +56,12 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
                                               bool keep_definite) {
   const NodalValues<Dim> nodal(grid, distance, normal, root);
   SplineSpace<Dim> splines(grid);
-  // Quasi-interpolation overshoots at sharp edges, so the roots would not stay positive definite.
-  const std::size_t n_quasi_interpolated = keep_definite ? 1 + Dim : n_values;
   GeometryField field;
-  field.store(static_cast<std::size_t>(splines.n_coefficients()),
-              [&](const auto& at) { splines.coefficients(n_values, n_quasi_interpolated, nodal, at); });
+  field.store(static_cast<std::size_t>(splines.n_coefficients()), [&](const auto& at) {
+    // Quasi-interpolation overshoots at sharp edges, so the roots would not stay positive definite.
+    if (keep_definite) splines.template coefficients<n_values, 1 + Dim>(nodal, at);
+    else splines.template coefficients<n_values, n_values>(nodal, at);
+  });
   splines.forget_grid();
   field.splines_ = std::make_shared<const SplineSpace<Dim>>(std::move(splines));
   return field;

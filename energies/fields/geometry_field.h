@@ -7,6 +7,7 @@
 #include "energies/autodiff/pack.h"
 #include "energies/fields/coefficients.h"
 #include "grid/octree/octree.h"
+#include "grid/fields/quadrature.h"
 #include "grid/fields/spline_space.h"
 
 #include <array>
@@ -59,6 +60,12 @@ class GeometryField {
   /// \param values n_values packs
   void look_up(const Pack& weight, const LocatedPoints& located, Pack* values) const;
   void look_up(const Pack& weight, const LocatedPoints& located, Pack* values, std::array<Packs, Dim>& derivative) const;
+
+  /// The values at the points of a tensor grid in a cube of the domain, in a quarter of the time: the coefficients are read once
+  /// and summed axis by axis. False, with nothing written, where the cube does not lie within one leaf of the splines.
+  /// \param at      positions of the points along each axis, in sides of the cube, at most max_gauss_points
+  /// \param values  for every eight points, the first axis fastest; the last point fills up
+  bool look_up_cube(const Vec<Dim>& corner, double side, std::span<const double> at, std::span<Packs> values) const;
 
   /// The values at y for any scalar type, for instance ceres::Jet, whose arithmetic gives the derivatives.
   template <class T>

@@ -9,6 +9,7 @@
 #include "geometry/surface/surface.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,15 @@ class FacetTree {
   /// the squared distance is not finite.
   Index nearest(const Vec<Dim>& x) const;
 
+  /// The same for many points, faster the nearer consecutive points lie to each other.
+  /// \param facets one entry for each point
+  void nearest(std::span<const Vec<Dim>> points, std::span<Index> facets) const;
+
  private:
   static constexpr int width = 8;
   // A vector type of the compiler: one, two or four registers, depending on the machine.
   typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
+  typedef std::int64_t IndexLanes __attribute__((vector_size(width * sizeof(std::int64_t))));
   typedef float FloatLanes __attribute__((vector_size(width * sizeof(float))));
 
   /// The data of eight facets for the distance; unused entries repeat the first facet.
@@ -44,9 +50,11 @@ class FacetTree {
     std::array<Index, width> child;  ///< index of a node, or ~index of a leaf; unused: box at infinity
   };
   struct Builder;
+  class Stack;
 
-  static void squared_distances(const Node& node, const Vec<Dim>& x, Lanes& result);
-  static void squared_distances(const Leaf& leaf, const Vec<Dim>& x, Lanes& result);
+  /// The nearest facet if it is nearer than sqrt(best), or as near with a lower index than `facet`; otherwise `facet`.
+  Index nearer(const Vec<Dim>& x, double best, Index facet) const;
+  void nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const;
 
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;

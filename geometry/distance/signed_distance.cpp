@@ -6,6 +6,7 @@
 #include "geometry/surface/pseudonormals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -44,7 +45,21 @@ const Surface<Dim>& SignedDistance<Dim>::surface() const {
 
 template <int Dim>
 ClosestPoint<Dim> SignedDistance<Dim>::closest(const Vec<Dim>& x) const {
-  const Index facet = tree_->facets.nearest(x);
+  return closest_on(tree_->facets.nearest(x), x);
+}
+
+template <int Dim>
+void SignedDistance<Dim>::operator()(std::span<const Vec<Dim>> x, std::span<double> distances) const {
+  std::array<Index, 64> facets;
+  for (std::size_t begin = 0; begin < x.size(); begin += facets.size()) {
+    const std::size_t n = std::min(facets.size(), x.size() - begin);
+    tree_->facets.nearest(x.subspan(begin, n), std::span(facets).first(n));
+    for (std::size_t i = 0; i < n; ++i) distances[begin + i] = closest_on(facets[i], x[begin + i]).signed_distance;
+  }
+}
+
+template <int Dim>
+ClosestPoint<Dim> SignedDistance<Dim>::closest_on(Index facet, const Vec<Dim>& x) const {
   SHELLMATCH_CHECK(facet != no_index, "a point whose distance is asked for is not finite");
   const auto [point, feature] = closest_point_on_facet(tree_->surface, facet, x);
   const Vec<Dim>& pseudonormal = tree_->normals(tree_->surface, facet, feature);

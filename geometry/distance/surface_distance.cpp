@@ -1,6 +1,9 @@
 #include "geometry/distance/surface_distance.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/distance/facet_tree.h"
+#include "geometry/surface/facet_point.h"
 #include "geometry/surface/subdivision.h"
 
 #include <algorithm>
@@ -82,8 +85,28 @@ DistanceStatistics weighted_statistics(const std::vector<double>& values, const 
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
   std::vector<double> distances(points.size());
-  parallel_for(
-      points.size(), [&](std::size_t i) { distances[i] = std::abs(surface(points[i])); }, 256);
+  parallel_chunks(points.size(), 256, [&](const Chunk& chunk) {
+    const std::size_t n = chunk.end - chunk.begin;
+    surface(std::span(points).subspan(chunk.begin, n), std::span(distances).subspan(chunk.begin, n));
+  });
+  for (double& distance : distances) distance = std::abs(distance);
+  return distances;
+}
+
+template <int Dim>
+std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Surface<Dim>& surface) {
+  SHELLMATCH_CHECK(!surface.facets.empty(), "the distance to a surface without facets is not defined");
+  const FacetTree<Dim> tree(surface);
+  std::vector<Index> facets(points.size());
+  std::vector<double> distances(points.size());
+  parallel_chunks(points.size(), 256, [&](const Chunk& chunk) {
+    const std::size_t n = chunk.end - chunk.begin;
+    tree.nearest(std::span(points).subspan(chunk.begin, n), std::span(facets).subspan(chunk.begin, n));
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      SHELLMATCH_CHECK(facets[i] != no_index, "a point whose distance is asked for is not finite");
+      distances[i] = (points[i] - closest_point_on_facet(surface, facets[i], points[i]).point).norm();
+    }
+  });
   return distances;
 }
 
@@ -104,13 +127,15 @@ MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistan
     return points[static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin())];
   };
   const std::vector<double> there = distances_to(of_deformed.points, template_distance);
-  const std::vector<double> back = distances_to(of_template.points, SignedDistance<Dim>(deformed));
+  const std::vector<double> back = distances_to(of_template.points, deformed);
   return {summary(of_deformed, there), summary(of_template, back), share_beyond(of_template.areas, back, covered_within * diagonal),
           farthest(of_deformed.points, there), farthest(of_template.points, back)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
+template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Surface<2>&);
+template std::vector<double> distances_to(const std::vector<Vec<3>>&, const Surface<3>&);
 template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double);
 template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double);
 

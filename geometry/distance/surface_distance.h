@@ -28,6 +28,10 @@ DistanceStatistics weighted_statistics(const std::vector<double>& values, const 
 /// Unsigned distance of every point to the surface.
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface);
+/// The same without the normals that signs need, which take as long to prepare as the search for the nearest facets.
+/// \pre the surface has facets (checked), all coordinates are finite (those of the points are checked)
+template <int Dim>
+std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Surface<Dim>& surface);
 
 /// The template counts as covered where the deformed reference is at most so far away, in diagonals of the template.
 inline constexpr double covered_within = 0.01;

@@ -4,6 +4,10 @@
 #include "geometry/generate/families.h"
 #include "geometry/generate/hand.h"
 
+#include <deque>
+#include <memory>
+#include <mutex>
+
 namespace shellmatch {
 
 namespace {
@@ -27,6 +31,28 @@ OriginalShape<Dim> posed(const Body<Dim>& body, std::string_view name) {
     for (const auto& facet : body.rest.facets) shape.polygons.front().push_back(facet[0]);
   }
   return shape;
+}
+
+/// A family's body. The last two are kept: a run asks for both shapes first and for their known positions later.
+std::shared_ptr<const AnyBody> built(const Family& family, const GeneratorParameters& parameters, double edge_length) {
+  struct Kept {
+    std::string name;
+    GeneratorParameters parameters;
+    double edge_length;
+    std::shared_ptr<const AnyBody> body;
+  };
+  static std::mutex mutex;
+  static std::deque<Kept> kept;
+  {
+    const std::lock_guard lock(mutex);
+    for (const Kept& one : kept)
+      if (one.name == family.info.name && one.parameters == parameters && one.edge_length == edge_length) return one.body;
+  }
+  const auto body = std::make_shared<const AnyBody>(family.build(parameters, edge_length));
+  const std::lock_guard lock(mutex);
+  kept.push_back({family.info.name, parameters, edge_length, body});
+  if (kept.size() > 2) kept.pop_front();
+  return body;
 }
 
 double checked_edge_length(const GeneratorInfo& info, double edge_length) {
@@ -86,7 +112,7 @@ AnyOriginal generate_shape(std::string_view name, std::string_view variant, doub
   const Family& family = find_family(name);
   const GeneratorParameters complete = complete_parameters(family.info, variant, parameters);
   return std::visit([&](const auto& body) -> AnyOriginal { return posed(body, name); },
-                    family.build(complete, checked_edge_length(family.info, edge_length)));
+                    *built(family, complete, checked_edge_length(family.info, edge_length)));
 }
 
 AnyKnownPositions known_positions(std::string_view name, std::string_view from, std::string_view to) {
@@ -94,9 +120,8 @@ AnyKnownPositions known_positions(std::string_view name, std::string_view from, 
   const GeneratorParameters first = complete_parameters(family.info, from, {});
   const GeneratorParameters second = complete_parameters(family.info, to, {});
   const auto known = [&]<int Dim>(std::integral_constant<int, Dim>) -> AnyKnownPositions {
-    const auto reference = std::get<Body<Dim>>(family.build(first, family.info.edge_length));
-    const auto target = std::get<Body<Dim>>(family.build(second, family.info.edge_length));
-    return truth_between<Dim>(family, first, second, reference.rest.vertices, target);
+    const auto reference = built(family, first, family.info.edge_length), target = built(family, second, family.info.edge_length);
+    return truth_between<Dim>(family, first, second, std::get<Body<Dim>>(*reference).rest.vertices, std::get<Body<Dim>>(*target));
   };
   if (family.info.dimension == 2) return known(std::integral_constant<int, 2>());
   return known(std::integral_constant<int, 3>());

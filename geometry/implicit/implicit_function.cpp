@@ -23,8 +23,8 @@ double RoundedCone::operator()(const Vec<3>& x) const {
   const double along = (x - a_).dot(axis_) / length_;
   const double across = std::sqrt(std::max((x - a_).squaredNorm() - along * along, 0.0));
   const double on_mantle = along * cosine_ - across * sine_;
-  if (on_mantle <= 0) return std::hypot(along, across) - ra_;
-  if (on_mantle >= length_ * cosine_) return std::hypot(along - length_, across) - rb_;
+  if (on_mantle <= 0) return std::sqrt(along * along + across * across) - ra_;
+  if (on_mantle >= length_ * cosine_) return std::sqrt((along - length_) * (along - length_) + across * across) - rb_;
   return along * sine_ + across * cosine_ - ra_;
 }
 

@@ -95,7 +95,7 @@ DistanceStatistics distance_to_voxels(const LabelRegion& region, const Surface<3
   std::vector<Vec<3>> some;
   const std::size_t stride = faces.size() / enough + 1;
   for (std::size_t n = 0; n < faces.size(); n += stride) some.push_back(faces[n]);
-  return statistics(distances_to(some, SignedDistance<3>(surface)));
+  return statistics(distances_to(some, surface));
 }
 
 // What became of the voxels, and a warning where that is not much.

@@ -36,13 +36,6 @@ MassOperator<Dim>::MassOperator(const Octree<Dim>& grid)
 
 template <int Dim>
 void MassOperator<Dim>::sum_elements(std::span<const double> elements, std::span<double> free,
-                                     int n_components) const {
-  std::vector<double> nodal;
-  sum_elements(elements, free, n_components, nodal);
-}
-
-template <int Dim>
-void MassOperator<Dim>::sum_elements(std::span<const double> elements, std::span<double> free,
                                      int n_components, std::vector<double>& nodal) const {
   nodal.assign(static_cast<std::size_t>(grid_->n_nodes()) * n_components, 0.0);
   parallel_for(grid_->n_nodes(), [&](std::size_t node) {

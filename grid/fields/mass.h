@@ -34,10 +34,6 @@ class MassOperator {
   /// The components are solved as one system, with common step lengths. Returns the number of iterations.
   int solve(std::span<const double> b, std::span<double> x, int n_components, double tolerance) const;
 
-  /// Assembles element vectors, given leaf by leaf in the order of grid.leaves() and corner by corner, at the
-  /// free nodes.
-  void sum_elements(std::span<const double> elements, std::span<double> free, int n_components) const;
-
   std::span<const double> lumped() const { return lumped_; }
 
  private:
@@ -45,8 +41,8 @@ class MassOperator {
     std::vector<double> nodal, elements;
   };
   void apply(std::span<const double> x, std::span<double> y, int n_components, Scratch& scratch) const;
-  void sum_elements(std::span<const double> elements, std::span<double> free, int n_components,
-                    std::vector<double>& nodal) const;
+  /// Assembles element vectors, given leaf by leaf in the order of grid.leaves() and corner by corner, at the free nodes.
+  void sum_elements(std::span<const double> elements, std::span<double> free, int n_components, std::vector<double>& nodal) const;
 
   const Octree<Dim>* grid_;
   Constraints<Dim> constraints_;

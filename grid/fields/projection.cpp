@@ -4,6 +4,9 @@
 #include "base/parallel.h"
 #include "grid/octree/constraints.h"
 #include "grid/fields/mass.h"
+#include "grid/octree/nodal_incidence.h"
+
+#include <bit>
 
 namespace shellmatch {
 
@@ -12,19 +15,34 @@ namespace {
 // Relative residual; well below the discretisation error of the gradient.
 constexpr double solver_tolerance = 1e-6;
 
-// Integrals over a cell of d's derivative along `axis` times each shape function: the tensor product of
-// 1/2 [-1 1; -1 1] along the axis and of mass matrices [1/3 1/6; 1/6 1/3] along the others.
+/// Integrals of grad d times each node's shape function, as if hanging nodes were free. In the leaves around it: 1/2 [-1 1] along
+/// the axis of the derivative and [1/3 1/6] along the others, from the node's own corner. Each node sums over its leaves, so that
+/// no vectors of all elements are stored.
 template <int Dim>
-std::array<double, n_corners<Dim>> derivative_moments(std::array<double, n_corners<Dim>> d, int axis) {
-  for (int k = 0; k < Dim; ++k)
-    for (int c = 0; c < n_corners<Dim>; ++c) {
-      if ((c >> k) & 1) continue;
-      const int upper = c | (1 << k);
-      const double a = d[c], b = d[upper];
-      d[c] = k == axis ? 0.5 * (b - a) : a / 3 + b / 6;
-      d[upper] = k == axis ? 0.5 * (b - a) : a / 6 + b / 3;
+std::vector<double> gradient_moments(const Octree<Dim>& grid, const std::vector<double>& nodal_distance) {
+  const NodalIncidence<Dim> incidence(grid);
+  const auto leaves = grid.leaves();
+  std::vector<double> moments(static_cast<std::size_t>(grid.n_nodes()) * Dim);
+  parallel_for(static_cast<std::size_t>(grid.n_nodes()), [&](std::size_t node) {
+    std::array<double, Dim> sum{};
+    for (const auto& e : incidence.leaves_at(static_cast<Index>(node))) {
+      const auto& cell = grid.cell(leaves[static_cast<std::size_t>(e.leaf)]);
+      std::array<double, n_corners<Dim>> d;  // bit k: on the other side along axis k
+      for (int c = 0; c < n_corners<Dim>; ++c) d[c] = nodal_distance[cell.nodes[c ^ e.corner]];
+      double factor = 0.5;  // side^Dim of the volume times 1/side of the derivative
+      for (int k = 1; k < Dim; ++k) factor *= cell.side() / 6;
+      for (int axis = 0; axis < Dim; ++axis) {
+        double derivative = 0;
+        for (int c = 0; c < n_corners<Dim>; ++c) {
+          const int other = c | 1 << axis;
+          if (c != other) derivative += (1 << (Dim - 1 - std::popcount(static_cast<unsigned>(c)))) * (d[other] - d[c]);
+        }
+        sum[axis] += (e.corner >> axis & 1 ? -factor : factor) * derivative;
+      }
     }
-  return d;
+    for (int axis = 0; axis < Dim; ++axis) moments[node * Dim + axis] = sum[axis];
+  });
+  return moments;
 }
 
 }  // namespace
@@ -34,28 +52,16 @@ std::vector<Vec<Dim>> project_gradient(const Octree<Dim>& grid, const std::vecto
                                        MassKind mass) {
   SHELLMATCH_CHECK(nodal_distance.size() == static_cast<std::size_t>(grid.n_nodes()),
                    "size of a nodal field");
-  const MassOperator<Dim> op(grid);
-  const auto leaves = grid.leaves();
-  std::vector<double> elements(leaves.size() * n_corners<Dim> * Dim);
-  parallel_for(leaves.size(), [&](std::size_t l) {
-    const auto& cell = grid.cell(leaves[l]);
-    double factor = 1;  // side^Dim of the volume times 1/side of the derivative
-    for (int k = 1; k < Dim; ++k) factor *= cell.side();
-    std::array<double, n_corners<Dim>> d;
-    for (int c = 0; c < n_corners<Dim>; ++c) d[c] = factor * nodal_distance[cell.nodes[c]];
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto moments = derivative_moments<Dim>(d, axis);
-      for (int c = 0; c < n_corners<Dim>; ++c) elements[(l * n_corners<Dim> + c) * Dim + axis] = moments[c];
-    }
-  });
-  std::vector<double> b(op.constraints().n_free() * Dim), x(b.size());
-  op.sum_elements(elements, b, Dim);
-  elements = std::vector<double>();  // freed before the solver allocates as much
-  for (std::size_t i = 0; i < b.size(); ++i) x[i] = b[i] / op.lumped()[i / Dim];
-  if (mass == MassKind::consistent) op.solve(b, x, Dim, solver_tolerance);
+  const Constraints<Dim> constraints(grid);
+  std::vector<double> b(constraints.n_free() * Dim);
+  constraints.condense(gradient_moments(grid, nodal_distance), b, Dim);
+  const std::vector<double> lumped = lumped_mass(grid);
+  std::vector<double> x(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i) x[i] = b[i] / lumped[i / Dim];
+  if (mass == MassKind::consistent) MassOperator<Dim>(grid).solve(b, x, Dim, solver_tolerance);
 
   std::vector<Vec<Dim>> gradient(grid.n_nodes());
-  op.constraints().expand(x, components_of(gradient), Dim);
+  constraints.expand(x, components_of(gradient), Dim);
   return gradient;
 }
 

@@ -1,5 +1,9 @@
 #include "grid/fields/spline_space.h"
 
+#include "base/parallel.h"
+
+#include <algorithm>
+
 namespace shellmatch {
 
 namespace {

@@ -2,12 +2,9 @@
 /// \file
 /// Quadratic splines on the octree: C1 everywhere, also where the level changes.
 
-#include "base/error.h"
-#include "base/parallel.h"
 #include "grid/octree/cell_locator.h"
 #include "grid/octree/octree.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -71,15 +68,15 @@ class SplineSpace {
   Coord corner_of(Index leaf) const;  ///< in units of its side
   Local coefficients_of(Index leaf) const;
 
-  /// Coefficients of functions from their values at the nodes, hanging ones included. The first
-  /// `n_quasi_interpolated` components are those of the quasi-interpolant, which reproduces quadratic
-  /// polynomials away from coarser neighbours and from the boundary, and linear ones everywhere: error of
-  /// third order. The others are the means over the corners of the cells, which stay within the range of the
-  /// nodal values and so keep matrices positive definite: error of second order. nodal(n, i) is component i
-  /// at node n; at(c, i) is a reference to component i of coefficient c, which the caller has set to 0.
-  /// \pre forget_grid() has not been called
-  template <class Nodal, class At>
-  void coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal, const At& at) const;
+  /// Coefficients of functions from their values at the nodes, hanging ones included. The first n_quasi_interpolated
+  /// of n components are those of the quasi-interpolant, which reproduces quadratic polynomials away from coarser
+  /// neighbours and from the boundary, and linear ones everywhere: error of third order. The others are the means over
+  /// the corners of the cells, which stay within the range of the nodal values and so keep matrices positive definite:
+  /// error of second order. nodal(k, i) is component i at node k; at(c, i) is a reference to component i of coefficient
+  /// c, which the caller has set to 0.
+  /// Defined in grid/fields/spline_coefficients.h. \pre forget_grid() has not been called
+  template <std::size_t n, std::size_t n_quasi_interpolated, class Nodal, class At>
+  void coefficients(const Nodal& nodal, const At& at) const;
 
  private:
   static constexpr int n_siblings = n_corners<Dim>;
@@ -110,6 +107,11 @@ class SplineSpace {
   const Siblings& siblings_of(Index coefficient) const {
     return siblings_[static_cast<std::uint32_t>(coefficient) / n_siblings];
   }
+  /// The mean over the corners of a cell of components [begin, begin + n).
+  template <std::size_t begin, std::size_t n, class Nodal>
+  std::array<double, n> mean(Index cell, const Nodal& nodal) const;
+  template <std::size_t begin, std::size_t n, class Nodal, class At>
+  void quasi_interpolate(const Nodal& nodal, const At& at) const;
   static constexpr auto steps();
   static constexpr auto steps_in_registers();
   Index neighbour(Index coefficient, int n) const;
@@ -201,56 +203,6 @@ inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index 
     std::memcpy(local.c.data() + 16 * r, &sum, sizeof sum);
   }
   return local;
-}
-
-template <int Dim>
-template <class Nodal, class At>
-void SplineSpace<Dim>::coefficients(std::size_t n_components, std::size_t n_quasi_interpolated, const Nodal& nodal,
-                                    const At& at) const {
-  SHELLMATCH_CHECK(grid_ != nullptr, "the grid of the splines is forgotten");
-  // Two components at a time limit the memory of the means.
-  constexpr std::size_t n_together = 2;
-  using Some = std::array<double, n_together>;
-  std::vector<Some> mean(static_cast<std::size_t>(grid_->n_cells()));
-  for (std::size_t begin = 0; begin < n_components; begin += n_together) {
-    const std::size_t n = std::min(n_together, n_components - begin);
-    const auto combine = [&](Some& sum, double weight, const Some& row, std::size_t n_all) {
-      for (std::size_t i = 0; i < n_together && begin + i < n_all; ++i) sum[i] += weight * row[i];
-    };
-    parallel_for(mean.size(), [&](std::size_t c) {
-      mean[c] = {};
-      for (const Index node : grid_->cell(static_cast<Index>(c)).nodes)
-        for (std::size_t i = 0; i < n; ++i) mean[c][i] += 1.0 / n_corners<Dim> * nodal(node, begin + i);
-    });
-    parallel_for(mean.size(), [&](std::size_t cell) {
-      const Index c = number_of(static_cast<Index>(cell));
-      if (made_[c] != Made::sampled) return;
-      Some row = mean[cell];
-      for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) {
-        const Index below = neighbour(c, n_local / 2 - stride), above = neighbour(c, n_local / 2 + stride);
-        if (!is_of_cell(below) || !is_of_cell(above)) continue;  // the mean alone, exact for linear functions
-        combine(row, 0.5, mean[cell], n_quasi_interpolated);
-        combine(row, -0.25, mean[cell_of(below)], n_quasi_interpolated);
-        combine(row, -0.25, mean[cell_of(above)], n_quasi_interpolated);
-      }
-      for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = row[i];
-    });
-  }
-  for (const Derived& d : derived_) {
-    if (d.outside) {
-      for (std::size_t i = 0; i < n_components; ++i) {
-        const double first = at(d.source[0], i);
-        at(d.coefficient, i) = i < n_quasi_interpolated ? first + first - at(d.source[1], i) : first;
-      }
-      continue;
-    }
-    for (int c = 0; c < n_corners<Dim>; ++c) {
-      double weight = 1;
-      for (int k = 0; k < Dim; ++k) weight *= (c >> k) & 1 ? 0.25 : 0.75;
-      for (std::size_t i = 0; i < n_components; ++i)
-        at(d.coefficient, i) += weight * at(d.source[c], i);
-    }
-  }
 }
 
 extern template class SplineSpace<2>;

@@ -98,10 +98,13 @@ CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geom
   CoefficientFields<Dim> fields{std::move(geometry.distance), std::move(geometry.normal),
                                 std::move(geometry.extended_shape)};
   const auto free = grid.free_nodes();
+  const double exponent = inverse_root ? -0.5 : 0.5;
   parallel_for(free.size(), [&](std::size_t i) {
     auto& s = fields.root[free[i]];
-    s = pack_symmetric<Dim>(
-        classified_power<Dim>(unpack_symmetric<Dim>(s), classifier, inverse_root ? -0.5 : 0.5));
+    const Vec<Dim>& normal = fields.normal[free[i]];
+    const bool is_extended = classifier.root == RootMethod::eigen && !normal.isZero();  // by a unit normal
+    s = pack_symmetric<Dim>(is_extended ? classified_power<Dim>(unpack_symmetric<Dim>(s), normal, classifier, exponent)
+                                        : classified_power<Dim>(unpack_symmetric<Dim>(s), classifier, exponent));
   });
   distribute(grid, fields.root);
   return fields;

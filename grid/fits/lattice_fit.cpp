@@ -30,6 +30,17 @@ int square(const std::array<int, Dim>& offset) {
   return sum;
 }
 
+/// For the leaf in each octant around a node, the places of its corners among the next nodes.
+template <int Dim>
+constexpr auto place_of_corner = [] {
+  std::array<std::array<std::size_t, n_corners<Dim>>, n_corners<Dim>> place{};
+  for (int octant = 0; octant < n_corners<Dim>; ++octant)
+    for (int c = 0; c < n_corners<Dim>; ++c)
+      for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
+        place[octant][c] += static_cast<std::size_t>(stride * ((octant >> k & 1) + (c >> k & 1)));
+  return place;
+}();
+
 }  // namespace
 
 template <int Dim>
@@ -57,7 +68,7 @@ void LatticeFit<Dim>::choose_terms(std::size_t n_others, double exponent) {
   if (n_others >= offsets.size() || square<Dim>(offsets[n_others]) > 4) return;
   const int farthest = square<Dim>(offsets[n_others]);  // offsets[0] is the node itself
   std::erase_if(offsets, [&](const Offset& o) { return square<Dim>(o) > farthest || square<Dim>(o) == 0; });
-  if (farthest > 1) next_nodes_ = box<Dim>(-1, 1);
+  is_ball_wide_ = farthest > 1;
 
   for (const Offset& one : offsets) {
     QuadraticFit<Dim, 1> fit;
@@ -73,7 +84,14 @@ void LatticeFit<Dim>::choose_terms(std::size_t n_others, double exponent) {
       terms_.clear();
       return;
     }
-    terms_.push_back({one, fit.hessian(0)});
+    Term& term = terms_.emplace_back();
+    for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) {
+      const int first = std::clamp(one[k], -1, 1);
+      term.rest[k] = one[k] - first;
+      term.next += static_cast<std::size_t>(stride * (first + 1));
+    }
+    term.is_next = square<Dim>(term.rest) == 0;
+    term.weight = fit.hessian(0);
     for (double& w : terms_.back().weight) w /= farthest;
   }
 }
@@ -91,17 +109,18 @@ Index LatticeFit<Dim>::neighbour(Index node, const Offset& step) const {
 template <int Dim>
 double LatticeFit<Dim>::find_neighbours(Index node, std::vector<Index>& neighbours) const {
   if (terms_.empty() || around_[node][0] == no_index) return 0;
+  std::array<Index, n_next> next;
+  for (int octant = 0; octant < n_corners<Dim>; ++octant) {
+    const auto& nodes = grid_->cell(around_[node][octant]).nodes;
+    for (int c = 0; c < n_corners<Dim>; ++c) next[place_of_corner<Dim>[octant][c]] = nodes[c];
+  }
   // A node and the next share a leaf, so all these leaves have the same size.
-  for (const Offset& step : next_nodes_)
-    if (around_[neighbour(node, step)][0] == no_index) return 0;
+  if (is_ball_wide_)
+    for (const Index other : next)
+      if (around_[other][0] == no_index) return 0;
   neighbours.clear();
   for (const Term& term : terms_) {
-    Offset first, rest;
-    for (int k = 0; k < Dim; ++k) {
-      first[k] = std::clamp(term.offset[k], -1, 1);
-      rest[k] = term.offset[k] - first[k];
-    }
-    const Index other = neighbour(neighbour(node, first), rest);
+    const Index other = term.is_next ? next[term.next] : neighbour(next[term.next], term.rest);
     if (grid_->free_index(other) == no_index) return 0;
     neighbours.push_back(other);
   }

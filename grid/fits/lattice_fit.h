@@ -35,10 +35,15 @@ class LatticeFit {
   /// The leaves around a node by octant (bit k: above along axis k). The first is no_index unless all exist
   /// and have the same size.
   using Around = std::array<Index, n_corners<Dim>>;
+  /// A node of the ball: at most two steps along each axis, the first of each to one of the next nodes.
   struct Term {
-    Offset offset;  ///< in cells, at most 2 along each axis
-    SymmetricComponents<Dim> weight;
+    std::size_t next = 0;  ///< among the next nodes
+    Offset rest{};         ///< from there
+    bool is_next = true;   ///< no rest
+    SymmetricComponents<Dim> weight{};
   };
+  /// The next nodes: those one step away along any axes, and the node itself; the first axis fastest.
+  static constexpr std::size_t n_next = Dim == 2 ? 9 : 27;
 
   void choose_terms(std::size_t n_others, double exponent);
   /// \pre there are leaves around the node; the step is at most 1 along each axis
@@ -47,7 +52,7 @@ class LatticeFit {
   const Octree<Dim>* grid_;
   std::vector<Around> around_;      ///< by node
   std::vector<Term> terms_;         ///< empty if the fit is not possible
-  std::vector<Offset> next_nodes_;  ///< their leaves and those of the centre cover the ball
+  bool is_ball_wide_ = false;       ///< the leaves around the node do not cover it; with those around the next nodes they do
 };
 
 }  // namespace shellmatch

@@ -30,6 +30,7 @@ LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<
     : options_(options),
       grid_(grid),
       level_(grid, std::move(geometry), options, pairs, coverage != nullptr),
+      mass_(level_.unknown_mass()),
       coverage_(level_.is_covered(options) ? coverage : nullptr) {
   if (!observed.is_all()) mask_.emplace(observed, level_.sigma);
 }
@@ -54,7 +55,6 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   result.n_band_points = level_.energy.band().n_active_points();
   result.band_measure = level_.energy.band().measure();
 
-  const std::vector<double> mass = level_.unknown_mass();
   const auto steps = schedule_of_level(options_.cascade, level);
   const int rounds = std::max(coverage_ ? options_.coverage.rounds : 1, mask_ ? mask_rounds : 1);
   start.n_substeps = static_cast<int>(steps.size()) * rounds;
@@ -63,12 +63,17 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   TermValues weights;
   const auto follow_phi = [&] { follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_); };
   follow_phi();
-  const std::size_t first = first_step(steps, phi);
+  std::optional<LevelProblem<Dim>> ahead;
+  if (steps.size() > 1 && options_.cascade.negligible_start_rise > 0) {
+    ahead.emplace(problem_of(solver, level_.weights(options_, steps.back().nu, steps.back().volume_weight), phi));
+    if (!begins_with_last(steps, *ahead, phi)) ahead.reset();
+  }
+  const std::size_t first = ahead ? steps.size() - 1 : 0;
+  std::vector<double> terms;  // values at the end of the last minimisation; empty if it could not begin
   for (std::size_t s = first; s < steps.size() && !interrupted;) {
     start.nu = steps[s].nu;
     start.volume_weight = steps[s].volume_weight;
     weights = level_.weights(options_, start.nu, start.volume_weight);
-    std::vector<double> terms;  // values of the terms at the end of the last minimisation
     for (int round = 0; round < rounds && !interrupted; ++round) {
       start.substep = static_cast<int>(s) * rounds + round + 1;
       StopOptions stop = solver.stop;
@@ -78,7 +83,8 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
                                                  : level < options_.cascade.max_level ? Followed::by_level
                                                                                          : Followed::by_nothing);
       if (!ends_level || level < options_.cascade.max_level) stop.restrained_factor = 1;  // what follows builds on it
-      terms = minimise_once(start, weights, mass, solver, stop, phi, observer, result);
+      LevelProblem<Dim> problem = ahead ? *std::exchange(ahead, std::nullopt) : problem_of(solver, weights, phi);
+      terms = minimise_once(start, std::move(problem), weights, solver, stop, phi, observer, result);
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
       if (is_refused && is_start && s == first && round == 0) refuse_start(level, phi, weights, result.last.message);
@@ -87,7 +93,12 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
     const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
     s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
   }
-  level_.energy.evaluate(phi, weights, result.minimised, {});
+  if (terms.size() == weights.size()) {
+    result.minimised = TermValues(terms.size());
+    for (std::size_t t = 0; t < terms.size(); ++t) result.minimised[t] = terms[t];
+  } else {
+    level_.energy.evaluate(phi, weights, result.minimised, {});
+  }
   weights_ = weights;
   return result;
 }
@@ -105,15 +116,26 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
 }
 
 template <int Dim>
-std::size_t LevelMinimisation<Dim>::first_step(const std::vector<ScheduleStep>& steps, const std::vector<Vec<Dim>>& phi) {
-  const double share = options_.cascade.negligible_start_rise;
-  if (steps.size() == 1 || share == 0) return 0;
-  TermValues weights = level_.weights(options_, steps.front().nu, steps.front().volume_weight), values;
-  // Its pairs are new on this level, and their energy at first mostly what they ask for beyond the level before.
-  if (level_.coverage) weights[*level_.coverage] = 0;
-  if (!level_.energy.evaluate(phi, weights, values, {})) return 0;
-  const double rise = rise_at(steps.back(), {values.begin(), values.end()}, weights);
-  return rise < share * std::abs(values.sum()) ? steps.size() - 1 : 0;
+LevelProblem<Dim> LevelMinimisation<Dim>::problem_of(const SolverOptions& solver, const TermValues& weights,
+                                                     const std::vector<Vec<Dim>>& phi) {
+  return {level_.unknowns, level_.energy, level_.hessian, weights, mass_, phi,
+          [this, &solver, weights](Metric metric) { return level_metric(level_, solver, weights, metric); }};
+}
+
+template <int Dim>
+bool LevelMinimisation<Dim>::begins_with_last(const std::vector<ScheduleStep>& steps, LevelProblem<Dim>& last,
+                                              const std::vector<Vec<Dim>>& phi) const {
+  if (!last.evaluate_ahead(last.unknowns_of(phi))) return false;
+  const std::vector<double> terms = last.term_values();
+  TermValues weights = level_.weights(options_, steps.back().nu, steps.back().volume_weight);
+  double energy = 0;
+  for (const double term : terms) energy += term;
+  if (level_.coverage) {  // its pairs are new on this level, and their energy at first mostly what they ask for beyond the level before
+    energy -= terms[static_cast<std::size_t>(*level_.coverage)];
+    weights[*level_.coverage] = 0;
+  }
+  const double rise = -rise_at(steps.front(), terms, weights);
+  return rise < options_.cascade.negligible_start_rise * std::abs(energy - rise);
 }
 
 template <int Dim>
@@ -128,12 +150,9 @@ double LevelMinimisation<Dim>::rise_at(const ScheduleStep& step, const std::vect
 // One minimisation from phi, which is replaced by its result. Adds its costs to `result` and returns the values of the
 // terms at its end.
 template <int Dim>
-std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& start, const TermValues& weights,
-                                                          const std::vector<double>& mass, const SolverOptions& solver,
-                                                          const StopOptions& stop, std::vector<Vec<Dim>>& phi, Observer& observer,
-                                                          LevelResult& result) {
-  LevelProblem<Dim> problem(level_.unknowns, level_.energy, level_.hessian, weights, mass, phi,
-                            [&](Metric metric) { return level_metric(level_, solver, weights, metric); });
+std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& start, LevelProblem<Dim> problem, const TermValues& weights,
+                                                          const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
+                                                          Observer& observer, LevelResult& result) {
   std::vector<double> x = problem.unknowns_of(phi);
   observer.minimisation_started(start);
   std::vector<double> terms;

@@ -8,6 +8,7 @@
 #include "matching/cascade/schedule.h"
 #include "matching/experiment/options.h"
 #include "matching/level/level_energy.h"
+#include "matching/level/level_problem.h"
 #include "matching/level/observed_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/progress/observer.h"
@@ -38,12 +39,13 @@ class LevelMinimisation {
 
  private:
   LevelStart start_of(int level) const;
-  /// The step of the schedule that phi, as the level before left it, goes to: the first, or the last where that raises its energy, coverage
-  /// aside, by less than cascade.negligible_start_rise.
-  std::size_t first_step(const std::vector<ScheduleStep>& steps, const std::vector<Vec<Dim>>& phi);
+  LevelProblem<Dim> problem_of(const SolverOptions& solver, const TermValues& weights, const std::vector<Vec<Dim>>& phi);
+  /// Whether phi, as the level before left it, goes to the last step of the schedule at once: where that raises the energy that it has
+  /// in the first step, coverage aside, by less than cascade.negligible_start_rise. Evaluates the last step's problem ahead.
+  bool begins_with_last(const std::vector<ScheduleStep>& steps, LevelProblem<Dim>& last, const std::vector<Vec<Dim>>& phi) const;
   /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of another step.
   double rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const;
-  std::vector<double> minimise_once(const LevelStart& start, const TermValues& weights, const std::vector<double>& mass,
+  std::vector<double> minimise_once(const LevelStart& start, LevelProblem<Dim> problem, const TermValues& weights,
                                     const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
                                     Observer& observer, LevelResult& result);
   [[noreturn]] void refuse_start(int level, const std::vector<Vec<Dim>>& phi, const TermValues& weights,
@@ -54,6 +56,7 @@ class LevelMinimisation {
   const ExperimentOptions& options_;
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
+  std::vector<double> mass_;  ///< lumped, of each unknown node
   const Coverage<Dim>* coverage_;
   std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
   TermValues weights_;  ///< of the last minimisation

@@ -17,10 +17,11 @@ void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<D
   }
   const std::size_t known = values_.size();
   values_.resize(static_cast<std::size_t>(grid.n_nodes()));
-  parallel_for(
-      values_.size() - known,
-      [&](std::size_t i) { values_[known + i] = shape(grid.node_position(static_cast<Index>(known + i))); },
-      256);
+  parallel_chunks(values_.size() - known, 256, [&](const Chunk& chunk) {
+    std::vector<Vec<Dim>> nodes;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) nodes.push_back(grid.node_position(static_cast<Index>(known + i)));
+    shape(nodes, std::span(values_).subspan(known + chunk.begin, nodes.size()));
+  });
 }
 
 template <int Dim>

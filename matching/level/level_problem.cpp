@@ -2,6 +2,9 @@
 
 #include "base/error.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace shellmatch {
 
 namespace {
@@ -35,9 +38,25 @@ LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEne
 
 template <int Dim>
 bool LevelProblem<Dim>::evaluate(std::span<const double> x, double& value, std::span<double> gradient) {
+  const auto x_ahead = std::exchange(x_ahead_, {}), gradient_ahead = std::exchange(gradient_ahead_, {});
+  if (!x_ahead.empty() && gradient.size() == gradient_ahead.size() && std::ranges::equal(x, x_ahead)) {
+    std::ranges::copy(gradient_ahead, gradient.begin());
+    value = values_.sum();
+    return true;
+  }
   unknowns_->expand(x, phi_);
   if (!energy_->evaluate(phi_, weights_, values_, gradient)) return false;
   value = values_.sum();
+  return true;
+}
+
+template <int Dim>
+bool LevelProblem<Dim>::evaluate_ahead(std::span<const double> x) {
+  std::vector<double> gradient(x.size());
+  double value;
+  if (!evaluate(x, value, gradient)) return false;
+  x_ahead_.assign(x.begin(), x.end());
+  gradient_ahead_ = std::move(gradient);
   return true;
 }
 

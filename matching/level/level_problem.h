@@ -25,6 +25,9 @@ class LevelProblem final : public SecondOrderObjective {
 
   std::size_t size() const override { return unknowns_->size(); }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override;
+  /// Evaluates value and gradient, which the next call of evaluate() returns if its x is the same. False as there; then term_values()
+  /// are not defined.
+  bool evaluate_ahead(std::span<const double> x);
   std::vector<std::string> term_names() const override;
   std::vector<double> term_values() const override { return {values_.begin(), values_.end()}; }
   std::span<const double> lumped_mass() const override { return mass_; }
@@ -60,6 +63,7 @@ class LevelProblem final : public SecondOrderObjective {
   TermValues weights_, values_;
   std::vector<double> mass_;
   std::vector<Vec<Dim>> phi_;
+  std::vector<double> x_ahead_, gradient_ahead_;  ///< empty but between evaluate_ahead() and evaluate()
   std::function<Eigen::SparseMatrix<double>(Metric)> metric_;
 };
 

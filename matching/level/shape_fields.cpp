@@ -142,15 +142,25 @@ CoefficientFields<Dim> at_nodes(const GeometryField<Dim>& field, const Octree<Di
   const std::size_t n = static_cast<std::size_t>(grid.n_nodes());
   CoefficientFields<Dim> nodal{std::vector<double>(n), std::vector<Vec<Dim>>(n),
                                std::vector<SymmetricComponents<Dim>>(n)};
+  constexpr std::size_t lanes = autodiff::pack_size;
   parallel_for(
-      n,
-      [&](std::size_t i) {
-        const auto values = field.value(grid.node_position(static_cast<Index>(i)));
-        nodal.distance[i] = values[0];
-        for (int k = 0; k < Dim; ++k) nodal.normal[i][k] = values[1 + k];
-        for (int k = 0; k < n_symmetric<Dim>; ++k) nodal.root[i][k] = values[1 + Dim + k];
+      n_chunks(n, lanes),
+      [&](std::size_t chunk) {
+        std::array<autodiff::Pack, Dim> y;
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          const Vec<Dim> x = grid.node_position(static_cast<Index>(std::min(chunk * lanes + lane, n - 1)));
+          for (int k = 0; k < Dim; ++k) y[k][lane] = x[k];
+        }
+        typename GeometryField<Dim>::Packs values;
+        field.look_up(autodiff::Pack{} + 1.0, field.find(y), values.data());
+        for (std::size_t i = chunk * lanes; i < std::min(n, (chunk + 1) * lanes); ++i) {
+          const std::size_t lane = i % lanes;
+          nodal.distance[i] = values[0][lane];
+          for (int k = 0; k < Dim; ++k) nodal.normal[i][k] = values[1 + k][lane];
+          for (int k = 0; k < n_symmetric<Dim>; ++k) nodal.root[i][k] = values[1 + Dim + k][lane];
+        }
       },
-      1024);
+      128);
   return nodal;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
@@ -105,8 +106,14 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   double value = run.start_value(), gradient_norm = run.start_gradient_norm();
   const double least = std::min(options_.min_forcing, options_.max_forcing);
   double ratio = 0;  // of gradient norms, after the last step and before it
+  // Of the next step: gains go with the squares of gradients, as in a quadratic model. Infinite where the last step's gain was not the
+  // one that its model predicted, or the model already served two steps.
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  double expected_gain = unknown;
   while (!run.over()) {
-    model->prepare_second_derivative(x, regularisation.next_damping());
+    const bool has_own_model = !(expected_gain < options_.reuse_below * stop.relative_decrease * std::abs(value));
+    if (has_own_model) model->prepare_second_derivative(x, regularisation.next_damping());
+    else regularisation.keep_damping();
     const double relative = gradient_norm / run.start_gradient_norm();
     const double forcing = std::min(std::clamp(0.9 * ratio * ratio, least, options_.max_forcing), std::sqrt(relative));
     linear.solve(g, d, forcing);
@@ -120,6 +127,10 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     }
     line.lay(x, d, value, size.slope);
     LineSearchResult found = search_line(line, 1.0, search);
+    if (!found.success && !has_own_model) {
+      expected_gain = unknown;
+      continue;
+    }
     if (!found.success) {
       model->precondition(g, d);
       scale(-1.0, d);
@@ -137,8 +148,11 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     }
     std::swap(x, line.x);
     std::swap(g, line.gradient);
-    value = found.point.value;
     ratio = found.point.gradient_norm / gradient_norm;
+    const double gain = value - found.point.value;
+    const bool is_as_predicted = found.point.alpha == 1 && std::abs(gain + 0.5 * size.slope) < 0.1 * gain;
+    expected_gain = has_own_model && is_as_predicted ? gain * ratio * ratio : unknown;
+    value = found.point.value;
     gradient_norm = found.point.gradient_norm;
     run.accept(found.point.evaluation(), found.point.alpha * size.length, run.term_values(), regularisation.is_restrained());
   }

@@ -20,6 +20,9 @@ class StepRegularisation {
   /// The factors with which the next model is to be prepared: those of the last one, faded.
   std::span<const float> next_damping();
 
+  /// In place of next_damping() where the next step has the last one's model.
+  void keep_damping() { n_of_step_ = 0; }
+
   /// Damps the regions that the step d from x would carry beyond the model, more than before, and extends the model and its gradient
   /// by what d meets (`extend_model`). False where there is neither, or where d has been computed `max_regularisations` times again.
   bool regularise(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> d, std::span<double> gradient);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
@@ -47,6 +48,20 @@ TEST(NormalizedSurface, SamplesLieOnItEverywhere) {
   }
   EXPECT_LT(mean.norm(), 0.01);
   EXPECT_LT((second - Mat<3>::Identity() / 3).norm(), 0.01);
+}
+
+TEST(SampleCloud, FindsTheNearestOfItsSamples) {
+  const NormalizedSurface box(test::box({0, 0, 0}, {1, 2, 3}));
+  const SampleCloud cloud(box.samples(77));
+  ASSERT_EQ(cloud.samples().size(), 77u);
+  for (const SurfacePoint& from : box.samples(300)) {
+    const Vec<3> x = 1.4 * from.point;
+    double least = 1e9;
+    for (const SurfacePoint& s : cloud.samples()) least = std::min(least, (s.point - x).norm());
+    const SurfacePoint& found = cloud.nearest(x);
+    EXPECT_NEAR((found.point - x).norm(), least, 1e-6);
+    EXPECT_NEAR(found.normal.norm(), 1, 1e-12);
+  }
 }
 
 }  // namespace

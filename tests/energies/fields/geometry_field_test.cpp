@@ -199,5 +199,49 @@ TEST(GeometryField, EightPointsAtOnceAreOneAfterTheOther) {
   }
 }
 
+/// Cubes of each leaf, its eighth in the upper corner and its parent: only the last one spans several leaves of the finest size.
+template <int Dim>
+void check_cubes() {
+  const Lookup<Dim> lookup(true);
+  const GeometryField<Dim>& field = lookup.geometry();
+  const std::array at{0.1, 0.35, 0.5, 0.93};
+  const std::size_t n_points = Dim == 2 ? 16 : 64;
+  std::vector<typename GeometryField<Dim>::Packs> values(n_points / autodiff::pack_size);
+  for (const Index leaf : lookup.grid().leaves()) {
+    const auto& cell = lookup.grid().cell(leaf);
+    Vec<Dim> corner;
+    for (int k = 0; k < Dim; ++k) corner[k] = cell.corner[k] * cell.side();
+    for (const double share : {1.0, 0.5}) {
+      const double side = share * cell.side();
+      const Vec<Dim> from = corner + Vec<Dim>::Constant((1 - share) * cell.side());
+      ASSERT_TRUE(field.look_up_cube(from, side, at, values));
+      for (std::size_t q = 0; q < n_points; ++q) {
+        Vec<Dim> y = from;
+        for (std::size_t k = 0, rest = q; k < Dim; ++k, rest /= at.size()) y[static_cast<int>(k)] += side * at[rest % at.size()];
+        const auto expected = field.value(y);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+          ASSERT_NEAR(values[q / autodiff::pack_size][i][q % autodiff::pack_size], expected[i], 1e-12 * (1 + std::abs(expected[i])));
+      }
+    }
+    if (cell.level < lookup.grid().finest_level()) continue;
+    Vec<Dim> parent;
+    for (int k = 0; k < Dim; ++k) parent[k] = (cell.corner[k] & ~1) * cell.side();
+    EXPECT_FALSE(field.look_up_cube(parent, 2 * cell.side(), at, values));
+  }
+  EXPECT_FALSE(Lookup<Dim>(false).geometry().look_up_cube(Vec<Dim>::Zero(), 1.0 / 64, at, values)) << "multilinear";
+}
+
+TEST(GeometryField, PointsOfACubeAreOneAfterTheOther) {
+  check_cubes<2>();
+  check_cubes<3>();
+  // The last point fills up.
+  const Lookup<3> lookup(true);
+  std::vector<GeometryField<3>::Packs> values(1);
+  const double side = 0.25 * std::ldexp(1.0, -lookup.grid().finest_level());
+  ASSERT_TRUE(lookup.geometry().look_up_cube(Vec<3>::Constant(0.5), side, std::array{0.5}, values));
+  for (int lane = 1; lane < autodiff::pack_size; ++lane)
+    for (const auto& value : values[0]) EXPECT_EQ(value[lane], value[0]);
+}
+
 }  // namespace
 }  // namespace shellmatch

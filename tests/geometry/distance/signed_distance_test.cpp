@@ -90,11 +90,11 @@ TEST(SignedDistance, EqualsBruteForceOnThinTriangles) {
     expect_brute_force_distances(flat, 100);
   }
   // Needles and caps of a height near and below the rounding error of the coordinates.
-  for (const double height : {1e-7, 1e-9, 1e-11, 1e-13, 0.0}) {
+  for (const double rise : {1e-7, 1e-9, 1e-11, 1e-13, 0.0}) {
     Surface<3> s;
-    s.vertices = {{0.1, 0.2, 0.3}, {0.9, 0.7, 0.5}, {0.5, 0.45 + height, 0.4}, {0.1, 0.2, 0.3 + height}};
+    s.vertices = {{0.1, 0.2, 0.3}, {0.9, 0.7, 0.5}, {0.5, 0.45 + rise, 0.4}, {0.1, 0.2, 0.3 + rise}};
     s.facets = {{0, 1, 2}, {0, 1, 3}};
-    expect_brute_force_distances(s, 200, 1e-14 + std::min(height, 1e-10));
+    expect_brute_force_distances(s, 200, 1e-14 + std::min(rise, 1e-10));
   }
 }
 

@@ -36,6 +36,9 @@ TEST(SurfaceDistance, StatisticsOfWeightedValues) {
 TEST(SurfaceDistance, IsUnsigned) {
   const SignedDistance<3> cube(box({0, 0, 0}, {1, 1, 1}));
   EXPECT_EQ(distances_to<3>({{0.5, 0.5, 0.75}, {0.5, 0.5, 1.25}}, cube), (std::vector<double>{0.25, 0.25}));
+  EXPECT_EQ(distances_to<3>({{0.5, 0.5, 0.75}, {0.5, 0.5, 1.25}}, cube.surface()), (std::vector<double>{0.25, 0.25}));
+  EXPECT_THROW(distances_to<3>({{0.5, std::nan(""), 0.75}}, cube.surface()), std::logic_error);
+  EXPECT_THROW(distances_to<3>({{0.5, 0.5, 0.75}}, Surface<3>()), std::logic_error);
 }
 
 TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii) {
@@ -109,6 +112,7 @@ TEST(SurfaceDistance, HasTheSameBitsWhateverTheNumberOfThreads) {
   const auto points = query_points(sphere.surface(), 2000);
   set_n_threads(1);
   const auto one = distances_to(points, sphere);
+  EXPECT_EQ(distances_to(points, sphere.surface()), one);
   set_n_threads(0);
   EXPECT_EQ(distances_to(points, sphere), one);
 }

@@ -1,4 +1,4 @@
-#include "grid/fields/spline_space.h"
+#include "grid/fields/spline_coefficients.h"
 
 #include "grid/fields/interpolation.h"
 #include "tests/grid/test_grids.h"
@@ -16,9 +16,10 @@ class Function {
  public:
   Function(const SplineSpace<Dim>& space, const std::vector<double>& nodal, std::size_t n_quasi_interpolated = 1)
       : space_(space), coefficients_(space.n_coefficients(), 0.0) {
-    space.coefficients(
-        1, n_quasi_interpolated, [&](Index node, std::size_t) { return nodal[node]; },
-        [&](Index c, std::size_t) -> double& { return coefficients_[c]; });
+    const auto at_node = [&](Index node, std::size_t) { return nodal[node]; };
+    const auto at = [&](Index c, std::size_t) -> double& { return coefficients_[c]; };
+    if (n_quasi_interpolated == 1) space.template coefficients<1, 1>(at_node, at);
+    else space.template coefficients<1, 0>(at_node, at);
   }
 
   /// Value and gradient of the leaf's polynomial at x, which need not lie in the leaf.

@@ -88,6 +88,24 @@ TYPED_TEST(ClassificationTest, ExtendedShapeOperatorHasTheBlockStructure) {
   }
 }
 
+TYPED_TEST(ClassificationTest, TangentialPartSufficesForExtendedShapeOperators) {
+  constexpr int Dim = TypeParam::value;
+  std::mt19937 random(6);
+  for (const Classification kind : {Classification::absolute, Classification::shift})
+    for (int i = 0; i < 200; ++i) {
+      // Normals along the axes, too, where the choice of the tangents changes.
+      const Vec<Dim> n = i < 2 * Dim ? Vec<Dim>((i % 2 == 0 ? 1 : -1) * Vec<Dim>::Unit(i / 2)) : test::random_point<Dim>(random, -1, 1).normalized();
+      const Mat<Dim> s = extended_shape_operator<Dim>(random_symmetric<Dim>(random, i % 3 == 0 ? 0 : 8), n);
+      const Classifier c{.kind = kind, .tau = 0.5, .cap = 6, .shift = 7};
+      for (const double exponent : {1.0, 0.5, -0.5}) {
+        const Mat<Dim> expected = classified_power<Dim>(s, c, exponent);
+        ASSERT_LE((classified_power<Dim>(s, n, c, exponent) - expected).norm(), 1e-13 * expected.norm()) << n.transpose();
+      }
+    }
+  const Classifier too_small{.kind = Classification::shift, .tau = 1, .cap = 0, .shift = -2};
+  EXPECT_THROW(classified_power<Dim>(Mat<Dim>::Identity(), Vec<Dim>::Unit(0), too_small, 0.5), std::logic_error);
+}
+
 TEST(Classification, TruncatesAndCaps) {
   const Classifier c{.kind = Classification::absolute, .tau = 1, .cap = 8, .shift = 0};
   EXPECT_EQ(c(0.2), 1);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace shellmatch {
@@ -59,6 +60,66 @@ TEST(Newton, SolvesSystemsAsWellAsTheModelPredicts) {
   EXPECT_EQ(products(1, 0.1, 0.9), products(1, 0.1, 0.1));
   // The larger of the two is never exceeded, whatever the smaller is.
   EXPECT_EQ(products(4, 0.5, 0.01), products(4, 0.01, 0.01));
+}
+
+/// sum exp(x_i) - x_i: its model is exact, but other at every point.
+class Exponentials final : public SecondOrderObjective {
+ public:
+  std::size_t size() const override { return 3; }
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
+    value = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      value += std::exp(x[i]) - x[i];
+      if (!gradient.empty()) gradient[i] = std::exp(x[i]) - 1;
+    }
+    return true;
+  }
+  void prepare_second_derivative(std::span<const double> x, std::span<const float>) override {
+    ++n_models;
+    at_.assign(x.begin(), x.end());
+  }
+  void apply_second_derivative(std::span<const double> x, std::span<double> y) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = std::exp(at_[i]) * x[i];
+  }
+  void precondition(std::span<const double> r, std::span<double> z) const override {
+    for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / std::exp(at_[i]);
+  }
+  int n_models = 0;
+
+ private:
+  std::vector<double> at_;
+};
+
+struct Outcome {
+  int n_models, n_steps;
+  double value;
+};
+
+Outcome minimised(double reuse_below, double start, double relative_decrease) {
+  Exponentials objective;
+  std::vector<double> x(objective.size(), start);
+  StopOptions stop;
+  stop.relative_decrease = relative_decrease;
+  stop.decrease_window = 1;
+  const MinimizerSummary summary = Newton({.max_forcing = 1e-9, .min_forcing = 1e-9, .reuse_below = reuse_below}).minimize(objective, x, stop);
+  return {objective.n_models, summary.iterations, summary.final_value};
+}
+
+// From 0.1 the first step gains 1.5e-2, all but 1e-5 of what there is.
+TEST(Newton, AStepThatGainsLittleHasTheModelOfTheOneBefore) {
+  const Outcome own = minimised(0, 0.1, 1e-3), reused = minimised(0.25, 0.1, 1e-3);
+  EXPECT_EQ(own.n_models, own.n_steps);
+  EXPECT_EQ(reused.n_steps, own.n_steps);
+  EXPECT_EQ(reused.n_models, own.n_models - 1);
+  EXPECT_NEAR(reused.value, 3, 1e-6) << "the old model still leads on";
+  EXPECT_LT(own.value, reused.value);
+  // A model serves two steps at most, however small the gains.
+  const Outcome accurate = minimised(1, 0.1, 1e-12);
+  EXPECT_GE(2 * accurate.n_models, accurate.n_steps);
+  EXPECT_NEAR(accurate.value, 3, 1e-14);
+  // Far away the gain is not what the model says: every step but the last few has its own.
+  const Outcome far = minimised(1, 6, 1e-2);
+  EXPECT_GE(far.n_models, far.n_steps - 1);
 }
 
 /// A quadratic function of three unknowns. Its one region is damped along one direction, after the first step of all.
