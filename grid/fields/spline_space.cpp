@@ -80,8 +80,11 @@ void SplineSpace<Dim>::ask_for_neighbours(Index leaf) {
     const Index known = neighbour(leaf, n);
     if (known != no_index && made_[known] != Made::no) continue;
     const Coord there = stepped<Dim>(corner, n);
+    if (known != no_index) {
+      make(known, level, there);
+      continue;
+    }
     const Index c = coefficient_at(level, there);
-    if (known != no_index) continue;
     int group = 0;  // among the 3^Dim around
     for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
       group += stride * ((there[k] >> 1) - (corner[k] >> 1) + 1);
