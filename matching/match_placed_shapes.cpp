@@ -25,7 +25,7 @@ template <int Dim>
 ShapeSummary shape_summary(const Shape<Dim>& shape) {
   const Topology parts = topology(shape.surface);
   return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes, parts.n_components, parts.genus,
-          shape.invented_share > 0 ? std::optional(shape.invented_share) : std::nullopt};
+          shape.invented_share > 0 ? std::optional(shape.invented_share) : std::nullopt, shape.buried_share > 0 ? std::optional(shape.buried_share) : std::nullopt};
 }
 
 void add_level_figure(std::optional<std::vector<double>>& list, double entry) {

@@ -16,6 +16,7 @@ MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& tem
                               const std::vector<Landmark<Dim>>& landmarks) {
   ShapePair<Dim> shapes{reference, template_shape};
   share_space(shapes, observer);
+  leave_out_buried(shapes, options.input, observer);
   return match_shapes(std::move(shapes), options, observer, landmarks);
 }
 

@@ -1,29 +1,30 @@
 #include "geometry/distance/buried_parts.h"
 
 #include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "geometry/distance/crossing_number.h"
 #include "geometry/distance/facet_tree.h"
-#include "geometry/distance/winding_number.h"
 #include "geometry/surface/facet_point.h"
-#include "geometry/surface/self_intersections.h"
 
 #include <algorithm>
-#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace shellmatch {
 
 namespace {
 
-using Part = std::vector<Index>;
+Vec<3> centre_of(const Surface<3>& s, Index f) {
+  const auto& [a, b, c] = s.facets[f];
+  return (s.vertices[a] + s.vertices[b] + s.vertices[c]) / 3;
+}
 
-// A part costs the time of a tree over all facets; where thousands of facets cross there are thousands of parts of a few facets each.
-constexpr std::size_t most_parts = 64;
-
-/// Facets that cross no other and are connected across edges: no other part of the surface lies between them. Across vertices they need
-/// not be: two facets of one vertex can cross each other. The largest parts first.
-std::vector<Part> parts_between(const Surface<3>& s, const std::vector<Index>& crossing) {
+/// For each facet the one that decides for it: itself where it crosses others; else the largest of those to which it is connected by
+/// edges across facets that cross none, as no other part of the surface lies between them. Across vertices they need not be connected:
+/// two facets of one vertex can cross each other.
+std::vector<Index> judges(const Surface<3>& s, const std::vector<Index>& crossing) {
   std::vector<bool> crosses(s.facets.size());
   for (const Index f : crossing) crosses[f] = true;
   DisjointSets sets(s.facets.size());
@@ -33,60 +34,101 @@ std::vector<Part> parts_between(const Surface<3>& s, const std::vector<Index>& c
       const auto [edge, is_new] = facet_at.try_emplace(std::minmax({s.facets[f][k], s.facets[f][(k + 1) % 3]}), f);
       if (!is_new) sets.join(f, edge->second);
     }
-  std::map<Index, Part> parts;
-  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
-    if (!crosses[f]) parts[sets.find(f)].push_back(f);
-  std::vector<Part> result;
-  for (auto& [first, part] : parts) result.push_back(std::move(part));
-  std::ranges::stable_sort(result, std::ranges::greater{}, &Part::size);
-  result.resize(std::min(result.size(), most_parts));
-  return result;
-}
-
-bool is_buried(const Surface<3>& s, const Part& part) {
-  const Index largest = *std::ranges::max_element(part, {}, [&](Index f) { return facet_measure(s, f); });
-  const auto& [a, b, c] = s.facets[largest];
-  const Vec<3> centre = (s.vertices[a] + s.vertices[b] + s.vertices[c]) / 3;
-  const Vec<3> away = 1e-6 * bounding_box(s.vertices).diagonal() * facet_normal(s, largest).normalized();
-  return winding_number<3>(s, centre + away) > 0.5;
-}
-
-std::vector<bool> vertices_of(const Surface<3>& s, const Part& part) {
-  std::vector<bool> belongs(s.vertices.size());
-  for (const Index f : part)
-    for (const Index v : s.facets[f]) belongs[v] = true;
-  return belongs;
-}
-
-double depth_of(const Surface<3>& s, const std::vector<bool>& belongs) {
-  Surface<3> others{s.vertices, {}};
-  for (const auto& facet : s.facets)
-    if (std::ranges::none_of(facet, [&](Index v) { return belongs[v]; })) others.facets.push_back(facet);
-  if (others.facets.empty()) return 0;
-  const FacetTree<3> tree(others);
-  double depth = 0;
-  for (std::size_t v = 0; v < belongs.size(); ++v) {
-    if (!belongs[v]) continue;
-    const Vec<3>& x = s.vertices[v];
-    depth = std::max(depth, (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm());
+  std::vector<Index> judge(s.facets.size(), no_index);
+  std::vector<double> area(s.facets.size());
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
+    area[f] = facet_measure(s, f);
+    Index& of_set = judge[sets.find(f)];
+    if (of_set == no_index || area[f] > area[of_set]) of_set = f;
   }
-  return depth;
+  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) judge[f] = judge[sets.find(f)];
+  return judge;
+}
+
+std::vector<char> is_buried(const Surface<3>& s, const std::vector<Index>& crossing) {
+  const std::vector<Index> judge = judges(s, crossing);
+  const CrossingNumber winding(s);
+  const double above = 1e-6 * bounding_box(s.vertices).diagonal();
+  std::vector<char> buried(s.facets.size());
+  const auto of_judge = [&](std::size_t f) {
+    buried[f] = winding(centre_of(s, static_cast<Index>(f)) + above * facet_normal(s, static_cast<Index>(f)).normalized()) > 0;
+  };
+  parallel_for(buried.size(), [&](std::size_t f) { if (judge[f] == static_cast<Index>(f)) of_judge(f); }, 256);
+  for (std::size_t f = 0; f < buried.size(); ++f) buried[f] = buried[judge[f]];
+  return buried;
+}
+
+/// For each buried facet how deep it reaches below the others; 0 for those.
+std::vector<double> depths_of(const Surface<3>& s, const std::vector<char>& buried) {
+  Surface<3> others{s.vertices, {}};
+  for (std::size_t f = 0; f < buried.size(); ++f)
+    if (!buried[f]) others.facets.push_back(s.facets[f]);
+  std::vector<double> depths(buried.size());
+  if (others.facets.empty()) return std::vector<double>(buried.size(), std::numeric_limits<double>::infinity());
+  const FacetTree<3> tree(others);
+  const auto below = [&](const Vec<3>& x) { return (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm(); };
+  parallel_for(
+      depths.size(),
+      [&](std::size_t f) {
+        if (!buried[f]) return;
+        depths[f] = below(centre_of(s, static_cast<Index>(f)));
+        for (const Index v : s.facets[f]) depths[f] = std::max(depths[f], below(s.vertices[v]));
+      },
+      64);
+  return depths;
 }
 
 }  // namespace
 
-BuriedParts buried_parts(const Surface<3>& s) {
+BuriedParts buried_parts(const Surface<3>& s, const std::vector<Index>& crossing) {
   BuriedParts result;
-  const std::vector<Index> crossing = self_intersecting_facets(s);
   if (crossing.empty()) return result;
-  std::vector<bool> all(s.vertices.size());
-  for (const Part& part : parts_between(s, crossing)) {
-    if (!is_buried(s, part)) continue;
-    const std::vector<bool> belongs = vertices_of(s, part);
-    for (std::size_t v = 0; v < belongs.size(); ++v) all[v] = all[v] || belongs[v];
-    result.depth = std::max(result.depth, depth_of(s, belongs));
+  std::vector<char> buried = is_buried(s, crossing);
+  const std::vector<double> depths = depths_of(s, buried);
+  DisjointSets sets(s.vertices.size());
+  for (std::size_t f = 0; f < buried.size(); ++f)
+    for (int k = 1; k < 3 && buried[f]; ++k) sets.join(s.facets[f][0], s.facets[f][k]);
+  std::vector<double> depth_of_set(s.vertices.size());
+  for (std::size_t f = 0; f < buried.size(); ++f) {
+    double& depth = depth_of_set[sets.find(s.facets[f][0])];
+    if (buried[f]) depth = std::max(depth, depths[f]);
   }
-  result.n_vertices = static_cast<std::size_t>(std::ranges::count(all, true));
+  const double least = least_burial_depth * bounding_box(s.vertices).diagonal();
+  std::vector<bool> is_used(s.vertices.size()), is_seen(s.vertices.size());
+  double area = 0, all = 0;
+  for (std::size_t f = 0; f < buried.size(); ++f) {
+    buried[f] = buried[f] && depth_of_set[sets.find(s.facets[f][0])] >= least;
+    for (const Index v : s.facets[f]) (buried[f] ? is_used : is_seen)[v] = true;
+    const double measure = facet_measure(s, static_cast<Index>(f));
+    all += measure;
+    if (!buried[f]) continue;
+    area += measure;
+    result.facets.push_back(static_cast<Index>(f));
+    result.depth = std::max(result.depth, depths[f]);
+  }
+  for (std::size_t v = 0; v < is_used.size(); ++v) result.n_vertices += is_used[v] && !is_seen[v];
+  result.share = area / all;
+  return result;
+}
+
+Evidence<3> without_buried(const Surface<3>& surface, const Evidence<3>& evidence, const std::vector<Index>& buried) {
+  if (buried.empty()) return evidence;
+  std::vector<bool> is_hidden(surface.facets.size());
+  for (const Index f : buried) is_hidden[f] = true;
+  const bool is_whole = evidence.is_complete();
+  const Surface<3>& known = is_whole ? surface : evidence.observed;
+  std::optional<FacetTree<3>> tree;  // the observed facets were mended since, and have other numbers there
+  if (!is_whole) tree.emplace(surface);
+  Evidence<3> result{{known.vertices, {}}, evidence.unobserved};
+  const auto offset = static_cast<Index>(result.unobserved.vertices.size());
+  result.unobserved.vertices.insert(result.unobserved.vertices.end(), known.vertices.begin(), known.vertices.end());
+  for (std::size_t f = 0; f < known.facets.size(); ++f) {
+    const auto& [a, b, c] = known.facets[f];
+    if (is_hidden[is_whole ? static_cast<Index>(f) : tree->nearest(centre_of(known, static_cast<Index>(f)))])
+      result.unobserved.facets.push_back({a + offset, b + offset, c + offset});
+    else
+      result.observed.facets.push_back(known.facets[f]);
+  }
   return result;
 }
 

@@ -11,31 +11,31 @@ namespace shellmatch {
 template <int Dim>
 ObservedPart<Dim>::ObservedPart(const Evidence<Dim>& evidence) {
   if (evidence.is_complete()) return;
-  Parts parts{Part(evidence.observed), Part(evidence.invented), {}};
+  Parts parts{Part(evidence.observed), Part(evidence.unobserved), {}};
   scale_ = bounding_box(evidence.observed.vertices).diagonal();
-  const Surface<Dim>& invented = parts.invented.surface;
+  const Surface<Dim>& unobserved = parts.unobserved.surface;
   // Patches have their vertices on the edge of the gap: the centres of their facets are farther inside.
-  std::vector<double> reach(invented.facets.size());
+  std::vector<double> reach(unobserved.facets.size());
   parallel_for(
       reach.size(),
       [&](std::size_t f) {
         Vec<Dim> centre = Vec<Dim>::Zero();
-        for (const Index v : invented.facets[f]) {
-          centre += invented.vertices[v] / Dim;
-          reach[f] = std::max(reach[f], parts.observed.nearest(invented.vertices[v]).distance);
+        for (const Index v : unobserved.facets[f]) {
+          centre += unobserved.vertices[v] / Dim;
+          reach[f] = std::max(reach[f], parts.observed.nearest(unobserved.vertices[v]).distance);
         }
         reach[f] = std::max(reach[f], parts.observed.nearest(centre).distance);
       },
       64);
-  DisjointSets sets(invented.vertices.size());
-  for (const auto& facet : invented.facets)
+  DisjointSets sets(unobserved.vertices.size());
+  for (const auto& facet : unobserved.facets)
     for (const Index v : facet) sets.join(v, facet[0]);
-  std::vector<double> of_set(invented.vertices.size(), 0.0);
+  std::vector<double> of_set(unobserved.vertices.size(), 0.0);
   for (std::size_t f = 0; f < reach.size(); ++f) {
-    double& largest = of_set[sets.find(invented.facets[f][0])];
+    double& largest = of_set[sets.find(unobserved.facets[f][0])];
     largest = std::max(largest, reach[f]);
   }
-  for (const auto& facet : invented.facets) parts.half_widths.push_back(of_set[sets.find(facet[0])]);
+  for (const auto& facet : unobserved.facets) parts.half_widths.push_back(of_set[sets.find(facet[0])]);
   parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 
@@ -49,10 +49,10 @@ auto ObservedPart<Dim>::Part::nearest(const Vec<Dim>& x) const -> Nearest {
 template <int Dim>
 auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
   if (is_all()) return {};
-  const auto invented = parts_->invented.nearest(x);
+  const auto unobserved = parts_->unobserved.nearest(x);
   // So far away that nothing can be told.
-  if (invented.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
-  return {invented.distance - parts_->observed.nearest(x).distance, parts_->half_widths[static_cast<std::size_t>(invented.facet)]};
+  if (unobserved.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
+  return {unobserved.distance - parts_->observed.nearest(x).distance, parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
 }
 
 template class ObservedPart<2>;

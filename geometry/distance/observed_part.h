@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which part of space belongs to what a file has of a surface, and which to what was made up to close it.
+/// Which part of space belongs to what is known of a surface, and which to the rest: what was made up to close it, or lies inside the body.
 
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/surface.h"
@@ -12,19 +12,19 @@
 
 namespace shellmatch {
 
-/// The points that are nearer to the observed than to the invented part of a surface. Copies share the data.
+/// The points that are nearer to the observed than to the unobserved part of a surface. Copies share the data.
 template <int Dim>
 class ObservedPart {
  public:
-  /// Of a surface of which nothing was made up: all of space.
+  /// Of a surface that is observed everywhere: all of space.
   ObservedPart() = default;
   explicit ObservedPart(const Evidence<Dim>& evidence);
 
   bool is_all() const { return parts_ == nullptr; }
 
   struct Gap {
-    /// Distance to the invented part less distance to the observed one: at a point of the observed surface its distance to the nearest
-    /// gap, 0 along the edge of a gap, negative beyond, infinite where nothing was made up. The Lipschitz constant is 2.
+    /// Distance to the unobserved part less distance to the observed one: at a point of the observed surface its distance to the nearest
+    /// gap, 0 along the edge of a gap, negative beyond, infinite where all is observed. The Lipschitz constant is 2.
     double margin = std::numeric_limits<double>::infinity();
     /// How far the centres of the facets of the nearest gap reach from the observed part: half of the gap's width or somewhat less.
     double half_width = 0;
@@ -51,8 +51,8 @@ class ObservedPart {
     FacetTree<Dim> tree;
   };
   struct Parts {
-    Part observed, invented;
-    std::vector<double> half_widths;  ///< for each invented facet that of its connected part
+    Part observed, unobserved;
+    std::vector<double> half_widths;  ///< for each unobserved facet that of its connected part
   };
   std::shared_ptr<const Parts> parts_;
   double scale_ = 0;  ///< diagonal of the observed part

@@ -7,6 +7,7 @@
 #include "geometry/generate/face.h"
 #include "geometry/generate/hand.h"
 #include "geometry/generate/outline.h"
+#include "geometry/generate/ring.h"
 #include "geometry/generate/round.h"
 
 #include <fmt/ranges.h>
@@ -104,6 +105,8 @@ std::vector<Family> make_families() {
        {"bent", "tail down by 45 degrees and a little aside", {.bend = 45, .sway = 12}},
        {"turned", "at rest, turned by 30 degrees", {.turn = 30}},
        {"reversed", "at rest, turned by 180 degrees", {.turn = 180}}}));
+  all.push_back(family<3, RingOptions>("ring", "a bar bent to a ring", 0.0085, &ring_body,
+                                       {{"open", "with a gap", {}}, {"clasped", "its ends press into each other: the surface crosses itself", {.arc = 330}}}));
   all.push_back(family<3, FaceOptions>(
       "face", "a head with nose, brows, eyes, mouth, chin and ears", 0.0085, &face_body,
       {{"neutral", "a head at rest", {}},

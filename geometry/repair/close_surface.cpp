@@ -113,11 +113,11 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
   if (encloses_next_to_nothing(wrap, distance * diagonal))
     throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
   Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
-  closure.invented_share = surface_measure(closure.evidence.invented) / surface_measure(wrap);
+  closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap);
   notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
                               "{:.2g} % of its area is made up, and weighs nothing",
                               distance * diagonal, gap * diagonal, 100 * closure.invented_share));
-  if (closure.evidence.invented.facets.empty()) closure.evidence = {};
+  if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
   surface = std::move(wrap);
   return closure;
 }

@@ -34,6 +34,7 @@ Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vect
     shape.surface = std::move(mended.surface);
     shape.evidence = std::move(mended.evidence);
     shape.invented_share = mended.invented_share;
+    shape.crossing = std::move(mended.crossing);
   }
   // What is left may be much smaller than the original: a spike without width has been removed.
   check_size(shape.surface.vertices, "the mended shape", shape.source);

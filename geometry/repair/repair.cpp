@@ -129,10 +129,10 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   notes.add(n_flat, "triangle", "triangles", "without area removed");
   orient_outward(surface, source, notes);
   remove_unused_vertices(surface);
-  if (surface.facets.size() <= self_intersection_limit)
-    notes.add(self_intersecting_facets(surface).size(), "triangle", "triangles",
-              "that cross or touch others (left as they are)");
-  return {std::move(surface), std::move(closure.evidence), closure.invented_share};
+  std::vector<Index> crossing;
+  if (surface.facets.size() <= self_intersection_limit) crossing = self_intersecting_facets(surface);
+  notes.add(crossing.size(), "triangle", "triangles", "that cross or touch others (left as they are)");
+  return {std::move(surface), std::move(closure.evidence), closure.invented_share, std::move(crossing)};
 }
 
 }  // namespace shellmatch

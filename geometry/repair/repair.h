@@ -17,6 +17,7 @@ struct MendedSurface {
   Surface<3> surface;
   Evidence<3> evidence;
   double invented_share = 0;  ///< of the area
+  std::vector<Index> crossing;  ///< Shape::crossing
 };
 
 /// Triangulates polygons, welds open seams whose vertices have equal coordinates, removes repeated triangles

@@ -87,7 +87,7 @@ void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface) {
 
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape) {
-  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.invented}) apply_similarity(placement, *surface);
+  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.unobserved}) apply_similarity(placement, *surface);
 }
 
 template Similarity<2> fit_placement(const Shape<2>&, const Shape<2>&, double);

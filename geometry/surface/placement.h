@@ -34,7 +34,7 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 /// facets over, so that they still face outward.
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface);
-/// The surface of a shape, and its observed and invented parts; the original stays.
+/// The surface of a shape, and its observed and unobserved parts; the original stays.
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape);
 

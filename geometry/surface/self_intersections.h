@@ -10,7 +10,7 @@
 namespace shellmatch {
 
 /// Surfaces with more facets are not searched where nobody asked for it: that takes seconds.
-inline constexpr std::size_t self_intersection_limit = 100'000;
+inline constexpr std::size_t self_intersection_limit = 400'000;
 
 /// Facets that cross, touch or overlap another facet outside the vertices and edges that both share,
 /// ascending. The surface may be open or non-manifold. Facets of measure 0 are ignored.

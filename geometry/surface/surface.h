@@ -43,12 +43,13 @@ struct OriginalShape {
   Space space = Space::unsaid;  ///< the frame of the coordinates, where the file names it
 };
 
-/// What of a closed surface its file has, and what was made up to close it.
+/// What of a closed surface is known to bound the body, and what is not.
 template <int Dim>
 struct Evidence {
-  /// The file's own facets, and those that fill or bridge gaps. Both are empty where nothing was made up.
-  Surface<Dim> observed, invented;
-  bool is_complete() const { return invented.facets.empty(); }
+  /// The file's own facets, and others: those that were made up to fill or bridge gaps, and the file's own that lie inside other parts of the
+  /// body (geometry/distance/buried_parts.h). Both are empty where all are observed.
+  Surface<Dim> observed, unobserved;
+  bool is_complete() const { return unobserved.facets.empty(); }
 };
 
 /// A shape ready for matching. `surface` is closed, welded and oriented outward.
@@ -60,7 +61,10 @@ struct Shape {
   std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
   Evidence<Dim> evidence = {};     ///< for `surface`, in its coordinates
   double invented_share = 0;       ///< of the surface's area: what was made up to close it, in [0, 1]
+  double buried_share = 0;         ///< of the surface's area: what the evidence leaves out as buried, in [0, 1]
   std::string unit = {};           ///< of the coordinates, where the file names it: "mm"
+  /// Facets of `surface` that cross or touch others (geometry/surface/self_intersections.h); not searched beyond self_intersection_limit.
+  std::vector<Index> crossing = {};
 };
 
 /// An axis-parallel box.

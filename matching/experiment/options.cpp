@@ -37,7 +37,8 @@ ExperimentOptions profile_defaults(Profile profile) {
     options.coefficients.normal_mass = MassKind::consistent;
     options.coefficients.classification = Classification::absolute;
     options.coefficients.tau = 1;
-    // The shapes begin as they lie, and nothing but the match pulls.
+    // All of the shapes counts; they begin as they lie, and nothing but the match pulls.
+    options.input.buried = Burial::kept;
     options.align.mode = AlignMode::none;
     options.coverage.levels = 0;
     // Section 3.1: W as it stands there.

@@ -58,12 +58,20 @@ struct EnumNames<RefineWhere> {
                                                                        {RefineWhere::both, "both"}};
 };
 
+/// What happens to parts of a surface that lie inside the body it encloses (geometry/distance/buried_parts.h).
+enum class Burial { left_out, kept };
+template <>
+struct EnumNames<Burial> {
+  static constexpr std::pair<Burial, std::string_view> names[] = {{Burial::left_out, "leave-out"}, {Burial::kept, "keep"}};
+};
+
 /// The files of the shapes, and their placement in the unit domain.
 struct InputOptions {
   std::string reference, template_file, correspondence, unit;
   PlacementKind placement = PlacementKind::fit;
   double margin = 0.15;
   Closing close = Closing::automatic;
+  Burial buried = Burial::left_out;
   SpaceKind space = SpaceKind::automatic;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -73,6 +81,7 @@ struct InputOptions {
     visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: that of a volume whose file names it, otherwise coordinates are said to be in units of the file"});
     visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); never refuses them, as --strict does"});
+    visit("buried", self.buried, {.meaning = "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
     visit("space", self.space, {.meaning = "frame of shapes out of volumes: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
   }

@@ -1,6 +1,8 @@
 #include "matching/input/shape_pair.h"
 
 #include "base/error.h"
+#include "geometry/distance/buried_parts.h"
+
 #include <optional>
 #include <utility>
 
@@ -56,12 +58,27 @@ void share_space(ShapePair<Dim>& pair, Observer& observer) {
   if constexpr (Dim == 3) {
     // A turn by half a circle about the z axis: facets stay outward.
     if (!change_space(reference.vertices, reference.space, template_shape.space)) return;
-    for (Surface<3>* surface : {&pair.reference.surface, &pair.reference.evidence.observed, &pair.reference.evidence.invented})
+    for (Surface<3>* surface : {&pair.reference.surface, &pair.reference.evidence.observed, &pair.reference.evidence.unobserved})
       change_space(surface->vertices, reference.space, template_shape.space);
     observer.note(fmt::format("{}: from {} to {}, the frame of {}: x and y change their sign", pair.reference.source,
                               space_name(reference.space), space_name(template_shape.space), pair.template_shape.source));
     reference.space = template_shape.space;
   }
+}
+
+template <int Dim>
+void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer& observer) {
+  if (Dim == 2 || input.buried == Burial::kept) return;  // outlines that cross themselves are refused
+  if constexpr (Dim == 3)
+    for (Shape<3>* shape : {&pair.reference, &pair.template_shape}) {
+      const BuriedParts parts = buried_parts(shape->surface, shape->crossing);
+      if (parts.facets.empty()) continue;
+      shape->evidence = without_buried(shape->surface, shape->evidence, parts.facets);
+      shape->buried_share = parts.share;
+      observer.note(fmt::format("{}: {:.2g} % of the area lies inside other parts, up to {:.2g} deep: that part weighs nothing (--set input.buried=keep "
+                                "matches it)",
+                                shape->source, 100 * parts.share, parts.depth));
+    }
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
@@ -82,11 +99,14 @@ AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOption
     return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
   ShapePair<3> pair{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
   share_space(pair, observer);
+  leave_out_buried(pair, input, observer);
   return pair;
 }
 
 template struct ShapePair<2>;
 template struct ShapePair<3>;
+template void leave_out_buried<2>(ShapePair<2>&, const InputOptions&, Observer&);
+template void leave_out_buried<3>(ShapePair<3>&, const InputOptions&, Observer&);
 template void share_space<2>(ShapePair<2>&, Observer&);
 template void share_space<3>(ShapePair<3>&, Observer&);
 

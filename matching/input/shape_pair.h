@@ -32,7 +32,11 @@ using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;
 template <int Dim>
 void share_space(ShapePair<Dim>& pair, Observer& observer);
 
-/// Reads both shapes, brings them into one frame and reports their repairs to the observer. \throws InputError, also for shapes of different
+/// Takes parts that lie inside other parts of their shape out of its evidence, unless `input.buried` keeps them. The observer is told.
+template <int Dim>
+void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer& observer);
+
+/// Reads both shapes, brings them into one frame, leaves out what is buried and reports their repairs to the observer. \throws InputError, also for shapes of different
 /// dimensions
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
 

@@ -67,7 +67,7 @@ requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
 static void describe(S& s, Member&& member) {
   member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
       member("notes", s.notes);
-  member("components", s.n_components), member("genus", s.genus), member("invented", s.invented);
+  member("components", s.n_components), member("genus", s.genus), member("invented", s.invented), member("buried", s.buried);
 }
 
 template <class S, class Member>

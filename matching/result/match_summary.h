@@ -61,6 +61,9 @@ struct ShapeSummary {
   std::optional<std::size_t> n_components = {};
   std::optional<int> genus = {};             ///< sum over the components; 0 in the plane
   std::optional<double> invented = {};       ///< share of the area that was made up to close it; none where nothing was
+  std::optional<double> buried = {};         ///< share of the area that was left out as it lies inside other parts; none where nothing was
+
+  bool is_measured_everywhere() const { return !invented && !buried; }
 };
 
 struct PlacementSummary {

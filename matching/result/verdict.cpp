@@ -161,7 +161,7 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
       if (std::isnan(d.mean)) return std::string("not measured, as there is nothing");
       return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary), length_text(d.max, summary));
     };
-    const char* where = summary.reference.invented || summary.template_shape.invented ? " where both have data" : "";
+    const char* where = summary.reference.is_measured_everywhere() && summary.template_shape.is_measured_everywhere() ? "" : " where both have data";
     lines.push_back(fmt::format("distance of the deformed reference from the template{}: {}", where, text(there)));
     lines.push_back(fmt::format("distance of the template from the deformed reference{}: {}", where, text(back)));
     if (uncovered && !std::isnan(*uncovered)) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));

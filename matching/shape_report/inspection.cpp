@@ -1,9 +1,9 @@
 #include "matching/shape_report/inspection.h"
 
 #include "base/printable.h"
+#include "base/text.h"
 #include "geometry/distance/buried_parts.h"
 #include "geometry/surface/placement.h"
-#include "geometry/surface/self_intersections.h"
 #include "geometry/surface/topology.h"
 #include "matching/experiment/finest_level.h"
 #include "matching/experiment/options.h"
@@ -91,12 +91,12 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
   result.n_vertices = shape_topology.n_vertices;
   result.n_components = shape_topology.n_components;
   result.genus = shape_topology.genus;
-  if constexpr (Dim == 3)  // outlines that cross themselves are refused
-    if (s.facets.size() <= self_intersection_limit) {
-      const BuriedParts buried = buried_parts(s);
-      result.n_buried_vertices = buried.n_vertices;
-      result.burial_depth = buried.depth;
-    }
+  if constexpr (Dim == 3) {  // outlines that cross themselves are refused
+    const BuriedParts buried = buried_parts(s, shape.crossing);
+    result.n_buried_vertices = buried.n_vertices;
+    result.buried_share = buried.share;
+    result.burial_depth = buried.depth;
+  }
   result.measure = surface_measure(s);
   result.enclosed = enclosed_measure(s);
   const Box<Dim> box = bounding_box(s.vertices);
@@ -129,10 +129,9 @@ std::string inspection_text(const Inspection& r) {
     row("radius of curvature", fmt::format("{:.4g}; 95 % are bent less", r.curvature_radius));
   row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
                             r.level_of_curvature, r.level_of_edges));
-  if (r.n_buried_vertices > 0)
-    row("buried", fmt::format("at least {} vertices lie inside other parts of the shape, up to {:.4g} deep; a deformed shape does not cross itself "
-                              "and cannot reach them all",
-                              r.n_buried_vertices, r.burial_depth));
+  if (r.buried_share > 0)
+    row("buried", fmt::format("{:.2g} % of the area, with {}, inside other parts of the shape, up to {:.4g} deep; weighs nothing in a matching",
+                              100 * r.buried_share, counted(r.n_buried_vertices, "vertex", "vertices"), r.burial_depth));
   for (const std::string& note : r.notes) row("mended", printable(note, max_message_length));
   return text;
 }

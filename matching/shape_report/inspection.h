@@ -18,8 +18,9 @@ struct Inspection {
 
   std::size_t n_vertices = 0, n_facets = 0, n_components = 0;
   int genus = 0;                      ///< sum over the components; 0 in the plane
-  std::size_t n_buried_vertices = 0;  ///< inside other parts of it (buried_parts()); 0 beyond self_intersection_limit
-  double burial_depth = 0;            ///< of the deepest one
+  std::size_t n_buried_vertices = 0;  ///< inside other parts of it (buried_parts())
+  double buried_share = 0;            ///< of the area
+  double burial_depth = 0;            ///< largest distance of what is buried from the rest
   double measure = 0;                 ///< length or area
   double enclosed = 0;                ///< area or volume
   std::vector<double> box_min, box_max;

@@ -14,7 +14,7 @@ std::string inspection_json(const Inspection& r) {
   json["facets"] = r.n_facets;
   json["components"] = r.n_components;
   json["genus"] = r.genus;
-  json["buried"] = {{"vertices", r.n_buried_vertices}, {"depth", r.burial_depth}};
+  json["buried"] = {{"vertices", r.n_buried_vertices}, {"share", r.buried_share}, {"depth", r.burial_depth}};
   json["measure"] = r.measure;
   json["enclosed"] = r.enclosed;
   json["box"] = {{"min", r.box_min}, {"max", r.box_max}};

@@ -89,7 +89,7 @@ void close_edited_mesh(std::string_view bytes) {
   check_mended(shape.surface);
   demand(shape.invented_share >= 0 && shape.invented_share <= 1 + 1e-9, "a share is one");
   demand(shape.evidence.is_complete() == (shape.invented_share == 0), "what was made up is there");
-  for (const Surface<3>* part : {&shape.evidence.observed, &shape.evidence.invented})
+  for (const Surface<3>* part : {&shape.evidence.observed, &shape.evidence.unobserved})
     for (const Vec<3>& x : part->vertices) demand(x.allFinite(), "coordinates of parts are finite");
 }
 void mend_edited_outline(std::string_view bytes) { mend(edited_outline(bytes)); }

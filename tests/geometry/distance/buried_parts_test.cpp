@@ -1,49 +1,106 @@
-// What of a surface lies inside the body that it encloses, on boxes that overlap.
+// What of a surface lies inside the body that it encloses, on boxes and spheres that overlap.
 
 #include "geometry/distance/buried_parts.h"
 
+#include "geometry/surface/self_intersections.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace shellmatch {
 namespace {
 
 using namespace test;
 
+BuriedParts found_in(const Surface<3>& s) { return buried_parts(s, self_intersecting_facets(s)); }
+
+Surface<3> moved(Surface<3> s, const Vec<3>& by) {
+  for (Vec<3>& x : s.vertices) x += by;
+  return s;
+}
+
 TEST(BuriedParts, NoneWhereNothingCrosses) {
-  EXPECT_EQ(buried_parts(unit_sphere(4)).n_vertices, 0u);
+  EXPECT_TRUE(found_in(unit_sphere(4)).facets.empty());
   // A cavity's surface lies inside another one, but winds the other way.
-  Surface<3> cavity = box({0.3, 0.3, 0.3}, {0.6, 0.6, 0.6});
-  for (auto& facet : cavity.facets) std::swap(facet[0], facet[1]);
-  EXPECT_EQ(buried_parts(joined(box({0, 0, 0}, {1, 1, 1}), cavity)).n_vertices, 0u);
+  const BuriedParts found = found_in(joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.3, 0.3}, {0.6, 0.6, 0.6}))));
+  EXPECT_TRUE(found.facets.empty());
+  EXPECT_EQ(found.share, 0);
 }
 
 TEST(BuriedParts, OfSpheresThatOverlapAreTheCapsOfBoth) {
-  Surface<3> left = unit_sphere(4), right = left;
-  for (Vec<3>& x : right.vertices) x.x() += 1.6;
-  std::size_t n_within = 0;  // the facets lie up to 0.005 within the sphere, and those of the common circle do not count
-  for (const Vec<3>& x : left.vertices) n_within += (x - Vec<3>(1.6, 0, 0)).norm() < 0.9;
-  const BuriedParts found = buried_parts(joined(left, right));
-  EXPECT_GT(n_within, 30u);
+  const Surface<3> left = unit_sphere(4), both = joined(left, moved(left, {1.6, 0, 0}));
+  const BuriedParts found = found_in(both);
+  // The circle in which they cross lies at x = 0.8; facets on it belong to the side of their centre.
+  const auto centre_x = [&](Index f) { return (both.vertices[both.facets[f][0]] + both.vertices[both.facets[f][1]] + both.vertices[both.facets[f][2]]).x() / 3; };
+  for (Index f = 0; f < static_cast<Index>(both.facets.size()); ++f) {
+    const bool is_cap = f < static_cast<Index>(left.facets.size()) ? centre_x(f) > 0.8 : centre_x(f) < 0.8;
+    if (std::abs(centre_x(f) - 0.8) < 0.005) continue;
+    EXPECT_EQ(std::ranges::binary_search(found.facets, f), is_cap) << f;
+  }
+  EXPECT_NEAR(found.share, 0.1, 0.005);                       // a cap of height 0.2 on each sphere
+  EXPECT_NEAR(found.depth, std::hypot(0.2, 0.6), 0.03);       // from each apex to the circle
+  std::size_t n_within = 0;  // all facets around are buried
+  for (const Vec<3>& x : left.vertices) n_within += x.x() > 0.9;
   EXPECT_GE(found.n_vertices, 2 * n_within);
   EXPECT_LE(found.n_vertices, 4 * n_within);
-  EXPECT_NEAR(found.depth, 0.4, 0.01);  // each apex lies 0.4 below the other sphere
 }
 
 TEST(BuriedParts, AWholeComponentWithinAnother) {
-  const BuriedParts found = buried_parts(joined(joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1})), box({0.3, 0.4, 0.4}, {0.6, 0.6, 0.6})));
-  EXPECT_EQ(found.n_vertices, 8u);  // the facets of the other two cross each other
+  const Surface<3> two = joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1})), small = box({0.3, 0.4, 0.4}, {0.6, 0.6, 0.6});
+  const std::size_t before = found_in(two).facets.size();
+  const BuriedParts found = found_in(joined(two, small));
+  EXPECT_EQ(found.facets.size(), before + 12);
+  EXPECT_EQ(found.facets.back(), 35);
   EXPECT_NEAR(found.depth, 0.4, 1e-12);
 }
 
-TEST(BuriedParts, TheLargestWhereThereAreMany) {
-  Surface<3> s = joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1}));
-  for (int i = 0; i < 70; ++i) {
-    const Vec<3> corner(0.1 + 0.07 * (i % 10), 0.1 + 0.1 * (i / 10), 0.1);
-    s = joined(s, box(corner, corner + Vec<3>(0.05, 0.05, 0.05)));
+TEST(BuriedParts, WhereTheyTouch) {
+  // Both sides of the wall between two boxes lie inside of what they enclose together.
+  const BuriedParts found = found_in(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})));
+  EXPECT_EQ(found.facets.size(), 4u);
+  EXPECT_NEAR(found.share, 2.0 / 12, 1e-12);
+}
+
+TEST(BuriedParts, CrossingsOfARoughMeshAreNone) {
+  // A sphere doubled: what lies inside is less deep than a mesh is exact.
+  const Surface<3> sphere = unit_sphere(4);
+  const double diagonal = bounding_box(sphere.vertices).diagonal();
+  EXPECT_TRUE(found_in(joined(sphere, moved(sphere, {0.5 * least_burial_depth * diagonal, 0, 0}))).facets.empty());
+  EXPECT_FALSE(found_in(joined(sphere, moved(sphere, {5 * least_burial_depth * diagonal, 0, 0}))).facets.empty());
+}
+
+TEST(WithoutBuried, AllFacetsAreThereOnce) {
+  const Surface<3> both = joined(unit_sphere(3), moved(unit_sphere(3), {1.6, 0, 0}));
+  const BuriedParts found = found_in(both);
+  const Evidence<3> evidence = without_buried(both, {}, found.facets);
+  EXPECT_EQ(evidence.unobserved.facets.size(), found.facets.size());
+  EXPECT_EQ(evidence.observed.facets.size() + found.facets.size(), both.facets.size());
+  EXPECT_NEAR(surface_measure(evidence.unobserved), found.share * surface_measure(both), 1e-12);
+  EXPECT_TRUE(without_buried(both, {}, {}).is_complete());
+}
+
+TEST(WithoutBuried, WhatWasMadeUpStaysSo) {
+  // As if the lower half of the left sphere had been filled in; the observed facets come in another order.
+  const Surface<3> both = joined(unit_sphere(3), moved(unit_sphere(3), {1.6, 0, 0}));
+  const BuriedParts found = found_in(both);
+  Evidence<3> filled{{both.vertices, {}}, {both.vertices, {}}};
+  std::size_t n_buried = 0;
+  for (Index f = static_cast<Index>(both.facets.size()) - 1; f >= 0; --f) {
+    const bool is_filled = both.vertices[both.facets[f][0]].z() < -0.1;
+    (is_filled ? filled.unobserved : filled.observed).facets.push_back(both.facets[f]);
+    n_buried += !is_filled && std::ranges::binary_search(found.facets, f);
   }
-  EXPECT_EQ(buried_parts(s).n_vertices, 64u * 8u);
+  ASSERT_GT(n_buried, 0u);
+  ASSERT_LT(n_buried, found.facets.size());
+  const Evidence<3> evidence = without_buried(both, filled, found.facets);
+  EXPECT_EQ(evidence.observed.facets.size(), filled.observed.facets.size() - n_buried);
+  EXPECT_EQ(evidence.unobserved.facets.size(), filled.unobserved.facets.size() + n_buried);
+  EXPECT_NEAR(surface_measure(evidence.observed) + surface_measure(evidence.unobserved), surface_measure(both), 1e-12);
+  for (const auto& facet : evidence.observed.facets) EXPECT_FALSE(both.vertices[facet[0]].z() < -0.1);
+  // Once more changes nothing.
+  EXPECT_EQ(without_buried(both, evidence, found.facets).observed.facets, evidence.observed.facets);
 }
 
 }  // namespace

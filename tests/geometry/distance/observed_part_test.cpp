@@ -47,9 +47,9 @@ TEST(ObservedPart, MarginsAreDistancesFromTheRim) {
 TEST(ObservedPart, TheEdgeOfAGapIsNotContained) {
   const Evidence<3> evidence = cut_ball().evidence;
   const ObservedPart<3> part(evidence);
-  for (const Vec<3>& x : evidence.invented.vertices) EXPECT_FALSE(part.contains(x));
+  for (const Vec<3>& x : evidence.unobserved.vertices) EXPECT_FALSE(part.contains(x));
   // Above the rim and outside of the disc the rim is nearest to both.
-  for (const Vec<3>& x : evidence.invented.vertices) EXPECT_FALSE(part.contains(Vec<3>(1.05 * x + Vec<3>(0, 0, 0.2)))) << x.transpose();
+  for (const Vec<3>& x : evidence.unobserved.vertices) EXPECT_FALSE(part.contains(Vec<3>(1.05 * x + Vec<3>(0, 0, 0.2)))) << x.transpose();
 }
 
 TEST(ObservedPart, WithoutGapsItIsAllOfSpace) {
@@ -64,15 +64,15 @@ TEST(ObservedPart, GapsHaveTheirOwnWidths) {
   Surface<3> plane;
   plane.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2.5, 0, 0}, {3.5, 0, 0}, {3.6, 0, 0}, {4.6, 0, 0}};
   Evidence<3> evidence;
-  evidence.observed = evidence.invented = plane;
-  for (Surface<3>* s : {&evidence.observed, &evidence.invented})
+  evidence.observed = evidence.unobserved = plane;
+  for (Surface<3>* s : {&evidence.observed, &evidence.unobserved})
     for (int k = 0; k < 7; ++k) s->vertices.emplace_back(plane.vertices[static_cast<std::size_t>(k)] + Vec<3>(0, 10, 0));
   const auto strip = [](Surface<3>& s, Index k) {
     s.facets.push_back({k, k + 1, k + 8});
     s.facets.push_back({k, k + 8, k + 7});
   };
   for (const Index k : {0, 1, 3, 5}) strip(evidence.observed, k);
-  for (const Index k : {2, 4}) strip(evidence.invented, k);
+  for (const Index k : {2, 4}) strip(evidence.unobserved, k);
   const ObservedPart<3> part(evidence);
   EXPECT_NEAR(part.nearest_gap({1.9, 5, 0}).margin, 0.1, 1e-12);
   EXPECT_NEAR(part.nearest_gap({1.9, 5, 0}).half_width, 0.5 / 3, 1e-12);

@@ -69,8 +69,8 @@ TEST(CloseSurface, AHoleIsFilledFlatAndSaid) {
   EXPECT_TRUE(has_note(notes, "that part is made up"));
   // The patch alone is invented: the disc.
   EXPECT_EQ(ball.evidence.observed.facets.size(), open.facets.size());
-  EXPECT_NEAR(area_of(ball.evidence.invented), disc, 0.02);
-  for (const Vec<3>& x : ball.evidence.invented.vertices) EXPECT_NEAR(x.z(), height, 0.06);
+  EXPECT_NEAR(area_of(ball.evidence.unobserved), disc, 0.02);
+  for (const Vec<3>& x : ball.evidence.unobserved.vertices) EXPECT_NEAR(x.z(), height, 0.06);
   // What was there keeps its triangles.
   for (std::size_t f = 0; f < 3; ++f)
     for (int k = 0; k < 3; ++k) EXPECT_EQ(ball.surface.vertices[ball.surface.facets[f][k]], open.vertices[open.facets[f][k]]);
@@ -130,7 +130,7 @@ TEST(CloseSurface, WhatAWrapBridgesIsInvented) {
   EXPECT_NEAR(area_of(wrap.evidence.observed) / area_of(unit_sphere(4)), 0.36, 1e-12);
   // Triangles have an inscribed radius of 0.0217, and the wrap counts as theirs up to 0.0042 beside them: 1 - (0.6 + 0.19)^2.
   EXPECT_NEAR(wrap.invented_share, 0.38, 0.08);
-  EXPECT_NEAR(area_of(wrap.evidence.invented) / area_of(wrap.surface), wrap.invented_share, 1e-12);
+  EXPECT_NEAR(area_of(wrap.evidence.unobserved) / area_of(wrap.surface), wrap.invented_share, 1e-12);
 }
 
 TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
