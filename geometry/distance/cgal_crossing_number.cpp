@@ -25,18 +25,13 @@ constexpr int most_segments = 8;
 
 ExactPoint exact_point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
-/// 1 where the segment from x to y leaves through the triangle, -1 where it enters, 0 where it misses it; none where it meets an edge or
-/// runs within the triangle's plane. \pre their bounding boxes or more meet
+/// 1 where the segment from x to y leaves through the triangle, -1 where it enters; none where it meets an edge or lies in the triangle's
+/// plane. \pre they meet
 std::optional<int> crossing(const ExactPoint& x, const ExactPoint& y, const ExactTriangle& t) {
-  const CGAL::Orientation at_x = CGAL::orientation(t[0], t[1], t[2], x), at_y = CGAL::orientation(t[0], t[1], t[2], y);
-  if (at_x == CGAL::COPLANAR || at_y == CGAL::COPLANAR) return std::nullopt;
-  if (at_x == at_y) return 0;
-  const CGAL::Orientation first = CGAL::orientation(x, y, t[0], t[1]);
-  for (int k = 1; k < 3; ++k)
-    if (CGAL::orientation(x, y, t[k], t[(k + 1) % 3]) * first < 0) return 0;
   for (int k = 0; k < 3; ++k)
     if (CGAL::orientation(x, y, t[k], t[(k + 1) % 3]) == CGAL::COPLANAR) return std::nullopt;
-  return at_y == CGAL::POSITIVE ? 1 : -1;
+  const CGAL::Orientation at_y = CGAL::orientation(t[0], t[1], t[2], y);
+  return at_y == CGAL::COPLANAR ? std::nullopt : std::optional(at_y == CGAL::POSITIVE ? 1 : -1);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace shellmatch {
 namespace {
@@ -63,6 +65,34 @@ TEST(BuriedParts, WhereTheyTouch) {
   EXPECT_NEAR(found.share, 2.0 / 12, 1e-12);
 }
 
+/// A box with vertices at these heights.
+Surface<3> column(double side, const std::vector<double>& heights) {
+  Surface<3> s;
+  for (const double z : heights)
+    for (const Vec<2>& x : {Vec<2>(0, 0), Vec<2>(side, 0), Vec<2>(side, side), Vec<2>(0, side)}) s.vertices.emplace_back(x.x(), x.y(), z);
+  const auto at = [](std::size_t ring, int k) { return static_cast<Index>(4 * ring) + k % 4; };
+  const std::size_t top = heights.size() - 1;
+  s.facets = {{at(0, 0), at(0, 2), at(0, 1)}, {at(0, 0), at(0, 3), at(0, 2)}, {at(top, 0), at(top, 1), at(top, 2)}, {at(top, 0), at(top, 2), at(top, 3)}};
+  for (std::size_t r = 0; r < top; ++r)
+    for (int k = 0; k < 4; ++k) {
+      s.facets.push_back({at(r, k), at(r, k + 1), at(r + 1, k + 1)});
+      s.facets.push_back({at(r, k), at(r + 1, k + 1), at(r + 1, k)});
+    }
+  return s;
+}
+
+TEST(BuriedParts, TheRimOfADeepPartBelongsToIt) {
+  // A column that stands half in a box; a ring of its facets reaches no deeper than the crossings of a rough mesh.
+  const Surface<3> inside = moved(column(0.2, {0.5, 0.9997, 0.9999, 1.5}), {0.4, 0.4, 0});
+  const Surface<3> s = joined(box({0, 0, 0}, {1, 1, 1}), inside);
+  ASSERT_LT(3e-4, least_burial_depth * bounding_box(s.vertices).diagonal());
+  const BuriedParts found = found_in(s);
+  std::vector<Index> expected{12, 13};  // the column's bottom
+  for (Index f = 12 + 4; f < 12 + 4 + 16; ++f) expected.push_back(f);
+  EXPECT_EQ(found.facets, expected);
+  EXPECT_EQ(found.n_vertices, 8u);
+}
+
 TEST(BuriedParts, CrossingsOfARoughMeshAreNone) {
   // A sphere doubled: what lies inside is less deep than a mesh is exact.
   const Surface<3> sphere = unit_sphere(4);
@@ -85,11 +115,14 @@ TEST(WithoutBuried, WhatWasMadeUpStaysSo) {
   // As if the lower half of the left sphere had been filled in; the observed facets come in another order.
   const Surface<3> both = joined(unit_sphere(3), moved(unit_sphere(3), {1.6, 0, 0}));
   const BuriedParts found = found_in(both);
-  Evidence<3> filled{{both.vertices, {}}, {both.vertices, {}}};
+  Evidence<3> filled{{both.vertices, {}}, {{both.vertices.rbegin(), both.vertices.rend()}, {}}};
+  const auto last = static_cast<Index>(both.vertices.size()) - 1;
   std::size_t n_buried = 0;
   for (Index f = static_cast<Index>(both.facets.size()) - 1; f >= 0; --f) {
     const bool is_filled = both.vertices[both.facets[f][0]].z() < -0.1;
-    (is_filled ? filled.unobserved : filled.observed).facets.push_back(both.facets[f]);
+    const auto& [a, b, c] = both.facets[f];
+    if (is_filled) filled.unobserved.facets.push_back({last - a, last - b, last - c});
+    else filled.observed.facets.push_back({a, b, c});
     n_buried += !is_filled && std::ranges::binary_search(found.facets, f);
   }
   ASSERT_GT(n_buried, 0u);
