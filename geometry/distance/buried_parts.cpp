@@ -7,7 +7,6 @@
 #include "geometry/surface/facet_point.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -50,21 +49,24 @@ std::vector<char> is_buried(const Surface<3>& s, const std::vector<Index>& cross
   const CrossingNumber winding(s);
   const double above = 1e-6 * bounding_box(s.vertices).diagonal();
   std::vector<char> buried(s.facets.size());
-  const auto of_judge = [&](std::size_t f) {
-    buried[f] = winding(centre_of(s, static_cast<Index>(f)) + above * facet_normal(s, static_cast<Index>(f)).normalized()) > 0;
-  };
-  parallel_for(buried.size(), [&](std::size_t f) { if (judge[f] == static_cast<Index>(f)) of_judge(f); }, 256);
+  parallel_for(
+      buried.size(),
+      [&](std::size_t i) {
+        const auto f = static_cast<Index>(i);
+        if (judge[i] == f) buried[i] = winding(centre_of(s, f) + above * facet_normal(s, f).normalized()) > 0;
+      },
+      256);
   for (std::size_t f = 0; f < buried.size(); ++f) buried[f] = buried[judge[f]];
   return buried;
 }
 
-/// For each buried facet how deep it reaches below the others; 0 for those.
+/// For each buried facet how deep it reaches below the others; 0 for those, and for all where there are none.
 std::vector<double> depths_of(const Surface<3>& s, const std::vector<char>& buried) {
   Surface<3> others{s.vertices, {}};
   for (std::size_t f = 0; f < buried.size(); ++f)
     if (!buried[f]) others.facets.push_back(s.facets[f]);
   std::vector<double> depths(buried.size());
-  if (others.facets.empty()) return std::vector<double>(buried.size(), std::numeric_limits<double>::infinity());
+  if (others.facets.empty()) return depths;
   const FacetTree<3> tree(others);
   const auto below = [&](const Vec<3>& x) { return (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm(); };
   parallel_for(

@@ -16,7 +16,7 @@ enum class Closing { never, automatic };
 struct MendedSurface {
   Surface<3> surface;
   Evidence<3> evidence;
-  double invented_share = 0;  ///< of the area
+  double invented_share = 0;    ///< of the area
   std::vector<Index> crossing;  ///< Shape::crossing
 };
 

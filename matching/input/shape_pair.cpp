@@ -68,8 +68,8 @@ void share_space(ShapePair<Dim>& pair, Observer& observer) {
 
 template <int Dim>
 void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer& observer) {
-  if (Dim == 2 || input.buried == Burial::kept) return;  // outlines that cross themselves are refused
-  if constexpr (Dim == 3)
+  if constexpr (Dim == 3) {  // outlines that cross themselves are refused
+    if (input.buried == Burial::kept) return;
     for (Shape<3>* shape : {&pair.reference, &pair.template_shape}) {
       const BuriedParts parts = buried_parts(shape->surface, shape->crossing);
       if (parts.facets.empty()) continue;
@@ -79,6 +79,7 @@ void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer&
                                 "matches it)",
                                 shape->source, 100 * parts.share, parts.depth));
     }
+  }
 }
 
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
