@@ -12,7 +12,8 @@
 
 namespace shellmatch {
 
-/// The points that are nearer to the observed than to the unobserved part of a surface. Copies share the data.
+/// The points that are nearer to the observed than to the unobserved part of a surface, whose connected parts are its gaps. Copies share the
+/// data.
 template <int Dim>
 class ObservedPart {
  public:

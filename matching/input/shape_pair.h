@@ -36,8 +36,8 @@ void share_space(ShapePair<Dim>& pair, Observer& observer);
 template <int Dim>
 void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer& observer);
 
-/// Reads both shapes, brings them into one frame, leaves out what is buried and reports their repairs to the observer. \throws InputError, also for shapes of different
-/// dimensions
+/// Reads both shapes, brings them into one frame, leaves out what is buried and reports their repairs to the observer.
+/// \throws InputError, also for shapes of different dimensions
 AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
 
 /// The same of shapes that a program has, reference first; the files that `input` names are not read.
