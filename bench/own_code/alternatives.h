@@ -2,7 +2,7 @@
 /// \file
 /// What libraries offer in the place of our own code, each behind a function of plain types.
 
-#include "geometry/io/read_mask.h"
+#include "geometry/picture/read_mask.h"
 #include "geometry/surface/surface.h"
 
 #include <functional>

@@ -134,7 +134,7 @@ std::optional<OriginalShape<3>> own_ply(const std::string& path) {
 
 std::optional<GreyImage> own_pgm(const std::string& path) {
   try {
-    return read_pgm(path, read_file_bytes(path));
+    return read_pgm(path, read_file_bytes(path)).brightness;
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -19,7 +19,8 @@ constexpr std::pair<std::string_view, FileFormat> endings[] = {
     {".obj", FileFormat::obj},   {".off", FileFormat::off},   {".ply", FileFormat::ply},    {".stl", FileFormat::stl},
     {".vtk", FileFormat::vtk},   {".vtp", FileFormat::vtp},
     {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
-    {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".xyz", FileFormat::points}};
+    {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".tif", FileFormat::tiff},   {".tiff", FileFormat::tiff},
+    {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points}};
 
 }  // namespace
 
@@ -49,11 +50,16 @@ int dimension_of(FileFormat format) {
     case FileFormat::table:
     case FileFormat::png:
     case FileFormat::pgm:
+    case FileFormat::tiff:
+    case FileFormat::jpeg:
+    case FileFormat::bmp:
       return 2;
     default:
       return 0;
   }
 }
+
+bool has_parts(FileFormat format) { return dimension_of(format) == 2 && format != FileFormat::table; }
 
 InputFile::InputFile(std::string path) : path_(std::move(path)), format_(format_of(path_)) {
   namespace fs = std::filesystem;

@@ -14,13 +14,16 @@ enum class FileFormat {
   obj, off, ply, stl, vtk, vtp,  ///< meshes
   table,               ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
   points,              ///< .xyz: points alone
-  png, pgm,            ///< masks
+  png, pgm, tiff, jpeg, bmp,  ///< masks
   unknown
 };
 FileFormat format_of(const std::string& path);
 
 /// Of the shapes in files of that format: 3 for meshes, 2 for tables and masks, 0 for what holds no shape.
 int dimension_of(FileFormat format);
+
+/// Can a part of such a file be chosen, as in "cells.png:3" (geometry/io/part_name.h)?
+bool has_parts(FileFormat format);
 
 /// A file that exists: no folder, and no pipe or device, of which nobody knows whether it ends.
 class InputFile {

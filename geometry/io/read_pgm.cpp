@@ -1,5 +1,5 @@
 // Portable grey map: https://netpbm.sourceforge.net/doc/pgm.html
-#include "geometry/io/read_mask.h"
+#include "geometry/picture/read_mask.h"
 #include "geometry/io/read_text.h"
 
 #include <optional>
@@ -25,19 +25,17 @@ std::int64_t next_count(std::string_view& rest, const std::string& path, std::st
 
 }  // namespace
 
-GreyImage read_pgm(const std::string& path, std::string_view bytes) {
+Picture read_pgm(const std::string& path, std::string_view bytes) {
   const bool text = bytes.starts_with("P2"), binary = bytes.starts_with("P5");
   if (!text && !binary) throw_input_error("{}: not a PGM image (it should start with P2 or P5)", path);
   std::string_view rest = bytes.substr(2);
   const std::int64_t width = next_count(rest, path, "the width");
   const std::int64_t height = next_count(rest, path, "the height");
   const std::int64_t white = next_count(rest, path, "the largest value");
-  if (width == 0 || height == 0 || width > max_pixels || height > max_pixels || width * height > max_pixels)
-    throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height,
-                      max_pixels / 1'000'000);
+  check_picture_size(width, height, path);
   if (white < 1 || white > 65535)
     throw_input_error("{}: the largest value of a PGM image is 1 to 65535, not {}", path, white);
-  GreyImage image{static_cast<int>(width), static_cast<int>(height), {}};
+  Picture picture{{static_cast<int>(width), static_cast<int>(height), {}}, {}};
   const auto n = static_cast<std::size_t>(width * height);
   const std::size_t bytes_per_value = white > 255 ? 2 : 1;
   // Exactly one blank ends the header of the binary form. A text needs a digit and a blank for each value.
@@ -46,7 +44,8 @@ GreyImage read_pgm(const std::string& path, std::string_view bytes) {
   if (rest.size() < needed)
     throw_input_error("{}: the PGM image is cut off: {} x {} pixels take {} bytes, {} are there", path, width,
                       height, needed, rest.size());
-  image.values.reserve(n);
+  picture.values.reserve(n);
+  picture.brightness.values.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     std::int64_t value = 0;
     if (text) {
@@ -58,9 +57,10 @@ GreyImage read_pgm(const std::string& path, std::string_view bytes) {
     if (value > white)
       throw_input_error("{}: pixel {} (counted from 0) is {}, above the largest value {}", path, i, value,
                         white);
-    image.values.push_back(static_cast<float>(value) / static_cast<float>(white));
+    picture.values.push_back(static_cast<float>(value));
+    picture.brightness.values.push_back(static_cast<float>(value) / static_cast<float>(white));
   }
-  return image;
+  return picture;
 }
 
 }  // namespace shellmatch

@@ -2,13 +2,16 @@
 
 #include "base/error.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_mask.h"
+#include "geometry/io/part_name.h"
+#include "geometry/picture/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
+#include "geometry/picture/picture_shape.h"
 #include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_steps.h"
 
+#include <optional>
 #include <utility>
 
 namespace shellmatch {
@@ -16,7 +19,7 @@ namespace {
 
 constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp";
 constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
-constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm";
+constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
 
 [[noreturn]] void unsupported(const InputFile& file) {
   const std::string extension = file_extension(file.path());
@@ -42,14 +45,25 @@ MeshFile parse_mesh(const InputFile& file) {
   return mesh;
 }
 
-// The same of an outline or a mask. \param closed as of read_points
-OriginalShape<2> parse_outline(const InputFile& file, bool closed, std::vector<std::string>& notes) {
-  const std::string bytes = file.read();
+std::optional<Picture> parse_picture(const InputFile& file) {
   switch (file.format()) {
-    case FileFormat::png: return mask_rings(read_png(file.path(), bytes), file.path(), notes);
-    case FileFormat::pgm: return mask_rings(read_pgm(file.path(), bytes), file.path(), notes);
-    default: return read_points<2>(file.path(), bytes, closed);
+    case FileFormat::png: return read_png(file.path(), file.read());
+    case FileFormat::pgm: return read_pgm(file.path(), file.read());
+    case FileFormat::tiff: return read_tiff(file.path(), file.read());
+    case FileFormat::jpeg: return read_jpeg(file.path(), file.read());
+    case FileFormat::bmp: return read_bmp(file.path(), file.read());
+    default: return std::nullopt;
   }
+}
+
+// The shape of an outline or a mask. \param closed as of read_points
+OriginalShape<2> parse_outline(const InputFile& file, const std::string& part, bool closed, std::vector<std::string>& notes) {
+  if (const std::optional<Picture> picture = parse_picture(file)) {
+    const std::string source = part.empty() ? file.path() : file.path() + ":" + part;
+    const auto choice = part.empty() ? std::nullopt : std::optional(parse_choice(part, source, "mask.png"));
+    return mask_rings(shape_of_picture(*picture, choice, source, notes), source, notes);
+  }
+  return read_points<2>(file.path(), file.read(), closed);
 }
 
 Shape<3> mesh_of(const InputFile& file, Closing closing = Closing::never) {
@@ -57,15 +71,15 @@ Shape<3> mesh_of(const InputFile& file, Closing closing = Closing::never) {
   return make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes), closing);
 }
 
-Shape<2> outline_of(const InputFile& file) {
+Shape<2> outline_of(const InputFile& file, const std::string& part, const std::string& source) {
   std::vector<std::string> notes;
-  OriginalShape<2> original = parse_outline(file, true, notes);
-  return make_shape(std::move(original), file.path(), std::move(notes));
+  OriginalShape<2> original = parse_outline(file, part, true, notes);
+  return make_shape(std::move(original), source, std::move(notes));
 }
 
 }  // namespace
 
-int dimension_of_file(const std::string& path) { return dimension_of(format_of(path)); }
+int dimension_of_file(const std::string& path) { return dimension_of(format_of(split_part(path).file)); }
 
 Shape<3> read_mesh(const std::string& path) {
   const InputFile file(path);
@@ -78,18 +92,20 @@ Shape<3> read_mesh(const std::string& path) {
 }
 
 Shape<2> read_outline(const std::string& path) {
-  const InputFile file(path);
+  const PartName name = split_part(path);
+  const InputFile file(name.file);
   const int dimension = dimension_of(file.format());
   if (dimension == 3)
     throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path, outline_list);
   if (dimension != 2) unsupported(file);
-  return outline_of(file);
+  return outline_of(file, name.part, path);
 }
 
 AnyShape read_shape(const std::string& path, Closing closing) {
-  const InputFile file(path);
+  const PartName name = split_part(path);
+  const InputFile file(name.file);
   switch (dimension_of(file.format())) {
-    case 2: return outline_of(file);
+    case 2: return outline_of(file, name.part, path);
     case 3: return mesh_of(file, closing);
     default: unsupported(file);
   }
@@ -103,6 +119,9 @@ OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std
       return read_points<3>(path, file.read(), false);
     case FileFormat::png:
     case FileFormat::pgm:
+    case FileFormat::tiff:
+    case FileFormat::jpeg:
+    case FileFormat::bmp:
       throw_input_error("{}: a mask is a shape of the plane, but this deformation is one of space", path);
     case FileFormat::unknown:
       unsupported(file);
@@ -122,12 +141,13 @@ Surface<3> read_triangles(const std::string& path) {
 }
 
 OriginalShape<2> read_points_or_outline_2d(const std::string& path, std::vector<std::string>* notes) {
-  const InputFile file(path);
+  const PartName name = split_part(path);
+  const InputFile file(name.file);
   if (file.format() == FileFormat::unknown) unsupported(file);
   if (dimension_of(file.format()) == 3)
     throw_input_error("{}: a mesh is a shape of space, but this deformation is one of the plane", path);
   std::vector<std::string> own_notes;
-  return parse_outline(file, false, notes ? *notes : own_notes);
+  return parse_outline(file, name.part, false, notes ? *notes : own_notes);
 }
 
 }  // namespace shellmatch

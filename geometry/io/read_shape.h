@@ -3,7 +3,7 @@
 /// Reading of shapes: what a file name stands for, and a closed surface out of it.
 ///
 /// In space: meshes .obj, .off, .ply, .stl, .vtk, .vtp. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
-/// separated by blank lines) and masks .png, .pgm (bright on dark).
+/// separated by blank lines) and masks .png, .pgm, .tif, .jpg, .bmp (geometry/picture/picture_shape.h), of which "mask.png:3" chooses a label.
 
 #include "geometry/repair/repair.h"
 #include "geometry/surface/surface.h"
@@ -21,7 +21,7 @@ using AnyShape = std::variant<Shape<2>, Shape<3>>;
 Shape<3> read_mesh(const std::string& path);
 
 /// Reads an outline or the border of a mask, whose coordinates are pixels with y upward
-/// (geometry/io/read_mask.h). A last point that repeats the first of its ring is dropped. \throws InputError as
+/// (geometry/picture/read_mask.h). A last point that repeats the first of its ring is dropped. \throws InputError as
 /// above.
 Shape<2> read_outline(const std::string& path);
 

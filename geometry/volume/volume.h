@@ -6,6 +6,7 @@
 /// opposite: RAS (x to the right, y to the front, z upward: NIfTI) and LPS (left, back, upward: DICOM, ITK, NRRD, MetaImage).
 
 #include "base/types.h"
+#include "geometry/picture/label_choice.h"
 #include "geometry/surface/space.h"
 
 #include <array>
@@ -44,9 +45,6 @@ std::optional<double> millimetres_of(std::string_view unit);
 
 /// The type of a file's values.
 enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
-
-/// Whole numbers beyond this are not told apart: values are kept in single precision.
-inline constexpr double largest_label = 16777216;
 
 bool is_integer(VoxelType type);
 

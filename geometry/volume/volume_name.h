@@ -2,21 +2,12 @@
 /// \file
 /// Names of shapes that are parts of volumes: "scan.nii.gz", "scan.nii.gz:3", "scan.nrrd:1,2", "map.mha:>0.5".
 
+#include "geometry/picture/label_choice.h"
+
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace shellmatch {
-
-/// The voxels that make up a shape. Without labels: those above `above`.
-struct VoxelChoice {
-  std::vector<double> labels;
-  double above = 0;
-
-  bool contains(float value) const;
-  /// "label 3", "labels 1, 2", "everything above 0"
-  std::string text() const;
-};
 
 struct VolumeName {
   std::string file;

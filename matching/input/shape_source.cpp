@@ -1,5 +1,6 @@
 #include "matching/input/shape_source.h"
 
+#include "geometry/io/part_name.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/volume_name.h"
@@ -29,8 +30,8 @@ AnyShape open_shape(ShapeInput input, Closing closing, Space space) {
 }
 
 std::vector<std::string> files_of_shape(const std::string& source) {
+  if (!parse_volume_name(source)) return {split_part(source).file};
   const std::string file = file_of(source);
-  if (!parse_volume_name(source)) return {file};
   const std::string values = read_volume_header(file).file;
   return values == file ? std::vector{file} : std::vector{file, values};
 }

@@ -52,7 +52,27 @@ def image_seeds():
         rows = b"".join(b"\0" + row_of(grey[16 * y:16 * y + 16]) for y in range(16))
         return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 16, 16, depth, colour, 0, 0, 0)) +
                 chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-    return {"png": [png(8, 0, lambda r: r), png(16, 0, lambda r: b"".join(bytes([v, v]) for v in r)),
+    def tiff(bits, data, kind=1, photometric=1, more=()):
+        tags = sorted([(256, 4, 1, 16), (257, 4, 1, 16), (258, 3, 1, bits), (259, 3, 1, 1), (262, 3, 1, photometric), (273, 4, 1, 8), (277, 3, 1, 1),
+                       (278, 4, 1, 16), (279, 4, 1, len(data)), (339, 3, 1, kind), *more])
+        return (b"II*\0" + struct.pack("<I", 8 + len(data)) + data + struct.pack("<H", len(tags)) +
+                b"".join(struct.pack("<HHII", *t) for t in tags) + bytes(4))
+    tiles = [(322, 4, 1, 16), (323, 4, 1, 16), (324, 4, 1, 8), (325, 4, 1, 256)]
+
+    def bmp(bits, palette, data):
+        return b"BM" + struct.pack("<IIIIiiHHIIIIII", 54 + len(palette + data), 0, 54 + len(palette), 40, 16, 16, 1, bits, 0, len(data), 0, 0, len(palette) // 4,
+                                   0) + palette + data
+    jpeg = base64.b64decode(
+             "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAYEBQYFBAYGBQYHBwYIChAKCgkJChQODwwQFxQYGBcUFhYaHSUfGhsjHBYWICwgIyYnKSopGR8tMC0oMCUoKSj/"
+             "wAALCAAQABABAREA/8QAFQABAQAAAAAAAAAAAAAAAAAAAAf/xAAjEAAAAwYHAAAAAAAAAAAAAAACERIEBQcTFBUAAQMIFjJB/9oACAEBAAA/AJ/tthS44m8i"
+             "vzU8me3U8qi1AAVMmqUoAj6ZERe4bkYUuOGXHbC1PJouNRNrdQA0y5SUpAEu+ZmfmG22KzjhlyK/MryaLjTyqLTANMuapShhLvkRH7huRis44m8dsLK8me3V"
+             "E2t0wAVMlJSkYj6ZmZeY/9k=")
+    labels = bytes(v and 1 + (i % 16 > 7) for i, v in enumerate(grey))
+    return {"tiff": [tiff(8, grey), tiff(8, labels), tiff(16, b"".join(bytes([v, v]) for v in grey)), tiff(32, struct.pack("<256f", *labels), 3),
+                     tiff(1, b"".join(bytes([15, 240] if 3 <= y < 13 else 2) for y in range(16))), tiff(8, grey, more=tiles)],
+            "jpeg": [jpeg], "bmp": [bmp(8, bytes(v for c in range(256) for v in (c, c, c, 0)), grey), bmp(24, b"", b"".join(bytes([v] * 3) for v in grey)),
+                                    bmp(1, bytes([0, 0, 0, 0, 255, 255, 255, 0]), b"".join(bytes([15, 240, 0, 0] if 3 <= y < 13 else 4) for y in range(16)))],
+            "png": [png(8, 0, lambda r: r), png(16, 0, lambda r: b"".join(bytes([v, v]) for v in r)),
                     png(8, 6, lambda r: b"".join(bytes([v, v, v, 255]) for v in r)),
                     png(1, 0, lambda r: bytes(sum((r[8 * i + k] > 0) << (7 - k) for k in range(8)) for i in range(2)))],
             "pgm": [b"P5\n# a\n16 16\n255\n" + grey, b"P5 16 16 65535\n" + b"".join(bytes([v, v]) for v in grey),

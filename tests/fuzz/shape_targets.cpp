@@ -1,6 +1,7 @@
-#include "geometry/io/read_mask.h"
+#include "geometry/picture/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
+#include "geometry/picture/picture_shape.h"
 #include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_crossings.h"
@@ -25,10 +26,12 @@ void check_original(const OriginalShape<Dim>& shape) {
     demand((a.type == "text" ? a.texts.size() : a.values.size()) == shape.vertices.size(), "an attribute has a value for each vertex");
 }
 
-void check_image(const GreyImage& image) {
+void check_image(const Picture& picture) {
+  const GreyImage& image = picture.brightness;
   demand(image.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), "an image is full");
+  demand(picture.values.size() == image.values.size(), "a picture has a value for each pixel");
   std::vector<std::string> notes;
-  if (image.values.size() < 100000) check_original(mask_rings(image, "input", notes));
+  if (image.values.size() < 100000) check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
 }
 
 // What a mended shape is (geometry/repair/repair.h): closed, each edge run through once in each direction.
@@ -81,6 +84,9 @@ void read_vtp_bytes(std::string_view bytes) {
 }
 void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }
 void read_points_of_space(std::string_view bytes) { check_original(read_points<3>("input", bytes, false)); }
+void read_tiff_bytes(std::string_view bytes) { check_image(read_tiff("input", bytes)); }
+void read_jpeg_bytes(std::string_view bytes) { check_image(read_jpeg("input", bytes)); }
+void read_bmp_bytes(std::string_view bytes) { check_image(read_bmp("input", bytes)); }
 void read_png_bytes(std::string_view bytes) { check_image(read_png("input", bytes)); }
 void read_pgm_bytes(std::string_view bytes) { check_image(read_pgm("input", bytes)); }
 void mend_edited_mesh(std::string_view bytes) { mend(edited_mesh(bytes)); }

@@ -7,7 +7,7 @@ namespace shellmatch::fuzz {
 
 namespace {
 
-// The image that a PNG of a few bytes declares may take as much as the largest that is read (geometry/io/read_mask.h).
+// The image that a PNG of a few bytes declares may take as much as the largest that is read (geometry/picture/read_mask.h).
 constexpr std::size_t largest_image = std::size_t{700} << 20;
 
 // Bytes that zlib expands, each to a number.
@@ -30,6 +30,9 @@ constexpr Target all[] = {{"obj", read_obj_bytes},
                           {"points3", read_points_of_space},
                           {"png", read_png_bytes, largest_image},
                           {"pgm", read_pgm_bytes},
+                          {"tiff", read_tiff_bytes, largest_image},
+                          {"jpeg", read_jpeg_bytes, largest_image},
+                          {"bmp", read_bmp_bytes, largest_image},
                           {"nifti", read_nifti_bytes, volume_start, most_per_volume_byte},
                           {"nifti_gz", read_compressed_nifti_bytes, volume_start, most_per_volume_byte},
                           {"nrrd", read_nrrd_bytes, volume_start, most_per_volume_byte},

@@ -1,5 +1,5 @@
 // Masks: the border of analytic shapes, the axes, the refusals.
-#include "geometry/io/read_mask.h"
+#include "geometry/picture/read_mask.h"
 #include "geometry/io/read_shape.h"
 #include "tests/geometry/io/files.h"
 
@@ -89,7 +89,7 @@ TEST(Mask, ColoursAreTonesByTheirLuminance) {
   std::string png;
   for (std::size_t k = 0; k < digits.size(); k += 2)
     png.push_back(static_cast<char>(std::stoi(std::string(digits.substr(k, 2)), nullptr, 16)));
-  const GreyImage image = read_png("a.png", png);
+  const GreyImage image = read_png("a.png", png).brightness;
   EXPECT_NEAR(image.at(12, 12), 0.5, 0.01);
   EXPECT_NEAR(image.at(0, 0), 0.3, 0.01);
   const Shape<2> shape = mask(png, "a.png");

@@ -1,7 +1,7 @@
-#include "geometry/io/read_mask.h"
+#include "geometry/picture/read_mask.h"
 
 #include "base/error.h"
-#include "geometry/io/read_text.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,32 +2,21 @@
 /// \file
 /// Masks: images whose bright part is the shape.
 
+#include "geometry/picture/picture.h"
 #include "geometry/surface/surface.h"
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shellmatch {
 
-/// Brightness from 0 (black) to 1 (white), row by row from the top.
-struct GreyImage {
-  int width = 0, height = 0;
-  std::vector<float> values;  // width * height
-
-  float at(int column, int row) const { return values[static_cast<std::size_t>(row) * width + column]; }
-};
-
-/// Largest number of pixels that is read: 4096 x 4096, for which the reader takes 0.4 GB. A small file may declare any size.
-inline constexpr std::int64_t max_pixels = std::int64_t{1} << 24;
-
 /// PNG with 1 to 16 bits, grey or colour; transparent is dark. Of a colour the luminance counts, as libpng has it: full red is 0.5, green
-/// 0.86 and blue 0.3.
+/// 0.86 and blue 0.3. Where all is black the opacity counts.
 /// \throws InputError where the file is cut off or damaged.
-GreyImage read_png(const std::string& path, std::string_view bytes);
+Picture read_png(const std::string& path, std::string_view bytes);
 /// PGM, text (P2) or binary (P5). \throws as above.
-GreyImage read_pgm(const std::string& path, std::string_view bytes);
+Picture read_pgm(const std::string& path, std::string_view bytes);
 
 /// The border lines of what is brighter than 1/2 or, in an image of two tones, of the brighter one, as closed
 /// smooth rings: marching squares with linear interpolation on a slightly smoothed image (Gaussian, standard
