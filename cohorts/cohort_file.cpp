@@ -96,6 +96,7 @@ void read_subjects(Cohort& cohort, const CohortWords& words) {
         cohort.name);
   cohort.subjects =
       options.table.empty() ? subjects_of(options.shapes, cohort.name) : read_subject_table(options.table);
+  check_files(cohort.subjects, options.table.empty() ? cohort.name : options.table);
 }
 
 }  // namespace

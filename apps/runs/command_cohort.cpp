@@ -172,14 +172,18 @@ void execute(const CohortCommand& command) {
     throw Stopped(matchings_are_kept(output), stop_cause());
   if (outcome.end == CohortEnd::in_part) return;
   std::vector<std::string> notes;
+  std::string without_result;
   const auto write = [&]<int Dim>(FinishedCohort<Dim>& finished) {
-    for (const std::string& line : write_cohort(cohort, std::move(finished), folder.path(), notes))
-      progress.say(line);
+    WrittenCohort written = write_cohort(cohort, std::move(finished), folder.path(), notes);
+    for (const std::string& line : written.figures) progress.say(line);
+    without_result = std::move(written.without_result);
   };
   if (auto* planar = std::get_if<FinishedCohort<2>>(&outcome.result)) write(*planar);
   if (auto* spatial = std::get_if<FinishedCohort<3>>(&outcome.result)) write(*spatial);
   for (const std::string& note : notes) progress.say(note);
   progress.say(fmt::format("written: {}/report.html", output));
+  if (!without_result.empty())
+    throw CheckFailed(fmt::format("{}; all are in {}/subjects.csv, and --retry repeats them", without_result, output));
 }
 
 }  // namespace shellmatch

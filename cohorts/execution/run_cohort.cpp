@@ -62,6 +62,10 @@ class CohortRun {
         make_atlas<Dim>(shape, read_landmarks_of(shape, landmarks), folder_.path() + "/atlas", "start");
     const AtlasKind kind = cohort_.options.atlas.kind;
     const int n = n_rounds(cohort_);
+    if (n == 0 && kind != AtlasKind::given && !is_part())
+      observer_.note(fmt::format("a cohort of one subject has no mean{}, and no rounds are done for it",
+                                 find_subject(cohort_, cohort_.options.atlas.shape) == nullptr
+                                     ? "" : "; without another shape for the atlas (--atlas FILE) it is matched onto itself"));
     for (int k = 1; k <= n; ++k) {
       const Stage stage{k};
       const std::optional<CohortEnd> end = perform_round(stage, atlas);
@@ -227,6 +231,7 @@ CohortOutcome run(const Cohort& cohort, const RunsFolder& folder, const TaskSett
 
 int n_rounds(const Cohort& cohort) {
   const AtlasOptions& atlas = cohort.options.atlas;
+  if (cohort.subjects.size() == 1) return 0;  // it is its own mean
   return atlas.kind == AtlasKind::given ? 0 : atlas.kind == AtlasKind::medoid ? 1 : atlas.rounds;
 }
 

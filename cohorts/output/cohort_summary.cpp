@@ -97,6 +97,13 @@ std::vector<std::string> cohort_summary_lines(const CohortSummary& s) {
   return lines;
 }
 
+std::string without_result(const CohortSummary& summary, const std::vector<SubjectResult>& subjects) {
+  const auto first = std::ranges::find_if(subjects, [](const SubjectResult& subject) { return subject.status != "finished"; });
+  if (first == subjects.end()) return "";
+  return fmt::format("{} of {} subjects have no result; the first is {}, {}{}{}", summary.n_subjects - summary.n_finished, summary.n_subjects,
+                     first->id, first->status, first->message.empty() ? "" : ": ", first->message);
+}
+
 template CohortSummary cohort_summary<2>(const CohortResult<2>&, const std::vector<CarriedLandmark<2>>&);
 template CohortSummary cohort_summary<3>(const CohortResult<3>&, const std::vector<CarriedLandmark<3>>&);
 

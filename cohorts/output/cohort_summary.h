@@ -43,4 +43,7 @@ std::string cohort_summary_json(const CohortSummary& summary);
 /// The same in a few lines for people.
 std::vector<std::string> cohort_summary_lines(const CohortSummary& summary);
 
+/// How many subjects have no result, and why the first of them has none; empty where all have one.
+std::string without_result(const CohortSummary& summary, const std::vector<SubjectResult>& subjects);
+
 }  // namespace shellmatch

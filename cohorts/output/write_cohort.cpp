@@ -16,8 +16,7 @@ namespace shellmatch {
 namespace {
 
 template <int Dim>
-std::vector<std::string> write_files(const Cohort& cohort, FinishedCohort<Dim> finished,
-                                      const std::string& folder, std::vector<std::string>& notes) {
+WrittenCohort write_files(const Cohort& cohort, FinishedCohort<Dim> finished, const std::string& folder, std::vector<std::string>& notes) {
   const Eigen::MatrixXd points = finished.stage.points.coordinates.topRows(
       Dim * static_cast<Eigen::Index>(finished.atlas.shape.vertices.size()));
   const std::vector<NamedPoint<Dim>> landmarks = finished.atlas.landmarks;
@@ -54,20 +53,17 @@ std::vector<std::string> write_files(const Cohort& cohort, FinishedCohort<Dim> f
   const CohortSummary summary = cohort_summary(result, carried);
   replace_file(folder + "/summary.json", cohort_summary_json(summary));
   replace_file(folder + "/report.html", cohort_report_html(result));
-  return cohort_summary_lines(summary);
+  return {cohort_summary_lines(summary), without_result(summary, result.subjects)};
 }
 
 }  // namespace
 
 template <int Dim>
-std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished,
-                                      const std::string& folder, std::vector<std::string>& notes) {
+WrittenCohort write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished, const std::string& folder, std::vector<std::string>& notes) {
   return saying_what_is_kept(folder, [&] { return write_files<Dim>(cohort, std::move(finished), folder, notes); });
 }
 
-template std::vector<std::string> write_cohort<2>(const Cohort&, FinishedCohort<2>, const std::string&,
-                                                  std::vector<std::string>&);
-template std::vector<std::string> write_cohort<3>(const Cohort&, FinishedCohort<3>, const std::string&,
-                                                  std::vector<std::string>&);
+template WrittenCohort write_cohort<2>(const Cohort&, FinishedCohort<2>, const std::string&, std::vector<std::string>&);
+template WrittenCohort write_cohort<3>(const Cohort&, FinishedCohort<3>, const std::string&, std::vector<std::string>&);
 
 }  // namespace shellmatch

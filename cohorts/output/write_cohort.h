@@ -11,12 +11,15 @@
 
 namespace shellmatch {
 
+struct WrittenCohort {
+  std::vector<std::string> figures;  ///< in a few lines
+  std::string without_result;        ///< which subjects have none, and why; empty where all have one
+};
+
 /// Writes tables, model and page into the cohort's folder, each file whole or not at all. All but times.csv
 /// is the same to the bit for every execution in which no matching reaches a limit. \param notes takes lines
-/// for the user \return the figures in a few lines \throws EnvironmentError if a file cannot be
-/// written; Stopped
+/// for the user \throws EnvironmentError if a file cannot be written; Stopped
 template <int Dim>
-std::vector<std::string> write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished,
-                                      const std::string& folder, std::vector<std::string>& notes);
+WrittenCohort write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished, const std::string& folder, std::vector<std::string>& notes);
 
 }  // namespace shellmatch

@@ -6,6 +6,7 @@
 #include "geometry/io/read_text.h"
 #include "geometry/volume/volume_name.h"
 #include "matching/experiment/generated_source.h"
+#include "matching/experiment/several_errors.h"
 
 #include <fmt/format.h>
 #include <glob.h>
@@ -21,6 +22,8 @@ namespace shellmatch {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t most_told = 10;  // files that are missing
 
 constexpr std::array known_columns = {"id", "file", "landmarks", "group", "reflect"};
 
@@ -170,6 +173,27 @@ void check_subjects(const std::vector<Subject>& subjects, const std::string& whe
                       "column id (where that is missing or empty, the file's name is the id)",
                       where, lines[at->second], lines[k], subject.id, other, subject.source);
   }
+}
+
+void check_files(const std::vector<Subject>& subjects, const std::string& where) {
+  std::vector<std::string> wrong;
+  for (const Subject& subject : subjects) {
+    try {
+      if (is_generated_source(subject.source))
+        check_generated_source(subject.source);
+      else
+        InputFile(file_of(subject.source));
+    } catch (const InputError& error) {
+      wrong.push_back(fmt::format("{}: subject {}: {}", where, subject.id, error.what()));
+    }
+  }
+  if (wrong.empty()) return;
+  if (wrong.size() > most_told) {
+    const std::size_t further = wrong.size() - most_told;
+    wrong.resize(most_told);
+    wrong.push_back(fmt::format("{}: and the files of {} further subjects", where, further));
+  }
+  throw SeveralInputErrors(std::move(wrong));
 }
 
 }  // namespace shellmatch

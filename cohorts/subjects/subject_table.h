@@ -22,4 +22,7 @@ std::vector<Subject> subjects_of(const std::vector<std::string>& names, const st
 /// \throws InputError
 void check_subjects(const std::vector<Subject>& subjects, const std::string& where, const std::vector<std::size_t>& lines = {});
 
+/// Checks that the file or built-in shape of each subject exists; its contents are not read. \throws SeveralInputErrors, one text for each
+void check_files(const std::vector<Subject>& subjects, const std::string& where);
+
 }  // namespace shellmatch

@@ -57,6 +57,12 @@ def _build(settings):
             raise SystemExit(
                 f"shellmatch: {tool} is missing; scripts/install-dependencies --python installs what the build needs"
             )
+    header = pathlib.Path(sysconfig.get_path("include"), "Python.h")
+    if not header.exists():
+        raise SystemExit(
+            f"shellmatch: {sys.executable} cannot build modules: there is no {header}; make the environment with a Python that can: "
+            "/usr/bin/python3 -m venv --system-site-packages my-env, after scripts/install-dependencies --python"
+        )
     preset = settings.get("preset", "python")
     arguments = ["-DSHELLMATCH_PYTHON=ON"]
     if preset == "python":  # other presets keep their interpreter, which tests may use
@@ -79,6 +85,7 @@ def _metadata(project):
         f"Name: {project['name']}",
         f"Version: {project['version']}",
         f"Summary: {project['description']}",
+        f"License: {project['license']['text']}",
     ]
     lines += [f"Requires-Python: {project['requires-python']}"]
     lines += [f"Requires-Dist: {name}" for name in project["dependencies"]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, Sequence
 
 import numpy as np
@@ -60,3 +61,18 @@ def as_indices(value: Any, name: str) -> Array:
     if array.dtype == np.uint64 and array.size > 0 and array.max() > np.iinfo(np.int64).max:
         raise InputError(f"{name}: a number of {array.max()} is no index")
     return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return "array " + "x".join(map(str, value.shape)) if value.ndim else _short(value.item())
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    text = repr(value)
+    return text if len(text) <= 80 else f"{type(value).__name__} of {len(value)}" if hasattr(value, "__len__") else text[:77] + "..."
+
+
+def short_repr(value: Any) -> str:
+    """Of a dataclass, on one line: of arrays the shapes, of long lists the lengths."""
+    fields = ", ".join(f"{field.name}={_short(getattr(value, field.name))}" for field in dataclasses.fields(value))
+    return f"{type(value).__name__}({fields})"

@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._arrays import Array, as_array, as_indices, as_rows
+from ._arrays import Array, as_array, as_indices, as_rows, short_repr
 from .errors import InputError
 
 OptionText = Tuple[str, Union[str, bytes], Union[str, bytes]]  # key, value, beginning of messages
@@ -17,7 +17,7 @@ OptionText = Tuple[str, Union[str, bytes], Union[str, bytes]]  # key, value, beg
 _largest_label = 2**24  # whole numbers up to it can be told apart in single precision
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(repr=False)
 class Volume:
     """Voxels that make up a shape: those of a label, of several, or those above a threshold.
 
@@ -34,6 +34,8 @@ class Volume:
     label: Union[int, Sequence[int], None] = None
     above: Optional[float] = None
     space: str = "ras"
+
+    __repr__ = short_repr
 
 
 def _volume(volume: Volume, name: str) -> _core.ShapeInput:

@@ -13,6 +13,8 @@ import numpy as np
 from ._inputs import OptionText, file_name, landmark_input
 from .errors import InputError
 
+_deepest = 10  # no option lies so deep: the section holds itself
+
 _plain = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
 
 
@@ -39,7 +41,9 @@ def _text_of(value: Any, key: str, within_list: bool = False) -> str:
     )
 
 
-def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
+def _flat(values: Mapping[Any, Any], path: str, depth: int = 0) -> Iterator[tuple[str, Any]]:
+    if depth > _deepest:
+        raise InputError(f"option {path.split('.')[0]}: its sections lie more than {_deepest} deep in each other; does one hold itself?")
     for name, value in values.items():
         if not isinstance(name, str) or not name or not name.isprintable():
             raise InputError(f"option {path or 'at the top'}: the key {name!r} is no word")
@@ -47,7 +51,7 @@ def _flat(values: Mapping[Any, Any], path: str) -> Iterator[tuple[str, Any]]:
         if isinstance(value, Mapping):
             if not value:
                 raise InputError(f"option {key}: the section is empty")
-            yield from _flat(value, key)
+            yield from _flat(value, key, depth + 1)
         else:
             yield key, value
 

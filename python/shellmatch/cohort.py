@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple
 import numpy as np
 
 from . import _core
-from ._arrays import Array, Floats, as_indices, as_rows
+from ._arrays import Array, Floats, as_indices, as_rows, short_repr
 from ._inputs import shape_input
 from ._options import matching_arguments
 from .errors import Error, InputError, InternalError
@@ -19,7 +19,7 @@ from .statistics import as_kind, as_whole, procrustes as aligned_sets
 _OUTCOMES = ("matched", "look-here", "not-matched")
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Cohort:
     """What register_cohort() has found.
 
@@ -35,6 +35,8 @@ class Cohort:
     included: Array
     results: List[Optional[Result]]
     errors: Dict[int, str]
+
+    __repr__ = short_repr
 
     def model(self, n_modes: Optional[int] = None, procrustes: str = "rigid") -> ShapeModel:
         """The shape model of the included subjects, weighted by the atlas' facets."""

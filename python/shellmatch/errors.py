@@ -1,8 +1,14 @@
 """The exceptions of shellmatch. All derive from Error, and their text is one line that says what to do."""
 
 
+from ._words import in_python
+
+
 class Error(Exception):
     """Whatever shellmatch raises on its own account; Ctrl-C stays a KeyboardInterrupt."""
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__(in_python(text))
 
 
 class InputError(Error, ValueError):

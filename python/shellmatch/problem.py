@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, as_vector
+from ._arrays import Floats, as_vector, short_repr
 from ._inputs import shape_input
 from ._options import matching_arguments, option_texts
 from .errors import InputError
@@ -16,7 +16,7 @@ from .map import Map
 from .registration import Path, Progress, core_progress
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Minimum:
     """What Problem.minimize() has found: where, how low, by which method, why it stopped, and what it cost."""
 
@@ -31,6 +31,8 @@ class Minimum:
     seconds: float
     notes: List[str]
     history: List[Dict[str, Any]]
+
+    __repr__ = short_repr
 
 
 class Problem:

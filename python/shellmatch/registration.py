@@ -12,9 +12,10 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._arrays import Floats
+from ._arrays import Floats, short_repr
 from ._inputs import file_name, shape_input
 from ._options import matching_arguments
+from ._words import in_python
 from .errors import ShellmatchWarning
 from .map import Map
 
@@ -63,7 +64,7 @@ class Verdict:
         return "; ".join([self.outcome] + [f"{reason.what} ({reason.advice})" for reason in self.reasons])
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Distances:
     """Distances both ways. Arrays are in the unit of the shapes; the figures are relative to the template's diagonal.
 
@@ -80,6 +81,8 @@ class Distances:
     template_p95: float
     template_max: float
     uncovered: Optional[float]
+
+    __repr__ = short_repr
 
 
 class Result:
@@ -143,7 +146,7 @@ class Result:
         """Whether the shapes match, and why not."""
         verdict = self._summary["verdict"]
         reasons = [
-            Reason(reason["what"], reason["advice"], reason.get("shape", ""), tuple(reason.get("place", ())))
+            Reason(in_python(reason["what"]), in_python(reason["advice"]), reason.get("shape", ""), tuple(reason.get("place", ())))
             for reason in verdict.get("reasons", [])
         ]
         return Verdict(verdict["outcome"], tuple(reasons))
@@ -171,7 +174,7 @@ class Result:
     @property
     def notes(self) -> List[str]:
         """What the run has said: repairs, alignment, changes of method."""
-        return self._core.notes
+        return [in_python(note) for note in self._core.notes]
 
     @property
     def options(self) -> str:
@@ -185,7 +188,7 @@ class Result:
         A picture or report that cannot be made is missing there, and a ShellmatchWarning says so.
         """
         for text in self._core.save(file_name(folder, "folder"), bool(force)):
-            warnings.warn(text, ShellmatchWarning, stacklevel=2)
+            warnings.warn(in_python(text), ShellmatchWarning, stacklevel=2)
 
     def __repr__(self) -> str:
         return (
@@ -201,8 +204,8 @@ def core_progress(progress: Optional[Progress]) -> Optional[Callable[..., Option
         raise TypeError(f"progress: a {type(progress).__name__} is no function")
     told = progress
 
-    def call(*values: Any) -> Optional[bool]:
-        answer = told(Event(*values))
+    def call(kind: str, text: str, *values: Any) -> Optional[bool]:
+        answer = told(Event(kind, in_python(text), *values))
         return bool(answer) if isinstance(answer, np.bool_) else answer  # comparisons of numpy's numbers give these
     return call
 
@@ -246,5 +249,5 @@ def register(
         core_progress(progress),
     )
     for text in match.warnings:
-        warnings.warn(text, ShellmatchWarning, stacklevel=2)
+        warnings.warn(in_python(text), ShellmatchWarning, stacklevel=2)
     return Result(match)

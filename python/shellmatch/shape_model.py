@@ -9,12 +9,12 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, as_array
+from ._arrays import Floats, as_array, short_repr
 from .errors import InputError
 from .statistics import as_count, as_kind, as_seed, as_shapes, as_whole, point_weights
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class ModelCurves:
     """How good a model is with M modes, at index M - 1 (Davies 2002; Styner et al. 2003). Distances are root mean squares over the surface.
 
@@ -29,6 +29,8 @@ class ModelCurves:
     generalisation_error: Floats
     specificity: Floats
     specificity_error: Floats
+
+    __repr__ = short_repr
 
 
 class ShapeModel:

@@ -9,7 +9,7 @@ from typing import Any, Tuple
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, as_array, as_indices, as_rows, as_vector
+from ._arrays import Floats, as_array, as_indices, as_rows, as_vector, short_repr
 from .errors import InputError
 
 
@@ -70,13 +70,15 @@ def point_weights(points: Floats, faces: Any, weights: Any) -> Floats:
     return _core.area_weights(points, corners)
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Aligned:
     """Shapes after Procrustes analysis: points (n, V, d), their mean (V, d), and how often the mean was renewed."""
 
     points: Floats
     mean: Floats
     n_iterations: int
+
+    __repr__ = short_repr
 
 
 def procrustes(points: Any, faces: Any = None, *, weights: Any = None, procrustes: str = "rigid", start: Any = None) -> Aligned:
@@ -99,7 +101,7 @@ def procrustes(points: Any, faces: Any = None, *, weights: Any = None, procruste
     return Aligned(moved, mean, n_iterations)
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class GroupDifference:
     """Of group B against group A, which group_difference() has compared. Arrays are of the V points.
 
@@ -122,6 +124,8 @@ class GroupDifference:
     q: Floats
     distance: float
     global_p: float
+
+    __repr__ = short_repr
 
 
 def group_difference(

@@ -1,5 +1,7 @@
 """Whatever is wrong is refused with a typed error of one line; nothing crashes."""
 
+import pathlib
+import re
 import tempfile
 import types
 import unittest
@@ -41,6 +43,43 @@ class Refused(unittest.TestCase):
             shellmatch.register("generate:circle", "generate:nothing")
         with tempfile.NamedTemporaryFile() as file, self.assertRaises(shellmatch.InputError):
             shellmatch.register("generate:circle", "generate:circle", **options).save(file.name)
+
+    def test_messages_speak_of_arguments(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = shellmatch.register("generate:circle", "generate:circle", **options)
+            result.save(folder + "/out")
+            self.refused(lambda: result.save(folder + "/out"), "choose another, or replace it with force=True")
+        for said, words in (
+            ("stop at level 7 instead, with --levels 3:7", "stop at level 7 instead, with levels=(3, 7)"),
+            ("a lower finest level (--levels) needs less", "a lower finest level (levels=(coarsest, finest)) needs less"),
+            ("try --align landmarks", 'try align="landmarks"'),
+            ("(--set align.direction=auto; docs/alignment.md)", '(**{"align.direction": "auto"}; docs/alignment.md)'),
+        ):
+            self.assertEqual(str(shellmatch.InputError(said)), words)
+
+    def test_no_word_of_the_command_line_is_left(self):
+        """In what a matching or its result may say: every text in its sources that has an option with hyphens."""
+        root = pathlib.Path(__file__).resolve().parents[2]
+        of_commands = ("derivative_check", "run_gradient_check.cpp", "yaml_options", "cascade.cpp")  # what no function reaches
+        n = 0
+        for file in sorted([*root.glob("matching/**/*.cpp"), *root.glob("base/*.cpp")]):
+            if any(word in str(file) for word in of_commands):
+                continue
+            for text in re.findall(r'"((?:[^"\\\n]|\\.)*)"', file.read_text()):
+                if re.search(r"--[a-z]", text):
+                    n += 1
+                    self.assertNotRegex(str(shellmatch.Error(text.replace("{}", "3"))), r"--[a-z]| -o\b", file)
+        self.assertGreater(n, 5)
+
+    def test_sections_and_lists_that_hold_themselves(self):
+        section, values = {}, []
+        section["more"] = section
+        values.append(values)
+        for name in ("energy", "align", "landmarks"):
+            self.refused(lambda: shellmatch.register("generate:circle", "generate:circle", **{name: section}), name, "hold itself?")
+        for name in ("energy", "levels", "landmarks"):
+            self.refused(lambda: shellmatch.register("generate:circle", "generate:circle", **{name: values}), name)
+        self.shape_refused(values)
 
     def test_things_that_are_no_shapes(self):
         for shape in (

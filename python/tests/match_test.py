@@ -230,6 +230,9 @@ class Results(unittest.TestCase):
         self.assertEqual({row["level"] for row in r.history}, {3, 4})
         self.assertFalse(r.interrupted)
         self.assertIn(r.verdict.outcome, repr(r))
+        self.assertRegex(repr(r.distances), rf"^Distances\(deformed_to_template=array {len(self.ball[0])}, .*mean=[0-9.e-]+, .*\)$")
+        for value in (r.distances, shellmatch.Volume(np.zeros((20, 20, 20)))):
+            self.assertLess(len(repr(value)), 300)
 
     def test_threads_wait_for_each_other(self):
         expected, found = self.forward.vertices, [None] * 3

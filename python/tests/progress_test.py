@@ -44,7 +44,7 @@ class Progress(unittest.TestCase):
     def test_events(self):
         events = []
         result = shellmatch.register(*self.pair, progress=events.append, **self.options)
-        self.assertEqual([e.text for e in events if e.kind == "stage"], ["reading", "matching"])
+        self.assertEqual([e.text for e in events if e.kind == "stage"], ["reading", "matching", "measuring"])
         self.assertEqual(sorted({e.level for e in events if e.kind == "step"}), [3, 4, 5])
         steps = [(e.level, e.substep, e.iteration, e.energy) for e in events if e.kind == "step"]
         self.assertEqual(steps, [(r["level"], r["substep"], r["iteration"], r["energy"]) for r in result.history])

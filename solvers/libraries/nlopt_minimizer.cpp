@@ -6,7 +6,9 @@
 
 #include <nlopt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace shellmatch {
@@ -38,10 +40,21 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<nlopt_opt_s, OptDeleter>;
 
+// NLopt's truncated Newton method multiplies by the Hessian through differences of gradients at points so far from its iterate, which is the
+// last point of its line search (luksan/pnet.c, eta0). They are not steps.
+constexpr double probe_length = 3.1622776601683795e-8;  // root of 1e-15
+
+bool is_probe(std::span<const double> x, std::span<const double> iterate) {
+  const double rounding = std::numeric_limits<double>::epsilon() * norm(x);
+  return std::abs(distance(x, iterate) - probe_length) <= 0.01 * probe_length + rounding;
+}
+
 struct Context {
   LibraryRun& run;
   nlopt_opt opt;
   int max_stalled;
+  bool has_probes;
+  std::vector<double> iterate;  // the last point that was no probe; entries that are no numbers before the first
   bool not_finite = false;  // the library requested a point with an entry that is not finite
   bool stalled = false;
 };
@@ -68,9 +81,11 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
     context.not_finite = true;
     return halt();
   }
-  const Evaluation at = context.run.evaluate(at_x, g);
+  const bool probes = context.has_probes && is_probe(at_x, context.iterate);
+  const Evaluation at = probes ? context.run.probe(at_x, g) : context.run.evaluate(at_x, g);
   // The library evaluates trial points without gradient; a step is accepted once its gradient is known.
-  if (at.feasible && gradient) context.run.accept_best();
+  if (at.feasible && gradient && !probes) context.run.accept_best();
+  if (!probes) std::copy(x, x + n, context.iterate.begin());
   if (context.run.halted()) return halt();
   if (context.run.stalled_evaluations() > context.max_stalled) {
     context.stalled = true;
@@ -105,7 +120,8 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
   while (!run.halted() && n_starts <= options_.max_restarts) {
     const Opt opt(nlopt_create(algorithm(method_), static_cast<unsigned>(n)));
     if (opt == nullptr) return run.finish(x, StopReason::library, "NLopt: out of memory");
-    Context context{.run = run, .opt = opt.get(), .max_stalled = options_.max_stalled_evaluations};
+    Context context{.run = run, .opt = opt.get(), .max_stalled = options_.max_stalled_evaluations,
+                    .has_probes = method_ == NloptMethod::tnewton, .iterate = std::vector<double>(n, std::numeric_limits<double>::quiet_NaN())};
     nlopt_set_min_objective(opt.get(), evaluate, &context);
     if (options_.vector_storage > 0)
       nlopt_set_vector_storage(opt.get(), static_cast<unsigned>(options_.vector_storage));

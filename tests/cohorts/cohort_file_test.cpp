@@ -48,7 +48,8 @@ TEST_F(CohortFile, TheLeastThatRuns) {
 }
 
 TEST_F(CohortFile, PathsAreRelativeToTheFile) {
-  std::ofstream(folder_ / "atlas.ply") << "a file";
+  fs::create_directories(folder_ / "deep");
+  for (const char* name : {"atlas.ply", "a.ply", "deep/b.ply"}) std::ofstream(folder_ / name) << "a file";
   const Cohort cohort = read("version: 1\nshapes: [a.ply, deep/b.ply]\natlas: {kind: given, shape: atlas.ply, landmarks: points.csv}\n");
   EXPECT_EQ(cohort.subjects[1].source, (folder_ / "deep/b.ply").string());
   EXPECT_EQ(cohort.options.atlas.shape, (folder_ / "atlas.ply").string());
@@ -93,6 +94,17 @@ TEST_F(CohortFile, MistakesAreSaidWithTheirPlace) {
   expect_refused(two + "statistics: {groups: [a]}\n", {"two groups"});
   expect_refused(two + "statistics: {groups: [a, b]}\n", {"no subject is of the group 'a'"});
   expect_refused(two + "table: x.csv\n", {"exclude each other"});
+}
+
+TEST_F(CohortFile, EveryFileThatIsMissingIsToldAtOnce) {
+  std::ofstream(folder_ / "here.ply") << "a file";
+  expect_refused("version: 1\nshapes: [here.ply, lost.ply, generate:circl, scan.nii.gz:3, deep]\n",
+                 {"cohort.yaml: subject lost: ", "lost.ply: no such file", "subject circl: ", "subject scan_3: ", "scan.nii.gz: no such file", "subject deep: "});
+  std::ofstream(folder_ / "table.csv") << "id,file\none,here.ply\ntwo,gone.ply\n";
+  expect_refused("version: 1\ntable: table.csv\n", {"table.csv: subject two: ", "gone.ply: no such file; check the name and the folder"});
+  std::string many;
+  for (int k = 0; k < 30; ++k) many += "gone" + std::to_string(k) + ".ply, ";
+  expect_refused("version: 1\nshapes: [" + many + "here.ply]\n", {"subject gone9: ", "and the files of 20 further subjects"});
 }
 
 TEST_F(CohortFile, TheReferenceHasEveryOption) {

@@ -49,6 +49,13 @@ class Package(ScriptTest):
             self.assert_refused(self.run_script(name, "--nothing"), name, 3, ["'--nothing'", f"scripts/{name} --help"])
             self.assert_refused(self.run_script(name, "--root"), name, 3, ["--root", "folder"])
 
+    def test_the_licence_is_the_same_everywhere(self):
+        self.assertTrue(text("LICENSE").split()[:4] == ["GNU", "GENERAL", "PUBLIC", "LICENSE"] and "Version 3, 29 June 2007" in text("LICENSE"))
+        for name in ("CITATION.cff", "CMakeLists.txt", "README.md", "cmake/package/copyright", "docs/licences.md", "pyproject.toml"):
+            self.assertIn("GPL-3.0-or-later", text(name), name)
+        version = re.search(r"project\(shellmatch VERSION ([0-9.]+)", text("CMakeLists.txt"))[1]
+        self.assertIn(f"\nversion: {version}\n", text("CITATION.cff"))
+
     def test_each_variant_has_a_preset_and_is_packed_once(self):
         presets = {p["name"]: p for p in json.loads(text("CMakePresets.json"))["configurePresets"]}
         variants = re.search(r"for variant in ([^;]+);", text("scripts/package")).group(1).split()

@@ -8,20 +8,47 @@ namespace {
 TEST_F(CohortProgram, ADamagedSubjectIsARow) {
   const std::string file = write_cohort(4, "{kind: mean, rounds: 1}");
   write("e2.csv", "x,y\n0,zero\n");
-  std::filesystem::remove(folder_ / "e3.csv");
   const ProgramResult result = cohort({file, "-o", "out"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(result.exit_code, 1) << result.err;
+  const std::string last = result.err.substr(result.err.rfind("shellmatch: "));
+  EXPECT_TRUE(last.starts_with("shellmatch: error: 1 of 4 subjects have no result; the first is e2, failed: ")) << last;
+  EXPECT_TRUE(has(last, "e2.csv, line 2") && has(last, "out/subjects.csv")) << last;
   const auto lines = csv_lines(text_of("out/subjects.csv"));
   EXPECT_TRUE(lines.at("e2").starts_with("e2,thick,failed,,,")) << lines.at("e2");
   EXPECT_TRUE(has(lines.at("e2"), "e2.csv")) << lines.at("e2");
-  EXPECT_TRUE(has(lines.at("e3"), "no such file")) << lines.at("e3");
   EXPECT_TRUE(lines.at("e1").starts_with("e1,thick,finished,matched,0,")) << lines.at("e1");
   EXPECT_TRUE(lines.at("e4").ends_with(",24")) << "further columns are kept: " << lines.at("e4");
   // Mended, it is matched; the others are not matched again in that round.
   write_ellipse("e2.csv", 1.04, 0.82);
   const ProgramResult again = cohort({file, "-o", "out"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_TRUE(has(again.err, "e2 ...")) << again.err;
   EXPECT_TRUE(csv_lines(text_of("out/subjects.csv")).at("e2").starts_with("e2,thick,finished,matched,")) << again.err;
+}
+
+TEST_F(CohortProgram, AFileThatIsMissingIsRefusedBeforeAnythingRuns) {
+  const std::string file = write_cohort(4, "{kind: mean, rounds: 1}");
+  std::filesystem::remove(folder_ / "e3.csv");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(has(result.err, "subject e3: ") && has(result.err, "e3.csv: no such file")) << result.err;
+  EXPECT_FALSE(has(result.err, " ...")) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(CohortProgram, OneSubjectNeedsNoRounds) {
+  const std::string file = write_cohort(1, "{kind: mean, rounds: 5}");
+  const ProgramResult result = cohort({file, "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, "one subject has no mean")) << result.err;
+  EXPECT_TRUE(has(result.err, "it is matched onto itself")) << result.err;
+  EXPECT_FALSE(has(result.err, "round 1")) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.html"));
+  write_ellipse("other.csv", 1, 0.7);
+  const ProgramResult other = cohort({file, "-o", "other", "--set", "atlas.shape=other.csv"});
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_TRUE(has(other.err, "one subject has no mean")) << other.err;
+  EXPECT_FALSE(has(other.err, "itself")) << other.err;
 }
 
 TEST_F(CohortProgram, LandmarksThatCannotBeReadAreToldAsSuch) {

@@ -257,5 +257,27 @@ TEST(Nlopt, EvaluatesAgainAfterAStall) {
   EXPECT_GE(second.value_evaluations, first.value_evaluations + 5);
 }
 
+// The truncated Newton method evaluates gradients beside its iterates, 3e-8 away, for products with the Hessian.
+TEST(Nlopt, DoesNotTakeDifferenceProbesForSteps) {
+  const auto problem = testing::extended_rosenbrock(2);
+  SolverOptions options;
+  options.name = "nlopt_tnewton";
+  StopOptions stop{.max_iterations = 100, .relative_decrease = 1e-6, .decrease_window = 1, .gradient_norm = 1e-8};
+  std::vector<double> x = problem->start();
+  std::vector<double> steps;
+  const MinimizerSummary s = make_minimizer(options)->minimize(*problem, x, stop, [&](const IterationRecord& record) {
+    if (record.iteration > 0) steps.push_back(record.step);
+    return true;
+  });
+  EXPECT_GT(s.iterations, 15) << "small decreases of probes do not end it: " << s.message;
+  EXPECT_GE(s.value_evaluations, 2 * s.iterations) << "the probes are counted as evaluations";
+  for (const double step : steps) EXPECT_TRUE(std::abs(step - 3.16e-8) > 1e-9) << step;
+  EXPECT_LT(s.final_value, 1e-10);
+  const double last = s.final_value;
+  double value = 0;
+  ASSERT_TRUE(problem->evaluate(x, value, {}));
+  EXPECT_EQ(value, last);
+}
+
 }  // namespace
 }  // namespace shellmatch
