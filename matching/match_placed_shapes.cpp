@@ -73,6 +73,7 @@ class Matching {
                                    [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
                                    clock_.phases, std::move(finished), pairs, observed_);
     summary_.interrupted = result.interrupted;
+    recorder_.stage("measuring");
     PhaseClock phase(clock_.phases);
     phase.start("output");
     MatchResult<Dim> complete = make_result(std::move(result));

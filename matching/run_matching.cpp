@@ -120,6 +120,7 @@ class Run {
     write_result_files(result, options_, folder_, recorder_);
     phase.stop();
     clock_.state(result.summary.run);
+    if (options_.report) recorder_.stage("writing the page");
     phase.start("page");
     write_result_page(result, options_, folder_, recorder_);
     phase.stop();

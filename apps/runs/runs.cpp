@@ -1,6 +1,7 @@
 #include "apps/runs/runs.h"
 
 #include "apps/process/limits.h"
+#include "apps/terminal/time_left.h"
 #include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/stop.h"
@@ -15,9 +16,25 @@ namespace shellmatch {
 
 void RunsProgress::run_started(const RunTask& run) { say(fmt::format("{} ...", run.name)); }
 
+void RunsProgress::runs_begin(std::size_t n_runs) {
+  n_runs_ = n_runs;
+  n_ended_ = 0;
+  begin_ = std::chrono::steady_clock::now();
+}
+
 void RunsProgress::run_ended(const RunTask& run, const RunResult& result) {
-  say(fmt::format("{}: {} after {:.1f} s{}{}", run.name, status_name(result.status), result.seconds,
-                  result.message.empty() ? "" : ": ", result.message));
+  ++n_ended_;
+  say(fmt::format("{}: {} after {:.1f} s{}{}{}", run.name, status_name(result.status), result.seconds,
+                  result.message.empty() ? "" : ": ", result.message, place()));
+}
+
+std::string RunsProgress::place() const {
+  if (n_runs_ < 2) return "";
+  std::string text = fmt::format(" ({} of {}", n_ended_, n_runs_);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  if (n_ended_ < n_runs_)
+    text += ", " + time_left_text(seconds / static_cast<double>(n_ended_) * static_cast<double>(n_runs_ - n_ended_));
+  return text + ")";
 }
 
 bool RunsProgress::stop_requested() { return stop_cause() != StopCause::none; }

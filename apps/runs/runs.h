@@ -4,6 +4,8 @@
 
 #include "studies/execution/run_tasks.h"
 
+#include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace shellmatch {
@@ -17,8 +19,15 @@ class RunsProgress : public virtual TaskObserver {
   bool stop_requested() override;
   void say(const std::string& text) const;
 
+  void runs_begin(std::size_t n_runs) override;
+
  private:
+  // "3 of 12", and the time that the others will take if they take as long as those before, as many at a time.
+  std::string place() const;
+
   bool is_quiet_;
+  std::size_t n_runs_ = 0, n_ended_ = 0;
+  std::chrono::steady_clock::time_point begin_;
 };
 
 /// The value of --jobs; `fallback` where it is not given. \throws InputError

@@ -32,9 +32,17 @@ Progress::Progress(Verbosity verbosity, int max_level)
     : verbosity_(verbosity),
       max_level_(max_level),
       terminal_(verbosity == Verbosity::normal && isatty(STDERR_FILENO) != 0),
-      time_left_(max_level) {}
+      time_left_(max_level) {
+  if (terminal_) heartbeat_.emplace([this] { beat(); });
+}
 
-Progress::~Progress() { clear(); }
+Progress::~Progress() { finished(); }
+
+void Progress::finished() {
+  heartbeat_.reset();
+  const std::lock_guard lock(mutex_);
+  clear();
+}
 
 double Progress::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -45,13 +53,13 @@ void Progress::clear() {
   pending_ = false;
 }
 
-void Progress::line(const std::string& text) {
-  if (verbosity_ != Verbosity::quiet) warn(text);
-}
-
-void Progress::warn(const std::string& text) {
+void Progress::say(const std::string& text) {
   clear();
   say_line(text);
+}
+
+void Progress::line(const std::string& text) {
+  if (verbosity_ != Verbosity::quiet) say(text);
 }
 
 void Progress::rewrite(const std::string& text) {
@@ -62,56 +70,87 @@ void Progress::rewrite(const std::string& text) {
   std::fflush(stderr);
 }
 
-void Progress::note(const std::string& text) { line(text); }
+std::string Progress::left() const {
+  const std::optional<double> seconds = has_estimate_ ? time_left_.at(now()) : std::nullopt;
+  return seconds ? ", " + time_left_text(*seconds) : "";
+}
+
+// What takes long without a word says how long.
+void Progress::beat() {
+  const std::lock_guard lock(mutex_);
+  if (doing_.empty() || now() - last_rewrite_ < 0.9) return;
+  const double here = now() - doing_since_;
+  rewrite(fmt::format("{}: {:.0f} s{}{}", doing_, here, now() - here >= 1 ? fmt::format(" of {:.0f} s so far", now()) : "", left()));
+}
+
+void Progress::warn(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  say(text);
+}
+
+void Progress::note(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  line(text);
+}
 
 void Progress::stage(const std::string& name) {
   stop_if_wanted();
+  const std::lock_guard lock(mutex_);
+  doing_ = name;
+  doing_since_ = now();
+  has_estimate_ = false;
   if (terminal_) rewrite(name);
-  else if (verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));
+  else if (now() > 0.05 || verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));  // what begins at once needs no word
 }
 
 void Progress::trial_iterated() {
   stop_if_wanted();
+  const std::lock_guard lock(mutex_);
+  doing_ = "alignment, starts are tried";
   if (terminal_ && now() - last_rewrite_ > 0.1) rewrite(fmt::format("alignment: starts are tried, {:.0f} s so far", now()));
 }
 
 void Progress::minimisation_started(const LevelStart& start) {
   stop_if_wanted();
+  const std::lock_guard lock(mutex_);
   time_left_.started(start.level, start.substep, start.n_substeps, start.n_nodes, now());
-  const std::string text =
-      fmt::format("{}: {} nodes, {} of them free, {} cells, nu {:.3g}, c_vol {:.3g}, sigma {:.3g}",
-                  place(start, max_level_), start.n_nodes, start.n_free_nodes, start.n_cells, start.nu,
-                  start.volume_weight, start.sigma);
+  has_estimate_ = true;
+  doing_ = place(start, max_level_);
+  doing_since_ = now();
+  std::string text = fmt::format("{}: {} nodes, {} of them free, {} cells", doing_, start.n_nodes, start.n_free_nodes, start.n_cells);
+  if (verbosity_ == Verbosity::verbose)
+    text += fmt::format(", nu {:.3g}, c_vol {:.3g}, sigma {:.3g}", start.nu, start.volume_weight, start.sigma);
   if (terminal_) rewrite(text);
-  else line(text);
+  else if (start.substep == 1 || verbosity_ == Verbosity::verbose) line(text);
 }
 
 bool Progress::iterated(const LevelStart& start, const IterationRecord& record) {
   stop_if_wanted();
+  const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::verbose) {
     line(fmt::format("{}, iteration {}: energy {:.6e}, terms {:.4e}, gradient {:.3e}, step {:.3e}, {} evaluations, {:.2f} s",
                      place(start, max_level_), record.iteration, record.value, fmt::join(record.terms, " "),
                      record.gradient_norm, record.step, record.value_evaluations, record.seconds));
   } else if (terminal_ && now() - last_rewrite_ > 0.1) {
-    const std::optional<double> left = time_left_.at(now());
     rewrite(fmt::format("{}, iteration {}: energy {:.4e}, {:.0f} s so far{}", place(start, max_level_),
-                        record.iteration, record.value, now(), left ? ", " + time_left_text(*left) : ""));
+                        record.iteration, record.value, now(), left()));
   }
   return true;
 }
 
 void Progress::gradient_checked(const LevelStart& start, const GradientReport& report) {
   if (report.passed() && verbosity_ != Verbosity::verbose && terminal_) return;
+  const std::lock_guard lock(mutex_);
   line(fmt::format("{}, iteration {}: derivatives {}", place(start, max_level_), report.iteration,
                    report.passed() ? "checked" : "WRONG: " + report.faults()));
 }
 
 void Progress::minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) {
-  if (terminal_ && start.substep < start.n_substeps) return;
-  const std::optional<double> left = time_left_.at(now());
+  if (verbosity_ != Verbosity::verbose && start.substep < start.n_substeps) return;
+  const std::lock_guard lock(mutex_);
   line(fmt::format("{}: energy {:.4e} after {} iterations in {:.1f} s ({}){}", place(start, max_level_),
                    summary.final_value, summary.iterations, summary.seconds, enum_name(summary.reason),
-                   left && start.level < max_level_ ? ", " + time_left_text(*left) : ""));
+                   start.level < max_level_ ? left() : ""));
 }
 
 }  // namespace shellmatch

@@ -1,6 +1,9 @@
 #include "cohorts/output/model_files.h"
 
+#include "base/replace_file.h"
+#include "base/text.h"
 #include "cohorts/output/npy_file.h"
+#include "cohorts/output/tps_file.h"
 #include "geometry/io/write_shape.h"
 #include "matching/result/deformed_shape.h"
 
@@ -9,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <span>
 
 namespace shellmatch {
 
@@ -25,6 +30,29 @@ void write_points(const std::string& path, const Eigen::MatrixXd& columns) {
   const auto n = static_cast<std::size_t>(columns.cols()),
              n_points = static_cast<std::size_t>(columns.rows() / Dim);
   write_npy(path, {n, n_points, Dim}, values_of(columns));
+}
+
+// The same as text, subject by subject, for programs that read no arrays; very many points are left to points.npy.
+constexpr Eigen::Index most_points_of_text = 5'000'000;
+
+template <int Dim>
+void write_points_as_text(const std::string& name, const CohortResult<Dim>& result, const Eigen::MatrixXd& columns) {
+  if (columns.size() / Dim > most_points_of_text) {
+    for (const char* ending : {".csv", ".tps"}) fs::remove(name + ending);  // of an earlier run
+    return;
+  }
+  std::string csv = Dim == 3 ? "id,point,x,y,z\n" : "id,point,x,y\n", tps;
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const std::string& id = result.subjects[result.rows[static_cast<std::size_t>(k)]].id;
+    const Eigen::VectorXd column = columns.col(k);
+    const std::span<const double> points(column.data(), static_cast<std::size_t>(column.size()));
+    const std::string first = csv_field(id);
+    for (std::size_t p = 0; p < points.size() / Dim; ++p)
+      fmt::format_to(std::back_inserter(csv), "{},{},{}\n", first, p, fmt::join(points.subspan(Dim * p, Dim), ","));
+    tps += tps_specimen(id, points, Dim);
+  }
+  replace_file(name + ".csv", csv);
+  replace_file(name + ".tps", tps);
 }
 
 template <int Dim>
@@ -86,6 +114,7 @@ void write_model(const CohortResult<Dim>& result, const Eigen::MatrixXd& points,
                  const std::string& folder) {
   fs::create_directories(folder);
   write_points<Dim>(folder + "/points.npy", points);
+  write_points_as_text(folder + "/points", result, points);
   write_points<Dim>(folder + "/aligned.npy", result.aligned.coordinates);
   std::vector<std::int32_t> faces;
   for (const auto& facet : result.surface.facets)

@@ -11,7 +11,8 @@ namespace shellmatch {
 /// Modes are drawn at so many standard deviations from the mean.
 inline constexpr double mode_deviations = 2;
 
-/// points.npy (subjects, vertices, coordinates) in the subjects' own coordinates, aligned.npy after
+/// points.npy (subjects, vertices, coordinates) in the subjects' own coordinates, the same as points.csv and
+/// points.tps where there are at most five million points, aligned.npy after
 /// Procrustes analysis, faces.npy, modes.npy (modes, vertices, coordinates), the mean with columns of
 /// deviations and of the difference of groups, and meshes of the first modes. \param points Dim * V
 /// coordinates of each subject \throws EnvironmentError if a file cannot be written

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array mean_files{"mean.ply", "mean.csv", "mean.vtp"};
 constexpr std::array statistics_files{"modes.npy", "modes.csv", "scores.csv"};
-constexpr std::array point_files{"points.npy", "aligned.npy", "faces.npy"};
+constexpr std::array point_files{"points.npy", "aligned.npy", "faces.npy", "points.csv", "points.tps"};
 
 /// mode_K_minus.ply, mode_K_plus.csv, mode_K.webp
 bool is_of_a_mode(std::string_view name) {

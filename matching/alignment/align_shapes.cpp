@@ -82,8 +82,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (is_used && result.landmark_trust.value_or(1) < 0.5)
     why += fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)", 100 * *result.landmark_trust);
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
-  observer.note(fmt::format("alignment: {}{} pairs, score {:.2f}, margin {:.2f}{}; {}{}", choice.is_doubtful ? "doubtful: " : "",
-                            best.n_pairs, best.score, choice.margin, why, is_used ? "" : "they are not used, and ",
+  // Score and margin tell something where they are bad; the summary always has them.
+  if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
+  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, is_used ? "" : "they are not used, and ",
                             pose_text(result.pose, moved)));
   return result;
 }

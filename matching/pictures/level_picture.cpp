@@ -125,11 +125,13 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
   panels.push_back({draw({template_shape}), "template", {}});
   panels.push_back({draw({deformed}), "deformed reference", {}});
   template_shape.fill_alpha = 0.35;
-  template_shape.fill = template_shape.line = template_color;
-  template_shape.line_width = 3;
-  const RenderContour thin{
-      .contour = picture.deformed, .line = color_from_oklch(0.55, 0.16, 45), .line_width = 1.2};
-  panels.push_back({draw({template_shape, thin}), "deformed reference (orange) and template (blue)", {}});
+  template_shape.fill = template_color;
+  template_shape.line = color_from_oklch(0.80, 0.09, 255);
+  // A wide line below and dashes on it: where the two lie on each other, both are seen.
+  template_shape.line_width = 6;
+  const RenderContour dashed{
+      .contour = picture.deformed, .line = color_from_oklch(0.58, 0.19, 42), .line_width = 2.2, .dashes = {8, 6}};
+  panels.push_back({draw({template_shape, dashed}), "deformed reference (orange dashes) and template (blue)", {}});
   for (const ScalarPanel& scalar : scalar_panels(picture)) {
     RenderContour c{.contour = picture.deformed, .line_width = 4};
     for (const double v : scalar.values)

@@ -30,9 +30,9 @@ class Observer {
   virtual void note(const std::string& /*text*/) {}
   /// Something that the result lacks. The program says it where it is quiet, too; observers of notes need not tell them apart.
   virtual void warn(const std::string& text) { note(text); }
-  /// What the run begins to do, in words for the user: run_matching reports "reading", "alignment" (where there is any),
-  /// "matching" and "writing", match_shapes the two in the middle, run_gradient_check "reading" and its own. The phases of
-  /// phase_seconds, by which time is measured (matching/progress/phase_clock.h), are finer and not reported.
+  /// What the run begins to do, in words for the user: run_matching reports "reading", "alignment" (where there is any), "matching",
+  /// "measuring", "writing" and "writing the page", match_shapes the three in the middle, run_gradient_check "reading" and its own. The
+  /// phases of phase_seconds, by which time is measured (matching/progress/phase_clock.h), are finer and not reported.
   virtual void stage(const std::string& /*name*/) {}
   /// Called after every step of the trials that choose among starts, before the first minimisation (align.mode auto). It stops
   /// the matching, which has no result yet, by an exception.

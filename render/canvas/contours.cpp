@@ -68,7 +68,7 @@ Image render_contours(std::span<const RenderContour> contours, const Frame& fram
     if (c.fill_alpha > 0) canvas.fill(rings, c.fill, c.fill_alpha);
     if (c.line_width > 0) {
       if (c.vertex_colors.empty()) {
-        for (const auto& ring : rings) canvas.polyline(ring, true, {c.line, c.line_width, c.line_alpha, {}});
+        for (const auto& ring : rings) canvas.polyline(ring, true, {c.line, c.line_width, c.line_alpha, c.dashes});
       } else {
         for (const auto& [a, b] : c.contour->facets)
           canvas.polyline(std::array{to_pixels(c.contour->vertices[a]), to_pixels(c.contour->vertices[b])},

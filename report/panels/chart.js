@@ -1,10 +1,10 @@
 // Plots, in the colours of the page.
 
-import { Chart, Legend, LinearScale, LineController, LineElement, PointElement, Tooltip } from "chart.js";
+import { Chart, Legend, LinearScale, LineController, LineElement, PointElement, Title, Tooltip } from "chart.js";
 import { figure } from "../data/format.js";
 import { element } from "./dom.js";
 
-Chart.register(Legend, LinearScale, LineController, LineElement, PointElement, Tooltip);
+Chart.register(Legend, LinearScale, LineController, LineElement, PointElement, Title, Tooltip);
 
 export const lineColors = ["#8a8f98", "#d1642c", "#3b7dd8", "#2f9e6e", "#b04fb3", "#c2a21f", "#5d6ac9"];
 
@@ -14,7 +14,7 @@ export const lineColors = ["#8a8f98", "#d1642c", "#3b7dd8", "#2f9e6e", "#b04fb3"
  */
 export function chart(canvas, scheme, x, y, { type = "line", datasets, plugins = [], legend, tooltip, tooltipFilter, ...options }) {
   const text = { color: scheme.text, font: { size: 11, family: "system-ui, sans-serif" } };
-  const axis = ({ words, callback, ...settings }) => ({ ...settings, title: { display: true, text: words, ...text },
+  const axis = ({ words, callback, ...settings }, title) => ({ ...settings, title,
     ticks: { ...text, maxRotation: 0, ...(callback && { callback }) }, grid: { color: scheme.faint, drawBorder: false } });
   return new Chart(canvas, {
     type,
@@ -23,9 +23,11 @@ export function chart(canvas, scheme, x, y, { type = "line", datasets, plugins =
     options: {
       animation: false, responsive: true, maintainAspectRatio: false, normalized: true, spanGaps: false,
       interaction: { mode: "nearest", axis: "x", intersect: false },
-      scales: { x: axis(x), y: axis(y) },
+      scales: { x: axis(x, { display: true, text: x.words, ...text }), y: axis(y, { display: false }) },
       ...options,
       plugins: {
+        // What goes up stands above, on one line: along the axis, low plots would cut it.
+        title: { display: true, text: y.words, position: "top", align: "start", padding: { top: 0, bottom: 4 }, color: text.color, font: { ...text.font, weight: "normal" } },
         legend: { position: "bottom", labels: { ...text, boxWidth: 12, boxHeight: 2, padding: 6, ...legend } },
         tooltip: { ...(tooltipFilter && { filter: tooltipFilter }), callbacks: { title: ([item]) => `${x.words.split(" (")[0]} ${item.label}`, label: ({ dataset, parsed }) => `${dataset.label}: ${figure(parsed.y)}`, ...tooltip } },
       },

@@ -155,9 +155,13 @@ bool run_tasks(const std::vector<const RunTask*>& runs, const RunLimits& limits,
   const std::string program = settings.program.empty() ? "/proc/self/exe" : settings.program;
   const std::string machine = machine_text();
   // A folder that must not be replaced is told before hours are spent on the runs before it.
-  for (const RunTask* run : runs)
-    if (const std::string place = folder.run_folder(*run); fs::exists(place) && is_due(folder.result_of(*run), limits, settings.retry))
-      OutputFolder(place, true);
+  std::size_t n_due = 0;
+  for (const RunTask* run : runs) {
+    if (!is_due(folder.result_of(*run), limits, settings.retry)) continue;
+    ++n_due;
+    if (const std::string place = folder.run_folder(*run); fs::exists(place)) OutputFolder(place, true);
+  }
+  observer.runs_begin(n_due);
   std::vector<std::unique_ptr<ActiveRun>> active;
   for (std::size_t next = 0; next < runs.size() || !active.empty();) {
     if (observer.stop_requested()) return false;

@@ -6,6 +6,7 @@
 #include "studies/execution/run_result.h"
 #include "studies/execution/runs_folder.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,7 @@ struct TaskSettings {
 class TaskObserver {
  public:
   virtual ~TaskObserver() = default;
+  virtual void runs_begin(std::size_t /*n_runs*/) {}  ///< how many will be performed, as they have no result yet
   virtual void run_started(const RunTask& /*run*/) {}
   virtual void run_ended(const RunTask& /*run*/, const RunResult& /*result*/) {}
   /// Called about a hundred times a second. Returning true ends the processes in progress; their results are discarded.

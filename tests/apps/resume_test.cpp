@@ -68,7 +68,9 @@ TEST(StoppedRun, KilledAtAnyMomentItGoesOnAndCleansUp) {
   const TemporaryFolder tmp;
   ASSERT_EQ(run_program(match(tmp / "whole")).exit_code, 0);
   for (const char* moment : {"level 3/6", "level 4/6, step 2", "level 5/6, step 3"}) {
-    Program program(match(tmp / "out"));
+    auto words = match(tmp / "out");
+    words.emplace_back("-v");  // a line for each step
+    Program program(words);
     ASSERT_TRUE(program.wait_for_stderr(moment));
     program.send_signal(SIGKILL);
     EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);

@@ -1,18 +1,22 @@
 // What a user sees on a terminal: one line that is rewritten, cut to the terminal's width, and one that stays for each level.
+#include "apps/terminal/heartbeat.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>
+
 #include <poll.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 namespace shellmatch {
 namespace {
@@ -100,6 +104,33 @@ TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   for (int level = 3; level <= 7; ++level) EXPECT_EQ(staying[static_cast<std::size_t>(level)], 1) << "level " << level << " in " << shown.text;
   // Nothing that is to be rewritten is left behind on the last line.
   EXPECT_TRUE(shown.text.ends_with("\r\n")) << shown.text;
+}
+
+TEST(Terminal, EveryPhaseSaysThatItGoesOn) {
+  const TemporaryFolder tmp;
+  const Words words{"match", "generate:hand", "generate:hand/bent", "-o", tmp / "o", "--levels", "3:4", "--threads", "1"};
+  const Shown shown = run_on_terminal(words, 100);
+  EXPECT_EQ(shown.exit_code, 0) << shown.text;
+  for (const char* stage : {"\rreading", "\ralignment", "\rmatching", "\rmeasuring", "\rwriting", "\rwriting the page"}) EXPECT_TRUE(has(shown.text, stage)) << stage << shown.text;
+  EXPECT_FALSE(has(shown.text, "sigma")) << shown.text;
+  // Elsewhere these are lines, and the parameters of minimisations belong to -v.
+  Words again = words;
+  again.emplace_back("--force");
+  const ProgramResult lines = run_program(again);
+  for (const char* stage : {"alignment (", "matching (", "measuring (", "writing (", "level 4/4, step 1/"}) EXPECT_TRUE(has(lines.err, stage)) << stage << lines.err;
+  for (const char* detail : {"sigma", "c_vol", "margin", "step 2/"}) EXPECT_FALSE(has(lines.err, detail)) << detail << lines.err;
+}
+
+TEST(Heartbeat, BeatsUntilItEnds) {
+  std::atomic<int> n = 0;
+  {
+    const Heartbeat heart([&] { ++n; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  }
+  const int beats = n;
+  EXPECT_GE(beats, 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  EXPECT_EQ(n, beats);
 }
 
 TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include "tests/cohorts/execution/cohort_harness.h"
 
@@ -35,9 +36,30 @@ TEST_F(CohortProgram, TheMeanOfEllipsesIsTheEllipseOfTheMeanAxes) {
   const std::string file = write_cohort(4, "{kind: mean, rounds: 4}");
   const ProgramResult result = cohort({file, "-o", "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(has(result.err, " (1 of 4, about ") && has(result.err, " left)\n") && has(result.err, " (4 of 4)\n")) << result.err;
   // Axes 1.02 to 1.08 and .86 to .74.
   const Npy points = parse_npy(text_of("out/model/points.npy"));
   EXPECT_TRUE(has(points.head, "'shape': (4, 51, 2, )")) << points.head;
+  // The same numbers as text.
+  std::istringstream csv(text_of("out/model/points.csv")), tps(text_of("out/model/points.tps"));
+  std::string text;
+  std::getline(csv, text);
+  EXPECT_EQ(text, "id,point,x,y");
+  for (std::size_t k = 0, at = 0; k < 4; ++k) {
+    std::getline(tps, text);
+    EXPECT_EQ(text, "LM=51");
+    for (int p = 0; p < 51; ++p, at += 2) {
+      std::getline(tps, text);
+      EXPECT_EQ(std::stod(text), points.values[at]);
+      EXPECT_EQ(std::stod(text.substr(text.find(' '))), points.values[at + 1]);
+      std::string row;
+      std::getline(csv, row);
+      text[text.find(' ')] = ',';
+      EXPECT_EQ(row, "e" + std::to_string(k + 1) + "," + std::to_string(p) + "," + text);
+    }
+    std::getline(tps, text);
+    EXPECT_EQ(text, "ID=e" + std::to_string(k + 1));
+  }
   std::ifstream mean(folder_ / "out/model/mean.csv");
   std::string line;
   std::getline(mean, line);

@@ -36,6 +36,13 @@ TEST(ContoursTest, LinesAreAsLongAndWideAsTheyShould) {
               2 * std::numbers::pi * 0.4 * 3 / 300, 1e-3);
 }
 
+TEST(ContoursTest, DashesLeaveGapsInWhichWhatLiesBelowIsSeen) {
+  const Surface<2> line = circle(400, 0.4, {0.5, 0.5});
+  const RenderContour whole{.contour = &line, .line_width = 3}, dashed{.contour = &line, .line_width = 3, .dashes = {6, 6}};
+  const double all = ink(render_contours(std::span(&whole, 1), Frame{}, 300, 300)), half = ink(render_contours(std::span(&dashed, 1), Frame{}, 300, 300));
+  EXPECT_NEAR(half / all, 0.5, 0.03);
+}
+
 TEST(ContoursTest, UpIsUpAndTheFrameIsNotStretched) {
   const Surface<2> spot = circle(50, 0.05, {0.5, 0.9});
   const RenderContour look{.contour = &spot, .fill = black, .fill_alpha = 1};
