@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/part_name.h"
+#include "geometry/io/picture_height.h"
 #include "geometry/picture/read_mask.h"
 #include "geometry/io/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
@@ -45,6 +46,8 @@ MeshFile parse_mesh(const InputFile& file) {
   return mesh;
 }
 
+bool is_picture(FileFormat format) { return dimension_of(format) == 2 && format != FileFormat::table; }
+
 std::optional<Picture> parse_picture(const InputFile& file) {
   switch (file.format()) {
     case FileFormat::png: return read_png(file.path(), file.read());
@@ -78,6 +81,12 @@ Shape<2> outline_of(const InputFile& file, const std::string& part, const std::s
 }
 
 }  // namespace
+
+double picture_height(const std::string& source) {
+  const PartName name = split_part(source);
+  if (!is_picture(format_of(name.file))) return 0;
+  return parse_picture(InputFile(name.file))->brightness.height;
+}
 
 int dimension_of_file(const std::string& path) { return dimension_of(format_of(split_part(path).file)); }
 

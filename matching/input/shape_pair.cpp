@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "geometry/distance/buried_parts.h"
+#include "geometry/io/picture_height.h"
+#include "matching/input/downward_outline.h"
 
 #include <optional>
 #include <utility>
@@ -29,6 +31,16 @@ std::pair<AnyShape, AnyShape> open_both(std::array<ShapeInput, 2> sources, const
   for (std::size_t i = 0; i < 2; ++i)
     if (!shapes[i]) shapes[i] = open_shape(std::move(sources[i]), input.close, space);
   return {std::move(*shapes[0]), std::move(*shapes[1])};
+}
+
+// An outline and the picture that it was drawn in, whose rows programs count downward.
+void share_picture_frame(ShapePair<2>& pair, bool are_files, Observer& observer) {
+  if (!are_files) return;
+  Shape<2>&reference = pair.reference, &template_shape = pair.template_shape;
+  const double height = picture_height(reference.source), other_height = picture_height(template_shape.source);
+  if ((height > 0) == (other_height > 0)) return;
+  const std::string note = height > 0 ? turn_downward_outline(template_shape, reference, height) : turn_downward_outline(reference, template_shape, other_height);
+  if (!note.empty()) observer.note(note);
 }
 
 }  // namespace
@@ -88,6 +100,7 @@ AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
 
 AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, Observer& observer) {
   const std::array<std::string, 2> names{shapes[0].name, shapes[1].name};
+  const bool are_files = shapes[0].contents.index() == 0 && shapes[1].contents.index() == 0;
   auto [reference, template_shape] = open_both(std::move(shapes), input);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
@@ -96,8 +109,11 @@ AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOption
   if (reference.index() != template_shape.index())
     throw_input_error("{} is {}-dimensional and {} is {}-dimensional; both shapes must have the same dimension",
                       names[0], reference.index() + 2, names[1], template_shape.index() + 2);
-  if (reference.index() == 0)
-    return ShapePair<2>{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
+  if (reference.index() == 0) {
+    ShapePair<2> pair{std::get<0>(std::move(reference)), std::get<0>(std::move(template_shape))};
+    share_picture_frame(pair, are_files, observer);
+    return pair;
+  }
   ShapePair<3> pair{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
   share_space(pair, observer);
   leave_out_buried(pair, input, observer);
