@@ -1,5 +1,6 @@
 // `apply`: moves a mesh, a contour or points by the deformation of a run.
 
+#include "apps/apply_points.h"
 #include "apps/apply_volume.h"
 #include "apps/commands.h"
 #include "apps/output_file.h"
@@ -12,12 +13,16 @@
 #include "geometry/io/write_shape.h"
 #include "geometry/label/volume_shape.h"
 #include "matching/map_file/deformation_file.h"
+#include "matching/map_file/user_map.h"
+#include "matching/pairs/point_frame.h"
 #include "matching/pairs/slicer_points.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +82,28 @@ void carry(const Deformation<Dim>& deformation, const ApplyCommand& command, std
     for (Vec<Dim>& x : points) x = deformation.to_reference_pose(x);
 }
 
+// The frame of a map whose shapes name none: that in which what is moved lies on them, or that of 3D Slicer. \pre own is said
+Space space_of_map(const Deformation<3>& deformation, const ApplyCommand& command, const std::vector<Vec<3>>& points, Space own) {
+  namespace fs = std::filesystem;
+  if (deformation.space != Space::unsaid) return deformation.space;
+  const fs::path place = command.deformation, file = (fs::is_directory(place) ? place : place.parent_path()) / "deformed.ply";
+  Space found = Space::unsaid;
+  if (fs::exists(file)) {
+    const PointMap<3> map(deformation, Toward::template_shape);
+    // Where a point of either shape is on the template.
+    found = frame_of_points(read_triangles(file.string()), points, own, [&](const Vec<3>& x) -> std::optional<Vec<3>> {
+      if (command.inverse) return command.keep_pose ? deformation.from_reference_pose(x) : x;
+      const Vec<3> y = deformation.to_unit_domain(x);
+      return (y.array() < 0).any() || (y.array() > 1).any() ? std::nullopt : map(x);
+    });
+  }
+  const bool is_told = found != Space::unsaid;
+  if (!is_told) found = slicer_default_space;
+  say_line(fmt::format("{}: names no frame; taken to be {}, {}", command.deformation, space_name(found),
+                       is_told ? fmt::format("in which {} lies on its shapes", command.file) : "as 3D Slicer does"));
+  return found;
+}
+
 template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
@@ -84,7 +111,7 @@ void apply(const ApplyCommand& command) {
   OriginalShape<Dim> shape = read(command.file, notes, or_default(deformation.space), std::integral_constant<int, Dim>());
   for (const std::string& note : notes) say_line(note);
   if constexpr (Dim == 3) {
-    const Space own = shape.space, common = or_default(deformation.space);
+    const Space own = shape.space, common = own == Space::unsaid ? own : space_of_map(deformation, command, shape.vertices, own);
     if (change_space(shape.vertices, own, common))
       say_line(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
     carry(deformation, command, shape.vertices);
@@ -92,24 +119,39 @@ void apply(const ApplyCommand& command) {
   } else {
     carry(deformation, command, shape.vertices);
   }
+  if (point_format(command.output) != PointFormat::none) {
+    return write_points(command, named_vertices(shape), shape.space == Space::unsaid ? deformation.space : shape.space);
+  }
   if constexpr (Dim == 3)
     if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
       say_line(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
   write_output_file(command.output, shape, command.force);
 }
 
-// Control points go out as they came in, in their own frame.
+// Control points go out as they came in, in their own frame; in other formats those of other programs than Slicer are in that of the map.
 void apply_to_slicer_points(const ApplyCommand& command) {
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   const SlicerPoints file = read_slicer_points(command.file);
-  const Space space = or_default(deformation.space);
-  if (const std::string note = space_note(file, space); !note.empty()) say_line(note + "; they are written in their own frame");
+  const Space space = space_of_map(deformation, command, positions_in(slicer_default_space, file), slicer_default_space);
+  const PointFormat format = point_format(command.output);
+  const bool is_same = format == point_format(command.file), keeps_frame = is_same || format == PointFormat::fcsv || format == PointFormat::markups;
+  if (const std::string note = space_note(file, space); !note.empty()) say_line(note + (keeps_frame ? "; they are written in their own frame" : ""));
   std::vector<Vec<3>> points;
   for (const SlicerPoint& p : file.points)
     if (p.has_position) points.push_back(in_space(p.position, p.space, space));
   if (points.size() < file.points.size())
-    say_line(fmt::format("{}: {} without position left as they are", command.file, counted(file.points.size() - points.size(), "point", "points")));
+    say_line(fmt::format("{}: {} without position not moved", command.file, counted(file.points.size() - points.size(), "point", "points")));
   carry(deformation, command, points);
+  if (!is_same) {
+    const Space out = keeps_frame ? file.points.front().space : space;
+    PointSet<3> set;
+    std::size_t next = 0;
+    for (const SlicerPoint& p : file.points) {
+      set.names.push_back(p.name);
+      set.points.push_back(p.has_position ? std::optional(in_space(points[next++], space, out)) : std::nullopt);
+    }
+    return write_points(command, std::move(set), out);
+  }
   std::vector<Vec<3>> positions;
   for (std::size_t i = 0, next = 0; i < file.points.size(); ++i) {
     const SlicerPoint& p = file.points[i];
@@ -128,10 +170,10 @@ void execute(const ApplyCommand& command) {
   const int dimension = deformation_dimension(command.deformation);
   if (is_slicer_file(command.file)) {
     if (dimension == 2) throw_input_error("{}: holds points of space, but this deformation is one of the plane", command.file);
-    check_markups_output(command.file, command.output, command.force);
+    check_points_output(command.output, dimension, command.force);
     return apply_to_slicer_points(command);
   }
-  check_output_file(command.output, dimension, command.force);
+  check_points_output(command.output, dimension, command.force);
   if (dimension == 2) apply<2>(command);
   else apply<3>(command);
 }

@@ -1,7 +1,10 @@
 #include "apps/commands.h"
+#include "base/printable.h"
+#include "base/text.h"
 #include "geometry/io/picture_height.h"
-#include "matching/shape_report/inspection.h"
 #include "matching/input/shape_source.h"
+#include "matching/pairs/slicer_points.h"
+#include "matching/shape_report/inspection.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +12,18 @@
 
 namespace shellmatch {
 
+namespace {
+
+void inspect_points(const InspectCommand& command) {
+  const SlicerPoints file = read_slicer_points(command.file);
+  if (command.json) std::cout << slicer_points_json(file);
+  else std::cout << slicer_points_text(file);
+}
+
+}  // namespace
+
 void execute(const InspectCommand& command) {
+  if (is_slicer_file(command.file)) return inspect_points(command);
   const AnyShape shape = open_shape(command.file, Closing::automatic);
   const Inspection inspection = std::visit([](const auto& s) { return inspect_shape(s); }, shape);
   std::cout << (command.json ? inspection_json(inspection) : inspection_text(inspection));

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "geometry/io/write_shape.h"
-#include "matching/pairs/slicer_points.h"
 
 #include <fmt/format.h>
 
@@ -33,13 +32,6 @@ void check_output_file(const std::string& path, int dimension, bool force) {
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
     throw_input_error("{}: {} written as {}", path, dimension == 2 ? "contours are" : "surfaces are",
                       fmt::join(endings, ", "));
-  check_report_file(path, force);
-}
-
-void check_markups_output(const std::string& input, const std::string& path, bool force) {
-  const bool is_json = std::tolower(static_cast<unsigned char>(input.back())) == 'n';
-  const bool agrees = is_slicer_file(path) && (std::tolower(static_cast<unsigned char>(path.back())) == 'n') == is_json;
-  if (!agrees) throw_input_error("{}: the points of {} are written in their own format, {}", path, input, is_json ? ".mrk.json" : ".fcsv");
   check_report_file(path, force);
 }
 

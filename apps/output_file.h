@@ -12,9 +12,6 @@ namespace shellmatch {
 /// if it is a folder, a pipe or a device or lies in no folder, or if its extension stands for no format of that dimension
 void check_output_file(const std::string& path, int dimension, bool force);
 
-/// The same for control points of 3D Slicer, which are written in the format they were read in. \throws InputError
-void check_markups_output(const std::string& input, const std::string& path, bool force);
-
 /// The same for a report, whose extension is arbitrary. \throws InputError
 void check_report_file(const std::string& path, bool force);
 

@@ -9,19 +9,23 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace shellmatch {
+
+/// The text with an escape in place of each NUL, with which the text of an exception ends.
+std::string without_nul(std::string text);
 
 /// The user's input cannot be used: exit code 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}
 };
 
 /// The machine lacks a resource or permission (disk, memory, access): exit code 3.
 class EnvironmentError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit EnvironmentError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}
 };
 
 /// There is not enough memory for something that the text names. A command for which the user has set a limit of memory ends

@@ -62,7 +62,7 @@ struct Kernels {
     options.input.placement = PlacementKind::as_is;
     options.cascade.max_level = finest;
     Silent silent;
-    AnyShapePair any = open_shape_pair(options.input, silent);
+    AnyShapePair any = open_shape_pair(options.input, options.landmarks, silent);
     auto& pair = std::get<ShapePair<3>>(any);
     pair.place(options);
     const double begin = cpu_seconds();

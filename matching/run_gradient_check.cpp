@@ -59,7 +59,7 @@ GradientReport run_gradient_check(const ExperimentOptions& options, const Gradie
   check_experiment(options);
   set_n_threads(options.threads);
   observer.stage("reading");
-  AnyShapePair shapes = open_shape_pair(options.input, observer);
+  AnyShapePair shapes = open_shape_pair(options.input, options.landmarks, observer);
   return std::visit([&]<int Dim>(ShapePair<Dim>& pair) { return check<Dim>(options, request, std::move(pair), observer); },
                     shapes);
 }

@@ -182,7 +182,7 @@ AnyMatchResult run_matching(const ExperimentOptions& options, const std::string&
   PhaseClock phase(clock.phases);
   observer.stage("reading");
   phase.start("reading");
-  AnyShapePair shapes = open_shape_pair(options.input, observer);
+  AnyShapePair shapes = open_shape_pair(options.input, options.landmarks, observer);
   phase.stop();
   OutputFolder folder(output_folder, earlier.force);
   return std::visit([&]<int Dim>(ShapePair<Dim>& pair) -> AnyMatchResult {

@@ -60,7 +60,7 @@ OriginalShape<2> along_rings(const OriginalShape<2>& shape) {
       if (!values.empty()) result.push_back(values[v]);
     return result;
   };
-  OriginalShape<2> sorted{picked(shape.vertices), shape.polygons, {}};
+  OriginalShape<2> sorted{picked(shape.vertices), shape.polygons, {}, shape.details};
   for (const VertexAttribute& a : shape.attributes) sorted.attributes.push_back({a.name, a.type, picked(a.values), picked(a.texts)});
   Index next = 0;
   for (std::vector<Index>& ring : sorted.polygons)
@@ -107,6 +107,10 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
   if constexpr (Dim == 3) {
     write_ply(folder.path_of("deformed.ply"), result.deformed);
     write_ply(folder.path_of("template.ply"), result.template_shape);
+    if (options.vertex_table) {
+      write_points_csv(folder.path_of("deformed.csv"), result.deformed);
+      write_points_csv(folder.path_of("template.csv"), result.template_shape);
+    }
   } else {
     write_outlines(result, folder);
   }

@@ -4,6 +4,7 @@
 #include "apps/command_line/help_text.h"
 #include "apps/command_line/parse_error.h"
 #include "apps/command_line/shared_options.h"
+#include "apps/command_line/slicer_module.h"
 #include "apps/versions_text.h"
 #include "base/error.h"
 
@@ -53,6 +54,9 @@ void describe_all(CLI::App& app, Commands& commands) {
   describe(app, commands.render);
   describe(app, commands.config);
   for (CLI::App* command : app.get_subcommands({})) add_limits(*command, commands.limits);
+  for (const char* name : {"match", "apply"})
+    app.get_subcommand(name)->add_flag_callback("--xml", [] { throw_input_error("--xml: stands alone behind the command, with which it prints the description"); },
+                                                "alone: describe this command as a module of 3D Slicer (docs/slicer.md)");
 }
 
 // The command of this name, with what it needs.
@@ -96,12 +100,32 @@ Command named_command(const std::string& name, const Commands& commands) {
   return commands.config;
 }
 
+// 3D Slicer names flags like variables: --max_seconds is --max-seconds.
+std::vector<std::string> with_hyphens(std::vector<std::string> words) {
+  for (std::string& word : words)
+    if (word.starts_with("--")) std::replace(word.begin(), std::find(word.begin(), word.end(), '='), '_', '-');
+  return words;
+}
+
+// What Slicer asks modules for, before it runs them.
+bool asks_for_module(const std::vector<std::string>& words) {
+  return std::ranges::find(words, "--xml") != words.end() && words.size() <= 2 && (words.size() == 1 || words[1] == "--xml");
+}
+
+std::string module_text(const CLI::App& app, const std::string& name) {
+  if (name != "match" && name != "apply")
+    throw_input_error("--xml: a command line module of 3D Slicer is one command; ask shellmatch match --xml or shellmatch apply --xml (docs/slicer.md)");
+  return slicer_module_xml(*app.get_subcommand(name));
+}
+
 }  // namespace
 
-Invocation parse_command_line(const std::vector<std::string>& words) {
+Invocation parse_command_line(const std::vector<std::string>& given) {
+  const std::vector<std::string> words = with_hyphens(given);
   Commands commands;
   CLI::App app{help_text::program, "shellmatch"};
   describe_all(app, commands);
+  if (asks_for_module(words)) return {PrintCommand{module_text(app, words.front())}, {}};
   try {
     // CLI11 expects the words in reverse order.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));

@@ -63,7 +63,8 @@ inline constexpr const char* apply_footer = R"(The file is in the coordinates of
 outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
 those of the reference. With --keep-pose the result stays where the reference lies: it is deformed, but neither turned, moved nor scaled
 by the motion that alignment found. Together with --inverse the file lies there.
-Control points of 3D Slicer (.mrk.json, .fcsv) keep names, descriptions and frame.
+Control points of 3D Slicer (.mrk.json, .fcsv) keep names, descriptions and frame. Points are written by the ending of OUTPUT: .csv, for Slicer
+.mrk.json or .fcsv, for morphometrics .tps or .txt (Morphologika), each of which names the frame (docs/landmarks.md).
 
 A volume (.nii .nii.gz .nrrd .mha .vti) is pulled back: every voxel of the result, on the voxels of --like or its own, gets what lies where it comes from,
 0 where the map is not defined. Fields of the map need no FILE, but --like (docs/volumes.md).
@@ -72,6 +73,7 @@ Examples:
   shellmatch apply out other.ply -o moved.ply
   shellmatch apply out/deformation.vtu landmarks.csv -o moved.csv
   shellmatch apply out landmarks.mrk.json -o moved.mrk.json
+  shellmatch apply out landmarks.csv -o moved.tps
   shellmatch apply out on_template.ply -o on_reference.ply --inverse
   shellmatch apply out reference.ply -o deformed_in_place.ply --keep-pose
   shellmatch apply out labels.nii.gz -o on_template.nii.gz --like template.nii.gz

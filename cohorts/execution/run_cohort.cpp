@@ -9,6 +9,7 @@
 #include "cohorts/subjects/mirrored.h"
 #include "matching/input/shape_source.h"
 #include "matching/output/checksum.h"
+#include "matching/pairs/point_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +94,9 @@ class CohortRun {
   std::vector<NamedPoint<Dim>> read_landmarks_of(const OriginalShape<Dim>& shape,
                                                  const std::string& file) const {
     std::vector<std::string> notes;
-    return file.empty() ? std::vector<NamedPoint<Dim>>{}
-                        : read_named_points<Dim>(file, shape.vertices, shape.space, shape.space, notes);
+    if (file.empty()) return {};
+    const Space space = space_beside(shape, file, wanted_space(cohort_.experiment.input));
+    return read_named_points<Dim>(file, shape.vertices, space, space, notes);
   }
 
   Atlas<Dim> atlas_of_subject(const std::string& id) {
@@ -239,7 +241,7 @@ const RunsFolderKind cohort_folder_kind{
     "cohort",
     {"cohort.yaml"},
     {"atlas", "atlas.ply", "atlas.csv", "atlas_landmarks.csv", "mirrored", "model", "subjects.csv",
-     "times.csv", "landmarks.csv", "landmarks_on_atlas.csv", "summary.json", "report.html"},
+     "times.csv", "landmarks.csv", "landmarks.tps", "landmarks.txt", "landmarks_on_atlas.csv", "summary.json", "report.html"},
     "model"};
 
 CohortOutcome run_cohort(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,

@@ -4,6 +4,7 @@
 #include "geometry/io/read_shape.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/summary.h"
+#include "matching/pairs/point_frame.h"
 
 #include <algorithm>
 #include <map>
@@ -97,6 +98,8 @@ class Reader {
       row.reasons = f.summary.verdict->reasons;
     }
     if (result_.unit.empty()) result_.unit = f.summary.unit.value_or("");
+    result_.space = !has_space_ || result_.space == f.deformed.space ? f.deformed.space : Space::unsaid;
+    has_space_ = true;
     std::vector<Vec<Dim>> carried;
     if (f.map) carried = carry(f, k, landmarks);
     row.in_model = stage_.is_last() ? is_included(row, cohort_.options.statistics.include) : is_near(f.summary);
@@ -116,8 +119,8 @@ class Reader {
     if (f.subject) {
       std::vector<std::string> notes;
       const PointMap<Dim> back(*f.map, Toward::reference);
-      for (const NamedPoint<Dim>& point :
-           read_named_points<Dim>(landmarks, f.subject->vertices, f.subject->space, f.subject->space, notes)) {
+      const Space space = space_beside(*f.subject, landmarks, wanted_space(cohort_.experiment.input));
+      for (const NamedPoint<Dim>& point : read_named_points<Dim>(landmarks, f.subject->vertices, space, space, notes)) {
         known[point.name] = point.point;
         result_.returned.push_back({k, point.name, back(point.point)});
       }
@@ -141,6 +144,7 @@ class Reader {
   const Atlas<Dim>& atlas_;
   StageResult<Dim> result_;
   std::vector<Eigen::VectorXd> columns_;
+  bool has_space_ = false;
 };
 
 }  // namespace

@@ -38,6 +38,7 @@ struct StageResult {
   std::vector<CarriedLandmark<Dim>> carried;  ///< on all subjects that have a result
   std::vector<ReturnedLandmark<Dim>> returned;
   std::string unit;
+  Space space = Space::unsaid;          ///< the frame of the subjects' coordinates, where it is one and known
 };
 
 /// Whether a matching of a round has come near enough to its subject for the mean, and to begin the next

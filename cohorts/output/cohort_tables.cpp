@@ -127,6 +127,24 @@ std::string landmarks_csv(const std::vector<SubjectResult>& subjects,
 }
 
 template <int Dim>
+std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
+                                         const std::vector<CarriedLandmark<Dim>>& carried) {
+  std::map<std::size_t, PointSet<Dim>> sets;
+  for (const CarriedLandmark<Dim>& c : carried) {
+    PointSet<Dim>& set = sets[c.subject];
+    set.individual = subjects[c.subject].id;
+    set.points.resize(landmarks.size());
+    set.points[c.landmark] = c.carried;
+  }
+  std::vector<PointSet<Dim>> list;
+  for (auto& [subject, set] : sets) {
+    for (const NamedPoint<Dim>& landmark : landmarks) set.names.push_back(landmark.name);
+    list.push_back(std::move(set));
+  }
+  return list;
+}
+
+template <int Dim>
 std::string returned_landmarks_csv(const std::vector<SubjectResult>& subjects,
                                    const std::vector<ReturnedLandmark<Dim>>& returned) {
   std::string text = "id,name" + axes_text<Dim>("") + "\n";
@@ -145,6 +163,8 @@ std::string returned_landmarks_csv(const std::vector<SubjectResult>& subjects,
   template std::string landmarks_csv<Dim>(const std::vector<SubjectResult>&,          \
                                           const std::vector<NamedPoint<Dim>>&,        \
                                           const std::vector<CarriedLandmark<Dim>>&);  \
+  template std::vector<PointSet<Dim>> landmark_sets<Dim>(const std::vector<SubjectResult>&, const std::vector<NamedPoint<Dim>>&, \
+                                                         const std::vector<CarriedLandmark<Dim>>&); \
   template std::string returned_landmarks_csv<Dim>(const std::vector<SubjectResult>&, \
                                                    const std::vector<ReturnedLandmark<Dim>>&)
 SHELLMATCH_INSTANTIATE(2);

@@ -6,6 +6,7 @@
 #include "cohorts/cohort.h"
 #include "cohorts/cohort_result.h"
 #include "cohorts/execution/stage_result.h"
+#include "matching/pairs/point_formats.h"
 
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ template <int Dim>
 std::string landmarks_csv(const std::vector<SubjectResult>& subjects,
                           const std::vector<NamedPoint<Dim>>& landmarks,
                           const std::vector<CarriedLandmark<Dim>>& carried);
+/// The same as sets of points for other programs: all subjects that have them, in the cohort's order.
+template <int Dim>
+std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
+                                         const std::vector<CarriedLandmark<Dim>>& carried);
 /// The subjects' landmarks on the atlas.
 template <int Dim>
 std::string returned_landmarks_csv(const std::vector<SubjectResult>& subjects,

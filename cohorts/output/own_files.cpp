@@ -61,14 +61,26 @@ bool is_written_in(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
-void remove_own_table(const std::string& path, std::string_view first_line) {
+namespace {
+
+void remove_if(const std::string& path, auto is_own) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(path, error))) return;  // a link is somebody's
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != first_line) return;
+  if (!std::getline(file, line) || !is_own(line)) return;
   file.close();
   fs::remove(path, error);
+}
+
+}  // namespace
+
+void remove_own_table(const std::string& path, std::string_view first_line) {
+  remove_if(path, [&](const std::string& line) { return line == first_line; });
+}
+
+void remove_own_landmarks(const std::string& path, std::string_view beginning) {
+  remove_if(path, [&](const std::string& line) { return line.starts_with(beginning); });
 }
 
 void remove_model_files(const std::string& folder, StaleFiles what, int dimension) {

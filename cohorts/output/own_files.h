@@ -12,6 +12,9 @@ struct Cohort;
 /// Removes the file if it begins with this line: a table of an earlier run. One of the same name that the user has put there stays.
 void remove_own_table(const std::string& path, std::string_view first_line);
 
+/// The same of landmarks in a format for morphometrics, which begins with this.
+void remove_own_landmarks(const std::string& path, std::string_view beginning);
+
 /// What of the folder `model` is removed: what the present model lacks, and mode shapes, of which it may have fewer.
 enum class StaleFiles { mode_shapes, statistics, all };
 

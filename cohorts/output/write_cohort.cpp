@@ -11,6 +11,8 @@
 #include "cohorts/report/cohort_report.h"
 #include "cohorts/subjects/point_file.h"
 
+#include <tuple>
+
 namespace shellmatch {
 
 namespace {
@@ -20,6 +22,7 @@ WrittenCohort write_files(const Cohort& cohort, FinishedCohort<Dim> finished, co
   const Eigen::MatrixXd points = finished.stage.points.coordinates.topRows(
       Dim * static_cast<Eigen::Index>(finished.atlas.shape.vertices.size()));
   const std::vector<NamedPoint<Dim>> landmarks = finished.atlas.landmarks;
+  const Space space = finished.stage.space;
   const std::vector<CarriedLandmark<Dim>> carried = std::move(finished.stage.carried);
   const std::vector<ReturnedLandmark<Dim>> returned = std::move(finished.stage.returned);
   const CohortResult<Dim> result = cohort_statistics(cohort, std::move(finished), notes);
@@ -35,6 +38,12 @@ WrittenCohort write_files(const Cohort& cohort, FinishedCohort<Dim> finished, co
   };
   write_or_remove("landmarks.csv", landmarks_csv<Dim>(result.subjects, landmarks, carried), !carried.empty(),
                   {landmarks_csv<2>({}, {}, {}), landmarks_csv<3>({}, {}, {})});
+  for (const auto& [name, format, beginnings] : {std::tuple{"landmarks.tps", PointFormat::tps, std::vector{"LM=", "LM3="}},
+                                                 {"landmarks.txt", PointFormat::morphologika, {"[individuals]"}}}) {
+    const std::string path = folder + "/" + name;
+    if (!carried.empty()) replace_file(path, point_sets_text<Dim>(format, landmark_sets<Dim>(result.subjects, landmarks, carried), space));
+    else for (const char* beginning : beginnings) remove_own_landmarks(path, beginning);
+  }
   write_or_remove("landmarks_on_atlas.csv", returned_landmarks_csv<Dim>(result.subjects, returned),
                   !returned.empty(), {returned_landmarks_csv<2>({}, {}), returned_landmarks_csv<3>({}, {})});
   if (landmarks.empty())

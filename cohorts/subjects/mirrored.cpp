@@ -5,6 +5,7 @@
 #include "geometry/io/write_shape.h"
 #include "matching/input/shape_source.h"
 #include "matching/pairs/landmark_file.h"
+#include "matching/pairs/point_frame.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -31,9 +32,7 @@ std::string write_mirrored(const Shape<Dim>& shape, const std::string& path) {
 }  // namespace
 
 Space volume_space(const InputOptions& input) {
-  return input.space == SpaceKind::automatic ? default_space
-         : input.space == SpaceKind::lps     ? Space::lps
-                                             : Space::ras;
+  return or_default(wanted_space(input));
 }
 
 std::string mirrored_shape(const Subject& subject, const InputOptions& input, const std::string& folder) {
@@ -54,7 +53,7 @@ std::string mirrored_landmarks(const Subject& subject, const InputOptions& input
     std::visit(
         [&]<int Dim>(const Shape<Dim>& s) {
           std::vector<std::string> notes;
-          const Space space = s.original.space;
+          const Space space = space_beside(s.original, subject.landmarks, wanted_space(input));
           std::vector<NamedPoint<Dim>> points =
               read_named_points<Dim>(subject.landmarks, s.original.vertices, space, space, notes);
           for (NamedPoint<Dim>& point : points) point.point[0] = -point.point[0];

@@ -1,8 +1,10 @@
 #include "geometry/io/read_points.h"
 
 #include "geometry/io/read_text.h"
+#include "geometry/surface/mesh_details.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace shellmatch {
@@ -112,7 +114,7 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
   Columns<Dim> columns;
   std::vector<std::vector<double>> values;
   std::vector<std::vector<std::string>> texts;
-  bool is_comma_separated = false;
+  bool is_comma_separated = false, has_names = false;
   std::vector<Index> block;
   const auto end_block = [&] {
     if (closed && block.size() > 1 && shape.vertices[block.front()] == shape.vertices[block.back()]) {
@@ -134,7 +136,7 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
     if (lines.line().find_first_not_of(separators) == std::string_view::npos) lines.fail("separators, but no numbers");
     if (values.empty()) {
       std::string_view rest = lines.line();
-      const bool header = !to_double(next_value(rest));
+      const bool header = has_names = !to_double(next_value(rest));
       columns = header ? named_columns<Dim>(names_of(lines), lines) : unnamed_columns<Dim>(split(lines).size(), lines);
       values.resize(columns.names.size());
       texts.resize(columns.names.size());
@@ -167,6 +169,12 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
   }
   end_block();
   if (shape.vertices.empty()) throw_input_error("{}: no points in it", path);
+  if (has_names) {
+    auto details = std::make_shared<MeshDetails>();
+    details->table_columns = columns.names;
+    details->table_coordinates.assign(columns.coordinates.begin(), columns.coordinates.end());
+    shape.details = std::move(details);
+  }
   for (std::size_t c = 0; c < values.size(); ++c)
     if (std::find(columns.coordinates.begin(), columns.coordinates.end(), c) == columns.coordinates.end())
       shape.attributes.push_back(attribute_of(columns.names[c], std::move(values[c]), std::move(texts[c])));

@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace shellmatch {
@@ -28,20 +29,61 @@ void check_attributes(const OriginalShape<Dim>& shape) {
                      "an attribute has one value for each vertex");
 }
 
+/// A column of CSV: a coordinate or an attribute.
+struct CsvColumn {
+  std::string name;
+  int axis = -1;
+  const VertexAttribute* attribute = nullptr;
+};
+
+/// In the order of the table that was read, and then what has come since.
 template <int Dim>
-void append_point_line(std::string& text, const OriginalShape<Dim>& shape, std::size_t v) {
-  for (int k = 0; k < Dim; ++k)
-    text += fmt::format("{}{}", k == 0 ? "" : ",", shape.vertices[v][k]);
-  for (const VertexAttribute& a : shape.attributes)
-    text += a.type == "text" ? "," + csv_field(a.texts[v]) : fmt::format(",{}", a.values[v]);
+std::vector<CsvColumn> csv_columns(const OriginalShape<Dim>& shape) {
+  std::vector<CsvColumn> columns;
+  std::vector<bool> taken(shape.attributes.size(), false);
+  const auto add_attribute = [&](std::size_t k) {
+    columns.push_back({shape.attributes[k].name.empty() ? "unnamed" : shape.attributes[k].name, -1, &shape.attributes[k]});
+    taken[k] = true;
+  };
+  if (shape.details && shape.details->table_coordinates.size() == Dim) {
+    const MeshDetails& table = *shape.details;
+    for (std::size_t c = 0; c < table.table_columns.size(); ++c) {
+      const auto axis = std::ranges::find(table.table_coordinates, c);
+      if (axis != table.table_coordinates.end()) {
+        columns.push_back({table.table_columns[c], static_cast<int>(axis - table.table_coordinates.begin())});
+        continue;
+      }
+      for (std::size_t k = 0; k < taken.size(); ++k) {
+        if (taken[k] || shape.attributes[k].name != table.table_columns[c]) continue;
+        add_attribute(k);
+        break;
+      }
+    }
+  } else {
+    for (int axis = 0; axis < Dim; ++axis) columns.push_back({std::string(1, "xyz"[axis]), axis});
+  }
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    if (!taken[k]) add_attribute(k);
+  return columns;
+}
+
+template <int Dim>
+void append_point_line(std::string& text, const OriginalShape<Dim>& shape, const std::vector<CsvColumn>& columns, std::size_t v) {
+  for (const CsvColumn& column : columns) {
+    if (&column != columns.data()) text.push_back(',');
+    if (column.axis >= 0) fmt::format_to(std::back_inserter(text), "{}", shape.vertices[v][column.axis]);
+    else if (column.attribute->type == "text") text += csv_field(column.attribute->texts[v]);
+    else fmt::format_to(std::back_inserter(text), "{}", column.attribute->values[v]);
+  }
   text.push_back('\n');
 }
 
 template <int Dim>
 void write_csv(const std::string& path, const OriginalShape<Dim>& shape, Existing existing) {
   check_attributes(shape);
-  std::string text = Dim == 2 ? "x,y" : "x,y,z";
-  for (const VertexAttribute& a : shape.attributes) text += "," + csv_field(a.name.empty() ? "unnamed" : a.name);
+  std::string text;
+  const std::vector<CsvColumn> columns = csv_columns(shape);
+  for (const CsvColumn& column : columns) text += (text.empty() ? "" : ",") + csv_field(column.name);
   text.push_back('\n');
   // True for the last point of each ring.
   std::vector<bool> last(shape.vertices.size(), false);
@@ -49,7 +91,7 @@ void write_csv(const std::string& path, const OriginalShape<Dim>& shape, Existin
     for (const std::vector<Index>& ring : shape.polygons)
       if (!ring.empty()) last[*std::max_element(ring.begin(), ring.end())] = true;
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
-    append_point_line(text, shape, v);
+    append_point_line(text, shape, columns, v);
     if (last[v] && v + 1 < shape.vertices.size()) text.push_back('\n');
   }
   publish_file(path, existing, text);

@@ -24,7 +24,8 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
 /// Where need be a number is added: "x_2".
 std::vector<std::string> ply_names(const OriginalShape<3>& shape);
 
-/// Text with a line of names, "x,y" and the attributes, one point per line, a blank line after every ring.
+/// Text with a line of names, "x,y" and the attributes, one point per line, a blank line after every ring. Columns that were read from a
+/// table with names keep these and their order.
 void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing = Existing::is_replaced);
 
 /// Text as above with "x,y,z", without polygons.

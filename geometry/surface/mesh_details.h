@@ -32,6 +32,9 @@ struct MeshDetails {
   std::vector<std::string> ply_comments;
   std::vector<DetailColumn> ply_faces;
   std::vector<DetailTable> ply_elements;
+  /// A table of points: the names of its columns in their order, and which of them hold x, y and z. Empty of a table without names.
+  std::vector<std::string> table_columns;
+  std::vector<std::size_t> table_coordinates;
 };
 
 }  // namespace shellmatch

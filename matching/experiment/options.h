@@ -83,9 +83,14 @@ struct InputOptions {
     visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); never refuses them, as --strict does"});
     visit("buried", self.buried, {.meaning = "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
     visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
-    visit("space", self.space, {.meaning = "frame of shapes out of volumes: ras or lps; auto: lps where the other shape is a mesh that says SPACE=LPS, as 3D Slicer's do, ras otherwise (docs/volumes.md)"});
+    visit("space", self.space, {.meaning = "frame of shapes out of volumes, and of meshes that name none: ras or lps; auto: that of the other shape, where it is a mesh that names one as 3D Slicer's do; for meshes then that in which points of 3D Slicer lie on them (docs/landmarks.md), for volumes ras (docs/volumes.md)"});
   }
 };
+
+/// The frame that the user wants for shapes that name none; unsaid where they decide.
+inline Space wanted_space(const InputOptions& input) {
+  return input.space == SpaceKind::automatic ? Space::unsaid : input.space == SpaceKind::lps ? Space::lps : Space::ras;
+}
 
 /// The multilevel scheme, from coarse to fine (paper, algorithm 1 and section 6).
 struct CascadeOptions {
@@ -153,7 +158,7 @@ struct ExperimentOptions {
   CoverageOptions coverage;
   CheckGradientOptions check_gradient;
   Pictures pictures = Pictures::result;
-  bool report = true;
+  bool report = true, vertex_table = false;
   ResumeOptions resume;
   int threads = 0;
   template <class Self, class Visitor>
@@ -170,6 +175,7 @@ struct ExperimentOptions {
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
     visit("pictures", self.pictures, {.meaning = "which pictures are drawn: result, those of the end; all, one for each level, too; none"});
     visit("report", self.report, {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network (docs/report.md)"});
+    visit("vertex_table", self.vertex_table, {.meaning = "of meshes write deformed.csv and template.csv, too: vertices and what is known at each, in the columns of deformed.ply and template.ply (docs/output.md); of contours they are always written"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
     visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});

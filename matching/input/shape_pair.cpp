@@ -4,6 +4,7 @@
 #include "geometry/distance/buried_parts.h"
 #include "geometry/io/picture_height.h"
 #include "matching/input/downward_outline.h"
+#include "matching/pairs/point_frame.h"
 
 #include <optional>
 #include <utility>
@@ -14,7 +15,7 @@ namespace {
 
 // The frame of volumes: the user's word, or that of a mesh that names one.
 Space space_of_volumes(const InputOptions& input, const std::array<std::optional<AnyShape>, 2>& meshes) {
-  if (input.space != SpaceKind::automatic) return input.space == SpaceKind::lps ? Space::lps : Space::ras;
+  if (input.space != SpaceKind::automatic) return wanted_space(input);
   for (const std::optional<AnyShape>& shape : meshes) {
     if (!shape || shape->index() != 1) continue;
     if (std::get<1>(*shape).original.space != Space::unsaid) return std::get<1>(*shape).original.space;
@@ -22,11 +23,29 @@ Space space_of_volumes(const InputOptions& input, const std::array<std::optional
   return default_space;
 }
 
+// The frame of a mesh that names none: the user's word, or that in which 3D Slicer's points lie on it.
+void settle_space(Shape<3>& shape, const InputOptions& input, const std::string& points, Observer& observer) {
+  Space& space = shape.original.space;
+  if (space != Space::unsaid) return;
+  if (input.space != SpaceKind::automatic) {
+    space = wanted_space(input);
+    observer.note(fmt::format("{}: names no frame; {} by input.space", shape.source, space_name(space)));
+    return;
+  }
+  if (!is_slicer_file(points)) return;
+  space = frame_of_points(shape.surface, read_slicer_points(points));
+  if (space != Space::unsaid) observer.note(fmt::format("{}: names no frame; taken to be {}, in which the points of {} lie on it", shape.source, space_name(space), points));
+}
+
 // Both shapes; volumes last, as meshes may name the frame.
-std::pair<AnyShape, AnyShape> open_both(std::array<ShapeInput, 2> sources, const InputOptions& input) {
+std::pair<AnyShape, AnyShape> open_both(std::array<ShapeInput, 2> sources, const InputOptions& input, const LandmarkOptions& landmarks, Observer& observer) {
   std::array<std::optional<AnyShape>, 2> shapes;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!sources[i].is_volume()) shapes[i] = open_shape(std::move(sources[i]), input.close);
+  const std::array points = {landmarks.file, landmarks.template_file};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (sources[i].is_volume()) continue;
+    shapes[i] = open_shape(std::move(sources[i]), input.close);
+    if (auto* mesh = std::get_if<1>(&*shapes[i])) settle_space(*mesh, input, points[i], observer);
+  }
   const Space space = space_of_volumes(input, shapes);
   for (std::size_t i = 0; i < 2; ++i)
     if (!shapes[i]) shapes[i] = open_shape(std::move(sources[i]), input.close, space);
@@ -41,6 +60,16 @@ void share_picture_frame(ShapePair<2>& pair, bool are_files, Observer& observer)
   if ((height > 0) == (other_height > 0)) return;
   const std::string note = height > 0 ? turn_downward_outline(template_shape, reference, height) : turn_downward_outline(reference, template_shape, other_height);
   if (!note.empty()) observer.note(note);
+}
+
+// Where nothing else tells the frame, that which 3D Slicer gives to meshes.
+void take_slicers_space(ShapePair<3>& pair, const LandmarkOptions& landmarks, Observer& observer) {
+  Space&reference = pair.reference.original.space, &template_shape = pair.template_shape.original.space;
+  if (reference != Space::unsaid || template_shape != Space::unsaid) return;
+  if (!is_slicer_file(landmarks.file) && !is_slicer_file(landmarks.template_file)) return;
+  reference = template_shape = slicer_default_space;
+  observer.note(fmt::format("{}, {}: name no frame, and their points do not tell it; taken to be {}, as 3D Slicer does (--set input.space=ras takes the other)",
+                            pair.reference.source, pair.template_shape.source, space_name(slicer_default_space)));
 }
 
 }  // namespace
@@ -94,14 +123,14 @@ void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer&
   }
 }
 
-AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer) {
-  return open_shape_pair({ShapeInput{input.reference}, ShapeInput{input.template_file}}, input, observer);
+AnyShapePair open_shape_pair(const InputOptions& input, const LandmarkOptions& landmarks, Observer& observer) {
+  return open_shape_pair({ShapeInput{input.reference}, ShapeInput{input.template_file}}, input, landmarks, observer);
 }
 
-AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, Observer& observer) {
+AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, const LandmarkOptions& landmarks, Observer& observer) {
   const std::array<std::string, 2> names{shapes[0].name, shapes[1].name};
   const bool are_files = shapes[0].contents.index() == 0 && shapes[1].contents.index() == 0;
-  auto [reference, template_shape] = open_both(std::move(shapes), input);
+  auto [reference, template_shape] = open_both(std::move(shapes), input, landmarks, observer);
   for (const AnyShape* shape : {&reference, &template_shape})
     std::visit([&](const auto& s) {
       for (const std::string& n : s.notes) observer.note(fmt::format("{}: {}", s.source, n));
@@ -115,6 +144,7 @@ AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOption
     return pair;
   }
   ShapePair<3> pair{std::get<1>(std::move(reference)), std::get<1>(std::move(template_shape))};
+  take_slicers_space(pair, landmarks, observer);
   share_space(pair, observer);
   leave_out_buried(pair, input, observer);
   return pair;

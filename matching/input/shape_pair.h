@@ -6,6 +6,7 @@
 #include "geometry/io/read_shape.h"
 #include "matching/experiment/options.h"
 #include "matching/input/shape_source.h"
+#include "matching/pairs/landmark_file.h"
 #include "matching/progress/observer.h"
 
 #include <array>
@@ -27,6 +28,11 @@ struct ShapePair {
 
 using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;
 
+template <int Dim>
+LandmarkSpaces landmark_spaces(const ShapePair<Dim>& shapes) {
+  return {shapes.reference_file_space, shapes.template_shape.original.space};
+}
+
 /// Brings the reference into the frame of the template, where both name one and it is not the same; a shape that names none is
 /// in the frame of the other. Surfaces are in the user's coordinates. The observer is told.
 template <int Dim>
@@ -36,11 +42,12 @@ void share_space(ShapePair<Dim>& pair, Observer& observer);
 template <int Dim>
 void leave_out_buried(ShapePair<Dim>& pair, const InputOptions& input, Observer& observer);
 
-/// Reads both shapes, brings them into one frame, leaves out what is buried and reports their repairs to the observer.
+/// Reads both shapes, brings them into one frame, leaves out what is buried and reports their repairs to the observer. Where meshes name no
+/// frame, that of 3D Slicer's points decides in which of both they lie (matching/pairs/point_frame.h).
 /// \throws InputError, also for shapes of different dimensions
-AnyShapePair open_shape_pair(const InputOptions& input, Observer& observer);
+AnyShapePair open_shape_pair(const InputOptions& input, const LandmarkOptions& landmarks, Observer& observer);
 
 /// The same of shapes that a program has, reference first; the files that `input` names are not read.
-AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, Observer& observer);
+AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOptions& input, const LandmarkOptions& landmarks, Observer& observer);
 
 }  // namespace shellmatch

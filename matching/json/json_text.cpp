@@ -1,5 +1,7 @@
 #include "matching/json/json_text.h"
 
+#include "base/stop.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <istream>
@@ -7,23 +9,59 @@
 
 namespace shellmatch {
 
+namespace {
+
+// Builds the document and keeps its limits: objects keep their keys in a list, which is searched for each of them, and writing goes down by
+// calls of itself. The library's own filter of events asks at the end of each entry about all entries of the list around it.
+class LimitedBuilder : public nlohmann::detail::json_sax_dom_parser<Json> {
+ public:
+  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
+  explicit LimitedBuilder(Json& document) : Base(document, true) {}
+
+  bool start_object(std::size_t n) {
+    enter();
+    n_keys_.back() = 0;
+    return Base::start_object(n);
+  }
+  bool start_array(std::size_t n) {
+    enter();
+    return Base::start_array(n);
+  }
+  bool end_object() {
+    n_keys_.pop_back();
+    return Base::end_object();
+  }
+  bool end_array() {
+    n_keys_.pop_back();
+    return Base::end_array();
+  }
+  bool key(std::string& name) {
+    constexpr std::size_t most_keys = 10000;
+    if (++n_keys_.back() > most_keys) throw Json::other_error::create(501, "an object has too many keys", nullptr);
+    return Base::key(name);
+  }
+
+ private:
+  void enter() {
+    constexpr std::size_t most_depth = 200;
+    if (n_keys_.size() > most_depth) throw Json::other_error::create(502, "it is nested too deeply", nullptr);
+    if (++n_entered_ % 1024 == 0) stop_if_wanted();
+    n_keys_.push_back(0);
+  }
+
+  std::vector<std::size_t> n_keys_;  // of the objects around
+  std::size_t n_entered_ = 0;
+};
+
+}  // namespace
+
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-// Objects keep their keys in a list, which is searched for each of them. Writing goes down by calls of itself.
 Json parse_json(std::istream& in) {
-  constexpr std::size_t most_keys = 10000, most_depth = 200;
-  std::vector<std::size_t> n_keys;  // of the object whose keys stand at a depth
-  return Json::parse(in, [&n_keys](int depth, Json::parse_event_t event, Json&) {
-    const auto at = static_cast<std::size_t>(depth);
-    if (at > most_depth) throw Json::other_error::create(502, "it is nested too deeply", nullptr);
-    if (event == Json::parse_event_t::object_start) {
-      n_keys.resize(std::max(n_keys.size(), at + 2));
-      n_keys[at + 1] = 0;
-    }
-    if (event == Json::parse_event_t::key && ++n_keys[at] > most_keys)
-      throw Json::other_error::create(501, "an object has too many keys", nullptr);
-    return true;
-  });
+  Json document;
+  LimitedBuilder builder(document);
+  Json::sax_parse(in, &builder);
+  return document;
 }
 
 }  // namespace shellmatch

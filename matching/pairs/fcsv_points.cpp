@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/stop.h"
 #include "geometry/io/read_text.h"
 #include "matching/pairs/slicer_points.h"
 
@@ -20,8 +21,8 @@ std::optional<std::string_view> value_of(std::string_view comment, std::string_v
   const std::size_t equals = comment.find('=');
   if (equals == comment.npos) return std::nullopt;
   std::string_view left = comment.substr(0, equals), right = comment.substr(equals + 1);
-  const std::string_view name = next_word(left);
-  if (name != key || !next_word(left).empty()) return std::nullopt;
+  left.remove_prefix(std::min(left.find_first_not_of(" \t"), left.size()));
+  if (left.substr(0, left.find_last_not_of(" \t") + 1) != key) return std::nullopt;
   right.remove_prefix(std::min(right.find_first_not_of(" \t"), right.size()));
   return right.substr(0, right.find_last_not_of(" \t") + 1);
 }
@@ -37,7 +38,7 @@ constexpr std::array<std::string_view, 3> fcsv_axes = {"x", "y", "z"};
 
 struct FcsvColumns {
   std::array<std::size_t, 3> axes = {1, 2, 3};
-  std::size_t label = 11;
+  std::size_t label = 11, status = 14;  // Slicer 5 writes the latter and does not list it
 };
 
 FcsvColumns fcsv_columns(const LineReader& lines, std::string_view list) {
@@ -48,9 +49,29 @@ FcsvColumns fcsv_columns(const LineReader& lines, std::string_view list) {
     return static_cast<std::size_t>(at - names.begin());
   };
   FcsvColumns columns;
+  if (const auto at = std::ranges::find(names, "positionStatus"); at != names.end()) columns.status = static_cast<std::size_t>(at - names.begin());
+  // A list of other columns than Slicer's says what there is.
+  else if (names.size() < columns.status || names[columns.status - 1] != "associatedNodeID") columns.status = std::string_view::npos;
   for (std::size_t k = 0; k < 3; ++k) columns.axes[k] = column(fcsv_axes[k]);
   columns.label = column("label");
   return columns;
+}
+
+// Of a file that names none: Slicer before 4.11 wrote RAS without saying so, and takes files that name no version for those of Slicer 3.
+Space space_of_version(std::string_view version) {
+  const std::size_t dot = version.find('.');
+  const auto major = to_integer(version.substr(0, dot));
+  const auto minor = dot == version.npos ? std::nullopt : to_integer(version.substr(dot + 1, version.find_first_not_of("0123456789", dot + 1) - dot - 1));
+  return major && (*major > 4 || (*major == 4 && minor && *minor >= 11)) ? Space::lps : Space::ras;
+}
+
+// 0 undefined, 1 a preview while it is being placed, 2 defined, 3 missing.
+bool is_placed(const LineReader& lines, const std::vector<std::string_view>& fields, const FcsvColumns& columns) {
+  if (columns.status >= fields.size() || fields[columns.status].empty()) return true;
+  const std::string_view status = fields[columns.status];
+  if (status.size() != 1 || status[0] < '0' || status[0] > '3')
+    lines.fail("the status of the position is '{}'; expected 0 (undefined), 1 (preview), 2 (defined) or 3 (missing)", printable(status));
+  return status == "2";
 }
 
 /// Calls point(lines, fields, columns, space) for each point.
@@ -58,10 +79,16 @@ void for_each_fcsv_point(const std::string& path, const std::string& text,
                          const std::function<void(const LineReader&, const std::vector<std::string_view>&, const FcsvColumns&, Space)>& point) {
   LineReader lines(path, text, '\0');
   FcsvColumns columns;
-  Space space = Space::ras;  // what Slicer takes a file without this line for
+  Space space = Space::ras;
+  bool says_space = false;
   while (lines.next()) {
+    if (lines.number() % 1024 == 0) stop_if_wanted();
     if (lines.line().starts_with('#')) {
-      if (const auto name = value_of(lines.line(), "CoordinateSystem")) space = fcsv_space(lines, *name);
+      if (const auto version = value_of(lines.line(), "Markups fiducial file version"); version && !says_space) space = space_of_version(*version);
+      if (const auto name = value_of(lines.line(), "CoordinateSystem")) {
+        space = fcsv_space(lines, *name);
+        says_space = true;
+      }
       if (const auto list = value_of(lines.line(), "columns")) columns = fcsv_columns(lines, *list);
       continue;
     }
@@ -77,8 +104,9 @@ void for_each_fcsv_point(const std::string& path, const std::string& text,
 std::vector<SlicerPoint> parse_fcsv(const std::string& path, const std::string& text) {
   std::vector<SlicerPoint> points;
   for_each_fcsv_point(path, text, [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space space) {
-    SlicerPoint point{csv_text(fields[columns.label]), {}, space, true, fmt::format("{}, line {}", path, lines.number())};
-    for (std::size_t k = 0; k < 3; ++k) {
+    SlicerPoint point{csv_text(fields[columns.label]), Vec<3>::Zero(), space, is_placed(lines, fields, columns),
+                      fmt::format("{}, line {}", path, lines.number())};
+    for (std::size_t k = 0; k < 3 && point.has_position; ++k) {
       const auto value = to_double(fields[columns.axes[k]]);
       if (!value || !std::isfinite(*value))
         lines.fail("{} is '{}'; expected a number", fcsv_axes[k], printable(fields[columns.axes[k]]));
@@ -96,8 +124,8 @@ std::string fcsv_with_positions(const SlicerPoints& file, const std::vector<Vec<
   };
   std::vector<Change> changes;
   std::size_t i = 0;
-  for_each_fcsv_point(file.path, file.text, [&](const LineReader&, const auto& fields, const FcsvColumns& columns, Space) {
-    for (std::size_t k = 0; k < 3; ++k) {
+  for_each_fcsv_point(file.path, file.text, [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space) {
+    for (std::size_t k = 0; k < 3 && is_placed(lines, fields, columns); ++k) {
       const std::string_view field = fields[columns.axes[k]];
       changes.push_back({static_cast<std::size_t>(field.data() - file.text.data()), field.size(), positions[i][static_cast<int>(k)]});
     }

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "matching/json/json_text.h"
+#include "matching/pairs/point_formats.h"
 #include "matching/pairs/slicer_points.h"
 
 #include <cmath>
@@ -82,6 +83,52 @@ std::vector<SlicerPoint> parse_markups(const std::string& path, const std::strin
     points.push_back(std::move(point));
   });
   return points;
+}
+
+std::string slicer_points_json(const SlicerPoints& file) {
+  Json json;
+  json["source"] = file.path;
+  json["points"] = Json::array();
+  for (const SlicerPoint& p : file.points) {
+    Json point;
+    point["label"] = p.name;
+    point["frame"] = space_name(p.space);
+    point["position"] = nullptr;
+    if (p.has_position) point["position"] = {p.position.x(), p.position.y(), p.position.z()};
+    json["points"].push_back(std::move(point));
+  }
+  return json_text(json);
+}
+
+std::string markups_text(const PointSet<3>& set, Space space) {
+  // The axes of a point are those of LPS, whatever the frame of the positions.
+  const double turn = space == Space::lps ? -1 : 1;
+  Json points = Json::array();
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    Json point;
+    point["id"] = fmt::format("{}", i + 1);
+    point["label"] = set.names[i];
+    point["description"] = "";
+    point["associatedNodeID"] = "";
+    const Vec<3> x = set.points[i].value_or(Vec<3>::Zero());
+    point["position"] = {x.x(), x.y(), x.z()};
+    point["orientation"] = {turn, 0.0, 0.0, 0.0, turn, 0.0, 0.0, 0.0, 1.0};
+    point["selected"] = true;
+    point["locked"] = false;
+    point["visibility"] = true;
+    point["positionStatus"] = set.points[i] ? "defined" : "missing";
+    points.push_back(std::move(point));
+  }
+  Json markup;
+  markup["type"] = "Fiducial";
+  markup["coordinateSystem"] = space_name(space);
+  markup["locked"] = false;
+  markup["labelFormat"] = "%N-%d";
+  markup["controlPoints"] = std::move(points);
+  Json document;
+  document["@schema"] = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#";
+  document["markups"] = Json::array({std::move(markup)});
+  return json_text(document);
 }
 
 std::string markups_with_positions(const SlicerPoints& file, const std::vector<Vec<3>>& positions) {

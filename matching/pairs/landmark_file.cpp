@@ -13,20 +13,26 @@ namespace shellmatch {
 
 namespace {
 
-std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes) {
+void note_left_out(const std::string& path, std::size_t n, std::vector<std::string>& notes) {
+  if (n > 0) notes.push_back(fmt::format("{}: {} without position left out", path, counted(n, "point", "points")));
+}
+
+std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes, std::set<std::string>& unplaced) {
   const SlicerPoints file = read_slicer_points(path);
   std::vector<NamedPoint<3>> points;
   std::map<std::string, std::string> place_of;
   for (const SlicerPoint& point : file.points) {
-    if (!point.has_position) continue;
+    if (!point.has_position) {
+      unplaced.insert(point.name);
+      continue;
+    }
     if (point.name.empty()) throw_input_error("{}: the label is empty, by which points of two files belong together", point.place);
     if (const auto [at, is_new] = place_of.emplace(point.name, point.place); !is_new)
       throw_input_error("{}: the name '{}' stands in {} already", point.place, point.name, at->second);
     points.push_back({point.name, in_space(point.position, point.space, or_default(shapes)), point.place});
   }
   if (points.empty()) throw_input_error("{}: none of its control points has a position", path);
-  if (points.size() < file.points.size())
-    notes.push_back(fmt::format("{}: {} without position left out", path, counted(file.points.size() - points.size(), "point", "points")));
+  note_left_out(path, file.points.size() - points.size(), notes);
   if (std::string note = space_note(file, or_default(shapes)); !note.empty()) notes.push_back(std::move(note));
   return points;
 }
@@ -35,18 +41,26 @@ std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shape
 
 template <int Dim>
 std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
-                                               Space shapes, std::vector<std::string>& notes) {
+                                               Space shapes, std::vector<std::string>& notes, std::set<std::string>* unplaced) {
+  std::set<std::string> none;
+  std::set<std::string>& without = unplaced ? *unplaced : none;
   if (is_slicer_file(path)) {
-    if constexpr (Dim == 3) return slicer_landmarks(path, shapes, notes);
+    if constexpr (Dim == 3) return slicer_landmarks(path, shapes, notes, without);
     else throw_input_error("{}: holds points of space, but the shapes are of the plane; give a CSV file", path);
   }
   std::vector<NamedPoint<Dim>> points;
   for_each_landmark_row<Dim>(path, {""}, true, [&](const LandmarkRow& row, const std::string& name) {
+    if (row.is_missing<Dim>("")) {
+      without.insert(name);
+      return;
+    }
     NamedPoint<Dim> point{name, row.point<Dim>("", vertices, file_space, shapes), row.place()};
     if (row.find("sd")) point.deviation = row.positive("sd");
     if (row.find("weight")) point.weight = row.positive("weight");
     points.push_back(std::move(point));
   });
+  if (points.empty()) throw_input_error("{}: none of its points has a position", path);
+  if (!is_slicer_file(path)) note_left_out(path, without.size(), notes);
   return points;
 }
 
@@ -82,7 +96,9 @@ template <int Dim>
 FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
                                      const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces, std::vector<std::string>& notes) {
   std::map<std::string, Landmark<Dim>*> landmark_of;
-  const std::vector<NamedPoint<Dim>> here = read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes);
+  std::set<std::string> unplaced_here, unplaced_there;
+  const std::vector<NamedPoint<Dim>> here =
+      read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes, &unplaced_here);
   FileLandmarks<Dim> read;
   std::vector<Landmark<Dim>>& landmarks = read.landmarks;
   landmarks.reserve(here.size());  // the map keeps addresses
@@ -91,10 +107,10 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
     landmarks.push_back({point.name, point.point, {}, point.weight.value_or(1), point.place, {}});
     landmark_of[point.name] = &landmarks.back();
   }
-  for (const NamedPoint<Dim>& point : read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes)) {
+  for (const NamedPoint<Dim>& point : read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes, &unplaced_there)) {
     const auto at = landmark_of.find(point.name);
     if (at == landmark_of.end()) {
-      if (options.unpaired == UnpairedLandmarks::are_left_out) continue;
+      if (unplaced_here.contains(point.name) || options.unpaired == UnpairedLandmarks::are_left_out) continue;
       throw_input_error("{}: the name '{}' is unknown to {}", point.place, point.name, options.file);
     }
     if (point.weight || point.deviation) throw_input_error("{}: weights stand in {}", point.place, options.file);
@@ -102,7 +118,9 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
     at->second->template_origin = point.place;
   }
   const auto is_unpaired = [](const Landmark<Dim>& landmark) { return landmark.template_origin.empty(); };
-  if (options.unpaired == UnpairedLandmarks::are_left_out) std::erase_if(landmarks, is_unpaired);
+  std::erase_if(landmarks, [&](const Landmark<Dim>& landmark) {
+    return is_unpaired(landmark) && (options.unpaired == UnpairedLandmarks::are_left_out || unplaced_there.contains(landmark.name));
+  });
   for (const Landmark<Dim>& landmark : landmarks)
     if (is_unpaired(landmark))
       throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name, options.template_file);
@@ -145,7 +163,7 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
   template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,         \
                                                           const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*); \
   template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
-                                                               std::vector<std::string>&)
+                                                               std::vector<std::string>&, std::set<std::string>*)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -2,10 +2,11 @@
 /// \file
 /// Landmarks from CSV files and from 3D Slicer's markups (docs/landmarks.md).
 
-#include "matching/input/shape_pair.h"
+#include "geometry/surface/space.h"
 #include "matching/pairs/landmarks.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,10 @@ struct LandmarkSpaces {
   Space shapes = Space::unsaid;          ///< of both shapes as they are matched
 };
 
-template <int Dim>
-LandmarkSpaces landmark_spaces(const ShapePair<Dim>& shapes) {
-  return {shapes.reference_file_space, shapes.template_shape.original.space};
-}
-
 /// Reads the landmarks that the options name: one file with columns `x1,y1[,z1]` or `vertex1` and `x2,y2[,z2]` or
 /// `vertex2`, or two files with columns `name` and `x,y[,z]` or `vertex` each; a column `weight` or `sd` of the first
 /// file weighs them, and `name` names them. Either of two files may be one of 3D Slicer's (matching/pairs/slicer_points.h);
-/// its points are converted to the frame of the shapes. None where the options name no file.
+/// its points are converted to the frame of the shapes. A point that either file lists without a position is left out. None where the options name no file.
 /// \param reference, template_shape vertices in the order of the shapes' files, to which indices from 0 refer
 /// \param notes takes a line for each file that was converted or has points without position
 /// \throws InputError with file and line
@@ -45,9 +41,10 @@ struct NamedPoint {
 
 /// Reads a file that holds the points of one shape, as either of two above; names are distinct.
 /// \param vertices to which indices refer \param file_space of coordinates whose file names no frame
-/// \param shapes the frame of the result \throws InputError with file and line
+/// \param shapes the frame of the result
+/// \param unplaced takes the names of points that the file lists without a position, which are left out \throws InputError with file and line
 template <int Dim>
 std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
-                                               Space shapes, std::vector<std::string>& notes);
+                                               Space shapes, std::vector<std::string>& notes, std::set<std::string>* unplaced = nullptr);
 
 }  // namespace shellmatch

@@ -1,6 +1,7 @@
 #include "matching/pairs/landmark_rows.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
 
@@ -95,6 +96,16 @@ Vec<Dim> LandmarkRow::point(const std::string& suffix, const std::vector<Vec<Dim
   return x;
 }
 
+template <int Dim>
+bool LandmarkRow::is_missing(const std::string& suffix) const {
+  if (find("vertex" + suffix)) return false;
+  for (int k = 0; k < Dim; ++k) {
+    const std::string& text = *find(axes[static_cast<std::size_t>(k)] + suffix);
+    if (!text.empty() && !equals_ignoring_case(text, "na") && !equals_ignoring_case(text, "nan")) return false;
+  }
+  return true;
+}
+
 std::string LandmarkRow::place() const { return fmt::format("{}, line {}", reader_.path(), reader_.number()); }
 
 template <int Dim>
@@ -110,6 +121,7 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
   check_columns<Dim>(reader, columns, suffixes, names_needed);
   std::map<std::string, std::size_t> line_of;
   while (reader.next()) {
+    if (reader.number() % 1024 == 0) stop_if_wanted();
     const LandmarkRow row(reader, columns, fields_of(reader.line()));
     const std::string* given = row.find("name");
     const std::string name = given ? *given : fmt::format("line {}", reader.number());
@@ -122,6 +134,7 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                                \
+  template bool LandmarkRow::is_missing<Dim>(const std::string&) const;                                                            \
   template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space) const;                 \
   template void for_each_landmark_row<Dim>(const std::string&, const std::vector<std::string>&, bool,                              \
                                            const std::function<void(const LandmarkRow&, const std::string&)>&)

@@ -26,6 +26,9 @@ class LandmarkRow {
   /// The point of the columns vertexS or xS, yS (and zS) for a suffix S. Coordinates are converted from one frame to the other.
   template <int Dim>
   Vec<Dim> point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to) const;
+  /// Whether the file lists the point without a position: all coordinates are empty, NA or nan.
+  template <int Dim>
+  bool is_missing(const std::string& suffix) const;
   std::string place() const;  ///< "points.csv, line 3"
 
  private:

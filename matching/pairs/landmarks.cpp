@@ -1,6 +1,7 @@
 #include "matching/pairs/landmarks.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"
 
@@ -61,8 +62,9 @@ void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const Landmark
   for (const bool is_on_reference : {true, false}) {
     const Surface<Dim>& surface = is_on_reference ? reference : template_surface;
     const FacetTree<Dim> tree(surface);
-    for (const Landmark<Dim>& landmark : landmarks) {
-      const Marked<Dim> marked{landmark, is_on_reference};
+    for (std::size_t l = 0; l < landmarks.size(); ++l) {
+      if (l % 1024 == 0) stop_if_wanted();
+      const Marked<Dim> marked{landmarks[l], is_on_reference};
       check(marked);
       const Vec<Dim>& x = marked.point();
       check_distance(marked, (closest_point_on_facet<Dim>(surface, tree.nearest(x), x).point - x).norm() / diagonal, options.max_distance);

@@ -1,6 +1,7 @@
 #include "matching/pairs/slicer_points.h"
 
 #include "base/error.h"
+#include "base/printable.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
@@ -42,4 +43,23 @@ std::string space_note(const SlicerPoints& file, Space shapes) {
                      counted(n, "point", "points"), space_name(first->space), space_name(shapes));
 }
 
+namespace {
+
+std::string spaces_of(const SlicerPoints& file) {
+  std::vector<std::string_view> names;
+  for (const SlicerPoint& p : file.points)
+    if (std::ranges::find(names, space_name(p.space)) == names.end()) names.push_back(space_name(p.space));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::size_t n_without_position(const SlicerPoints& file) {
+  return static_cast<std::size_t>(std::ranges::count(file.points, false, &SlicerPoint::has_position));
+}
+
+}  // namespace
+
+std::string slicer_points_text(const SlicerPoints& file) {
+  return fmt::format("{}: points of 3D Slicer\n  {:<22}{}, of which {} without position\n  {:<22}{}\n", printable(file.path, max_message_length), "in the file",
+                     counted(file.points.size(), "point", "points"), n_without_position(file), "frame", spaces_of(file));
+}
 }  // namespace shellmatch

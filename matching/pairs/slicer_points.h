@@ -16,7 +16,7 @@ struct SlicerPoint {
   std::string name;                    ///< its label; may be empty
   Vec<3> position = Vec<3>::Zero();    ///< in `space`, finite
   Space space = Space::unsaid;         ///< ras or lps
-  bool has_position = true;            ///< false of a point that is listed but not placed yet
+  bool has_position = true;            ///< false of a point that is listed but not placed yet, or missing
   std::string place;                   ///< "points.fcsv, line 4", for messages
 };
 
@@ -37,6 +37,10 @@ std::string with_positions(const SlicerPoints& file, const std::vector<Vec<3>>& 
 
 /// One line that says which positions the frame of the shapes has otherwise; empty where there are none.
 std::string space_note(const SlicerPoints& file, Space shapes);
+
+/// What is in the file, in words and as a JSON object: how many points, how many of them without position, and their frames.
+std::string slicer_points_text(const SlicerPoints& file);
+std::string slicer_points_json(const SlicerPoints& file);
 
 // The two formats, for read_slicer_points() and with_positions().
 std::vector<SlicerPoint> parse_fcsv(const std::string& path, const std::string& text);

@@ -73,7 +73,13 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
                            .measure_ratio = values_of(deformed, Dim == 3 ? "area_ratio" : "length_ratio"),
                            .distance_to_deformed = values_of(template_shape, "distance_to_deformed"), .unit = read_summary((place / "summary.json").string()).unit.value_or("")};
   // The run has brought it into the frame of the template.
-  if constexpr (Dim == 3) change_space(reference->original.vertices, reference->original.space, map.space);
+  if constexpr (Dim == 3) {
+    OriginalShape<3>& shape = reference->original;
+    change_space(shape.vertices, shape.space, map.space);
+    // Points may have told that the frame is the other one.
+    if (shape.space == Space::unsaid && map.space != Space::unsaid && !goes_to(map, shape.vertices, deformed.vertices))
+      change_space(shape.vertices, Space::ras, Space::lps);
+  }
   for (std::vector<double>* values : {&shapes.distance_to_template, &shapes.measure_ratio}) leave_out(*values, values_of(deformed, "template_observed"));
   leave_out(shapes.distance_to_deformed, values_of(template_shape, "deformed_observed"));
   if (!goes_to(map, reference->original.vertices, deformed.vertices))

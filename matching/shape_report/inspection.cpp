@@ -81,6 +81,7 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
   Inspection result;
   result.source = shape.source;
   result.dimension = Dim;
+  if constexpr (Dim == 3) result.frame = space_name(shape.original.space);
   result.n_original_vertices = shape.original.vertices.size();
   result.n_original_polygons = shape.original.polygons.size();
   for (const VertexAttribute& attribute : shape.original.attributes) result.attributes.push_back(attribute.name);
@@ -119,6 +120,7 @@ std::string inspection_text(const Inspection& r) {
                                  plane ? "ring(s)" : "polygons"));
   if (!r.attributes.empty()) row("vertex attributes", fmt::format("{}", fmt::join(r.attributes, ", ")));
   row("used for matching", fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
+  if (!plane) row("frame", r.frame.empty() ? "the file names none" : r.frame);
   row("components", fmt::format("{}", r.n_components));
   if (!plane) row("genus", fmt::format("{}", r.genus));
   row(plane ? "length" : "area", fmt::format("{:.6g}", r.measure));

@@ -12,6 +12,7 @@ namespace shellmatch {
 struct Inspection {
   std::string source;
   int dimension = 0;
+  std::string frame = {};  ///< "RAS" or "LPS" in space; empty where the file names none
   std::size_t n_original_vertices = 0, n_original_polygons = 0;  ///< as in the file
   std::vector<std::string> attributes;                           ///< names of the vertex attributes in the file
   std::vector<std::string> notes;                                ///< repairs

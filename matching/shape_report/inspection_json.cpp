@@ -9,6 +9,8 @@ std::string inspection_json(const Inspection& r) {
   Json json;
   json["source"] = r.source;
   json["dimension"] = r.dimension;
+  json["frame"] = nullptr;
+  if (!r.frame.empty()) json["frame"] = r.frame;
   json["original"] = {{"vertices", r.n_original_vertices}, {"polygons", r.n_original_polygons}, {"attributes", r.attributes}};
   json["vertices"] = r.n_vertices;
   json["facets"] = r.n_facets;

@@ -43,7 +43,7 @@ AnyMatchResult run(std::array<ShapeInput, 2> shapes, const ExperimentOptions& op
                    const GivenLandmarks& given, Observer& observer) {
   set_n_threads(options.threads);
   observer.stage("reading");
-  AnyShapePair any = open_shape_pair(std::move(shapes), options.input, observer);
+  AnyShapePair any = open_shape_pair(std::move(shapes), options.input, options.landmarks, observer);
   return std::visit(
       [&]<int Dim>(ShapePair<Dim>& pair) -> AnyMatchResult {
         const std::vector<Landmark<Dim>> landmarks = landmarks_of(given, options, pair, observer);

@@ -37,7 +37,7 @@ class Problem {
         throw_input_error("level {}: the cascade has the levels {} to {} (levels)", level,
                           options.cascade.min_level, options.cascade.max_level);
       set_n_threads(options.threads);
-      AnyShapePair any = open_shape_pair(std::move(shapes), options.input, observer);
+      AnyShapePair any = open_shape_pair(std::move(shapes), options.input, options.landmarks, observer);
       return std::visit(
           [&]<int Dim>(ShapePair<Dim>& pair) -> std::unique_ptr<AnyLevel> {
             std::vector<Landmark<Dim>> points = landmarks_of(given, options, pair, observer);

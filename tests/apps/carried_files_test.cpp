@@ -46,7 +46,7 @@ TEST_F(CarriedFiles, PointsKeepTheirFrame) {
   const Vec<3> y = read_points_or_mesh_3d(tmp / "q.csv").vertices[0];
   EXPECT_GT((y - Vec<3>(0.3, 0.6, 0.7)).norm(), 1e-3);
   put(tmp / "ras.fcsv", "# CoordinateSystem = 0\n# columns = label,x,y,z\na,0.3,0.6,0.7\n");
-  EXPECT_EQ(apply("ras.fcsv", "ras_moved.fcsv"), "");
+  EXPECT_TRUE(has(apply("ras.fcsv", "ras_moved.fcsv"), "names no frame; taken to be RAS, in which"));
   EXPECT_EQ(moved_point("ras_moved.fcsv"), y);
   // The same point in the other frame.
   put(tmp / "lps.fcsv", "# CoordinateSystem = 1\n# columns = label,x,y,z\na,-0.3,-0.6,0.7\n");
@@ -55,9 +55,48 @@ TEST_F(CarriedFiles, PointsKeepTheirFrame) {
   put(tmp / "p.mrk.json", "{\"markups\": [{\"coordinateSystem\": \"LPS\", \"controlPoints\": [{\"label\": \"a\", \"position\": [-0.3, -0.6, 0.7]}]}]}");
   apply("p.mrk.json", "q.mrk.json");
   EXPECT_EQ(moved_point("q.mrk.json"), Vec<3>(-y.x(), -y.y(), y.z()));
-  const ProgramResult other = run_program({"apply", tmp / "out", tmp / "lps.fcsv", "-o", tmp / "q.ply"});
-  EXPECT_EQ(other.exit_code, 2);
-  EXPECT_TRUE(has(other.err, "written in their own format, .fcsv")) << other.err;
+  // Points that lie on the shapes as they are: of meshes as Slicer takes them.
+  put(tmp / "as_they_are.fcsv", "# CoordinateSystem = LPS\n# columns = label,x,y,z\na,0.3,0.6,0.7\n");
+  EXPECT_TRUE(has(apply("as_they_are.fcsv", "lps_moved.fcsv"), "taken to be LPS, in which"));
+  EXPECT_EQ(moved_point("lps_moved.fcsv"), y);
+  put(tmp / "inside.fcsv", "# CoordinateSystem = LPS\n# columns = label,x,y,z\na,0.5,0.5,0.5\n");
+  EXPECT_TRUE(has(apply("inside.fcsv", "inside_moved.fcsv"), "taken to be LPS, as 3D Slicer does"));
+  const ProgramResult back = run_program({"apply", tmp / "out", tmp / "lps_moved.fcsv", "-o", tmp / "back.fcsv", "--inverse"});
+  EXPECT_TRUE(has(back.err, "taken to be LPS, in which")) << back.err;
+  EXPECT_LT((moved_point("back.fcsv") - Vec<3>(0.3, 0.6, 0.7)).norm(), 1e-6);
+}
+
+TEST_F(CarriedFiles, PointsGoOutInTheFormatOfTheName) {
+  match(Space::lps);
+  put(tmp / "p.csv", "label,x,y,z,weight\nnose,0.3,0.6,0.7,2\n\"chin, left\",0.5,0.5,0.2,1\n");
+  apply("p.csv", "q.csv");
+  const std::vector<Vec<3>> moved = read_points_or_mesh_3d(tmp / "q.csv").vertices;
+  for (const char* name : {"q.fcsv", "q.mrk.json"}) {
+    apply("p.csv", name);
+    const SlicerPoints file = read_slicer_points(tmp / name);
+    ASSERT_EQ(file.points.size(), 2u);
+    EXPECT_EQ(file.points[1].name, "chin, left");
+    EXPECT_EQ(file.points[1].position, moved[1]);
+    EXPECT_EQ(file.points[1].space, Space::lps);
+  }
+  EXPECT_TRUE(has(apply("p.csv", "q.tps"), "without the names of points"));
+  EXPECT_EQ(contents_of(tmp / "q.tps"), fmt::format("LM3=2\n{} {} {}\n{} {} {}\nID=q\nCOMMENT=SPACE=LPS\n", moved[0].x(), moved[0].y(), moved[0].z(),
+                                                    moved[1].x(), moved[1].y(), moved[1].z()));
+  apply("p.csv", "q.txt");
+  EXPECT_TRUE(has(contents_of(tmp / "q.txt"), "[dimensions]\n3\n[names]\nq\n[labels]\nSPACE\n[labelvalues]\nLPS\n[rawpoints]\n'q\n"));
+  // Slicer's points in the other of its formats keep their frame and what is missing, in others they are in that of the map.
+  put(tmp / "r.fcsv", "# CoordinateSystem = RAS\n# columns = label,x,y,z,positionStatus\nnose,-0.3,-0.6,0.7,2\nchin,0,0,0,3\n");
+  EXPECT_TRUE(has(apply("r.fcsv", "r.mrk.json"), "they are written in their own frame"));
+  const SlicerPoints file = read_slicer_points(tmp / "r.mrk.json");
+  EXPECT_EQ(file.points[0].space, Space::ras);
+  EXPECT_EQ(file.points[0].position, Vec<3>(-moved[0].x(), -moved[0].y(), moved[0].z()));
+  EXPECT_FALSE(file.points[1].has_position);
+  EXPECT_TRUE(has(apply("r.fcsv", "r.csv"), "1 point without position left out"));
+  EXPECT_EQ(contents_of(tmp / "r.csv"), fmt::format("name,x,y,z\nnose,{},{},{}\n", moved[0].x(), moved[0].y(), moved[0].z()));
+  EXPECT_TRUE(has(apply("r.fcsv", "r.ply"), "without the names of points"));
+  EXPECT_EQ(read_points_or_mesh_3d(tmp / "r.ply").space, Space::lps);
+  apply("r.fcsv", "r.tps");
+  EXPECT_TRUE(has(contents_of(tmp / "r.tps"), "\nNA NA NA\nID=r\n"));
 }
 
 TEST_F(CarriedFiles, MapsAreInTheFrameOfTheirShapes) {
@@ -101,7 +140,7 @@ TEST_F(CarriedFiles, WhatAFileHoldsGoesOutInItsFormat) {
   EXPECT_EQ(read_points_or_mesh_3d(tmp / "b.vtp").vertices, read_points_or_mesh_3d(tmp / "b.obj").vertices);
   put(tmp / "p.csv", "name,x,y,z,weight\n\"left, upper\",0.3,0.6,0.7,2\n");
   EXPECT_EQ(apply("p.csv", "q.csv"), "");
-  EXPECT_TRUE(has(contents_of(tmp / "q.csv"), ",\"left, upper\",2\n")) << contents_of(tmp / "q.csv");
+  EXPECT_EQ(contents_of(tmp / "q.csv").find("name,x,y,z,weight\n\"left, upper\",0."), 0u) << contents_of(tmp / "q.csv");
   EXPECT_TRUE(has(apply("p.csv", "q.ply"), "without the columns name"));
 }
 

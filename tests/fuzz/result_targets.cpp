@@ -7,6 +7,7 @@
 #include "matching/output/summary.h"
 #include "matching/output/written_files.h"
 #include "matching/pairs/landmark_file.h"
+#include "matching/pairs/point_formats.h"
 #include "matching/pairs/slicer_points.h"
 #include "matching/result/correspondence.h"
 #include "studies/execution/run_result.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -186,6 +188,20 @@ void check_slicer_points(SlicerPoints file, auto parse) {
   for (std::size_t i = 0; i < again.size(); ++i)
     demand(again[i].position == positions[i] && again[i].name == file.points[i].name && again[i].space == file.points[i].space,
            "control points go out as they came in");
+  if (file.points.empty()) return;
+  // Written anew, in one frame.
+  PointSet<3> set{"input", {}, {}};
+  for (const SlicerPoint& p : file.points) {
+    set.names.push_back(p.name);
+    set.points.push_back(p.has_position ? std::optional(in_space(p.position, p.space, Space::ras)) : std::nullopt);
+  }
+  for (const bool is_json : {false, true}) {
+    const std::string text = point_sets_text<3>(is_json ? PointFormat::markups : PointFormat::fcsv, {set}, Space::ras);
+    const std::vector<SlicerPoint> anew = is_json ? parse_markups("a.mrk.json", text) : parse_fcsv("a.fcsv", text);
+    demand(anew.size() == set.points.size(), "points that are written anew are read back");
+    for (std::size_t i = 0; i < anew.size(); ++i)
+      demand(anew[i].has_position == set.points[i].has_value() && (!set.points[i] || anew[i].position == *set.points[i]), "they are where they were");
+  }
 }
 
 }  // namespace

@@ -327,11 +327,16 @@ def seeds_of_all():
             b'1,1.5,-2,3,0,0,0,1,1,1,0,"F, ""1""",,\r\n')
     seeds["fcsv"] = [fcsv, fcsv.replace(b"LPS", b"1"), fcsv.replace(b"LPS", b"IJK"), fcsv.replace(b"id,x,y,z,ow", b"z,y,x"), fcsv.replace(b"label", b"l"),
                      fcsv.replace(b"1.5", b"nan"), b"1,2,3\n", b"# columns = label,x,y,z\na,1,2,3\n", b"1,1,2,3,0,0,0,1,1,1,0,a\n"]
+    placed = fcsv.replace(b"4.11", b"5.4").replace(b",,\r\n", b",,,2,0\r\n2,,nan,x,0,0,0,1,1,1,0,b,,,3,0\r\n")
+    seeds["fcsv"] += [placed, placed.replace(b",3,0", b",7,0"), placed.replace(b"# CoordinateSystem = LPS\n", b""), fcsv.replace(b"# CoordinateSystem = LPS\n", b""),
+                      b"# Markups fiducial file version = 4.x\n# columns = label,positionStatus,x,y,z\na,0,1,2,3\nb,2,1,2,3\n"]
     slicer = joined(fcsv.replace(b'"F, ""1"""', b"a"), markups)
     seeds["landmarks"] += [slicer, joined(markups, markups), joined(markups.replace(b'"a"', b'"b"'), markups), fcsv, joined(slicer, b"", b""),
                            joined(b"name,vertex\na,0\nb,1\n", b"name,vertex\nb,0\nc,1\n", b"", b""), joined(b"name,vertex\na,0\n", b"name,vertex\nb,0\n", b"", b""),
                            joined(markups.replace(b"defined", b"undefined"), markups), joined(markups.replace(b'"a"', b'""'), markups),
-                           joined(markups.replace(point, point + b"," + point), markups), joined(b"{}", b"{}")]
+                           joined(markups.replace(point, point + b"," + point), markups), joined(b"{}", b"{}"),
+                           joined(b"name,x,y,z\na,,NA,nan\nb,1,2,3\n", b"name,vertex\na,0\nb,0\n"), joined(placed, b"name,vertex\nb,0\n"),
+                           joined(b"name,x,y\na,,\n", b"name,vertex\na,0\n")]
     seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
     seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
     two, three = (struct.pack(f"<{2 * n}d", *range(2 * n)) for n in (2, 3))

@@ -16,7 +16,8 @@ TEST_F(CohortFiles, ThoseOfTheUserStay) {
   ASSERT_EQ(cohort({file, "-o", "out"}).exit_code, 0);
   fs::create_directories(folder_ / "out/model/mine");
   const std::vector<std::string> mine{"out/model/mode_notes.txt", "out/model/mode_1.png", "out/model/mode_1_plus_smoothed.csv", "out/model/mode_1.webp.bak",
-                                      "out/model/notes.txt", "out/model/mine/a.txt", "out/landmarks.csv", "out/landmarks_on_atlas.csv", "out/atlas_landmarks.csv"};
+                                      "out/model/notes.txt", "out/model/mine/a.txt", "out/landmarks.csv", "out/landmarks.tps", "out/landmarks.txt",
+                                      "out/landmarks_on_atlas.csv", "out/atlas_landmarks.csv"};
   for (const std::string& name : mine) write(name, "years of work");
   fs::create_symlink(folder_ / "e1.csv", folder_ / "out/model/mode_9.webp");
   ASSERT_EQ(cohort({file, "-o", "out"}).exit_code, 0);
@@ -41,7 +42,7 @@ TEST_F(CohortFiles, ThoseOfAnEarlierRunGo) {
   one.insert(one.end(), options.begin(), options.end());
   ASSERT_EQ(cohort(three).exit_code, 0);
   const std::vector<std::string> statistics{"out/model/modes.npy", "out/model/modes.csv", "out/model/scores.csv", "out/model/mean.csv", "out/model/mode_1_plus.csv",
-                                            "out/landmarks.csv", "out/atlas_landmarks.csv"};
+                                            "out/landmarks.csv", "out/landmarks.tps", "out/landmarks.txt", "out/atlas_landmarks.csv"};
   for (const std::string& name : statistics) EXPECT_TRUE(exists(name)) << name;
   ASSERT_EQ(cohort(one).exit_code, 0);
   for (const std::string& name : statistics) EXPECT_FALSE(exists(name)) << name << " is of three subjects";

@@ -160,6 +160,8 @@ TEST_F(CohortProgram, LandmarksAreCarriedBothWays) {
     } else if (line.starts_with("e2,top")) {
       EXPECT_TRUE(line.ends_with(",,,")) << line << ": its place on e2 is not known";
     }
+  EXPECT_EQ(text_of("out/landmarks.tps").find("LM"), 0u);
+  EXPECT_EQ(text_of("out/landmarks.txt").find("[individuals]\n"), 0u);
   const std::string returned = text_of("out/landmarks_on_atlas.csv");
   EXPECT_TRUE(has(returned, "e2,elsewhere,")) << returned;
 }

@@ -87,8 +87,8 @@ TEST(Details, PlyKeepsPropertiesOfFacesElementsAndComments) {
 TEST(Details, TablesKeepNames) {
   const TempFolder folder;
   EXPECT_EQ(with_doubled_x(folder, "a.csv", "name,x,y,z,weight\nnose tip,1,2,3,0.5\n\"ear, \"\"left\"\"\",4,5,6,1\n7,7,8,9,2\n", "b.csv"),
-            "x,y,z,name,weight\n2,2,3,nose tip,0.5\n8,5,6,\"ear, \"\"left\"\"\",1\n14,8,9,7,2\n");
-  EXPECT_EQ(with_doubled_x(folder, "c.csv", "label x y z\na 1 2 3\n", "d.csv"), "x,y,z,label\n2,2,3,a\n");
+            "name,x,y,z,weight\nnose tip,2,2,3,0.5\n\"ear, \"\"left\"\"\",8,5,6,1\n7,14,8,9,2\n");
+  EXPECT_EQ(with_doubled_x(folder, "c.csv", "label x y z\na 1 2 3\n", "d.csv"), "label,x,y,z\na,2,2,3\n");
   EXPECT_TRUE(contains(testing::input_error_of([&] { with_doubled_x(folder, "e.csv", "name,x,y,z\na,1,2,three\n", "f.csv"); }), "'three'"));
 }
 

@@ -1,11 +1,15 @@
 // Control points of 3D Slicer: what the files say, what goes out again, and what is wrong with them in one line.
 
+#include "base/stop.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/pairs/slicer_points.h"
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/support/expect_input_error.h"
+#include "tests/support/slowdown.h"
 
 #include <gtest/gtest.h>
+
+#include <ctime>
 
 namespace shellmatch {
 namespace {
@@ -32,6 +36,7 @@ struct SlicerFiles : ::testing::Test {
     put(folder / name, text);
     return read_slicer_points(folder / name);
   }
+  std::string options_file() { return folder / "nul.fcsv"; }
 };
 
 TEST_F(SlicerFiles, NamesOfFilesSayTheFormat) {
@@ -54,6 +59,66 @@ TEST_F(SlicerFiles, FcsvHasNamesAndItsFrame) {
   const SlicerPoint turned = read("b.fcsv", "# columns = label,z,y,x\na,3,2,1\n").points[0];
   EXPECT_EQ(turned.position, Vec<3>(1, 2, 3));
   EXPECT_EQ(turned.name, "a");
+}
+
+// Since 4.11 Slicer writes LPS; a file that names no version is one of Slicer 3.
+TEST_F(SlicerFiles, FcsvWithoutFrameHasThatOfItsVersion) {
+  const std::string point = "id,1,2,3,0,0,0,1,1,1,0,a,,\n";
+  for (const auto& [version, space] : {std::pair{"4.10", Space::ras}, {"4.6.2", Space::ras}, {"4.11", Space::lps}, {"4.13.0-2021", Space::lps}, {"5.4", Space::lps}, {"new", Space::ras}}) {
+    const std::string head = std::string("# Markups fiducial file version = ") + version + "\n";
+    EXPECT_EQ(read("b.fcsv", head + point).points[0].space, space) << version;
+    EXPECT_EQ(read("b.fcsv", "# CoordinateSystem = RAS\n" + head + point).points[0].space, Space::ras) << version;
+  }
+}
+
+TEST_F(SlicerFiles, FcsvSaysWhichPointsHaveNoPosition) {
+  const std::string head = "# CoordinateSystem = LPS\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n",
+                    text = head + "1,nan,,3,0,0,0,1,1,1,0,a,,,0,0\n2,4,5,6,0,0,0,1,1,1,0,b,,,1,0\n3,7,8,9,0,0,0,1,1,1,0,c,,,2,0\n4,1,2,3,0,0,0,1,1,1,0,d,,,3,0\n"
+                                  "5,1,2,3,0,0,0,1,1,1,0,e,,\n";
+  const SlicerPoints file = read("b.fcsv", text);
+  ASSERT_EQ(file.points.size(), 5u);
+  for (const std::size_t i : {0u, 1u, 3u}) EXPECT_FALSE(file.points[i].has_position) << i;
+  for (const std::size_t i : {2u, 4u}) EXPECT_TRUE(file.points[i].has_position) << i;
+  // Their lines stay as they are.
+  std::string expected = text;
+  expected.replace(expected.find("7,8,9"), 5, "9,9,9");
+  expected.replace(expected.find("5,1,2,3"), 7, "5,9,9,9");
+  EXPECT_EQ(with_positions(file, std::vector<Vec<3>>(5, Vec<3>(9, 9, 9))), expected);
+  // Columns of another list are no status.
+  EXPECT_TRUE(read("b.fcsv", "# columns = label,x,y,z\na,1,2,3,0,0,0,0,0,0,0,0,0,0,0\n").points[0].has_position);
+  EXPECT_FALSE(read("b.fcsv", "# columns = label,x,y,z,positionStatus\na,1,2,3,3\n").points[0].has_position);
+}
+
+TEST_F(SlicerFiles, InspectionNamesTheFrame) {
+  const SlicerPoints file = read("a.fcsv", fcsv + "3,1,2,3,0,0,0,1,1,1,0,gone,,,3,0\r\n");
+  EXPECT_NE(slicer_points_text(file).find("3 points, of which 1 without position"), std::string::npos);
+  EXPECT_NE(slicer_points_text(file).find("frame                 LPS"), std::string::npos) << slicer_points_text(file);
+  EXPECT_NE(slicer_points_json(file).find("\"frame\": \"LPS\""), std::string::npos);
+  EXPECT_NE(slicer_points_json(file).find("\"position\": null"), std::string::npos);
+}
+
+// Reading a hundred times as many points takes a hundred times as long, not ten thousand times, and hears signals.
+TEST_F(SlicerFiles, MarkupsOfManyPointsAreReadInLinearTime) {
+  const auto many = [](int n) {
+    std::string list;
+    for (int i = 0; i < n; ++i) list += fmt::format("{}{{\"label\": \"{}\", \"position\": [1, 2, 3], \"orientation\": [1, 0, 0]}}", i ? "," : "", i);
+    return "{\"markups\": [{\"controlPoints\": [" + list + "]}]}";
+  };
+  put(folder / "many.mrk.json", many(200000));
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(read_slicer_points(folder / "many.mrk.json").points.size(), 200000u);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 30 * test::slowdown);
+  stop_loops_when([] { return StopCause::request; });
+  EXPECT_THROW(read_slicer_points(folder / "many.mrk.json"), Stopped);
+  stop_loops_when(nullptr);
+}
+
+TEST_F(SlicerFiles, ANulDoesNotCutAMessage) {
+  using namespace std::string_literals;
+  put(options_file(), "# columns = label,x,y,z\na\0b,1,2,3\na\0b,1,2,3\n"s);
+  LandmarkOptions options;
+  options.file = options.template_file = options_file();
+  expect_input_error([&] { read_landmarks<3>(options, {}, {}); }, {"the name 'a\\x00b' stands in", "line 2 already"});
 }
 
 TEST_F(SlicerFiles, FcsvGoesOutAsItCameButForPositions) {
@@ -94,6 +159,7 @@ TEST_F(SlicerFiles, DamageIsSaidInOneLine) {
   };
   refused("a.fcsv", "# CoordinateSystem = IJK\n", {"a.fcsv, line 1", "'IJK'; expected RAS or LPS"});
   refused("a.fcsv", "# columns = id,x,y,label\n", {"line 1", "no 'z'"});
+  refused("a.fcsv", "1,2,3,4,0,0,0,1,1,1,0,F-2,,,7,0\n", {"line 1", "status of the position is '7'"});
   refused("a.fcsv", "1,2,3,4\n", {"line 1", "4 values where the columns want 12"});
   refused("a.fcsv", "# columns = label,x,y,z\na,1,2,nan\n", {"line 2", "z is 'nan'; expected a number"});
   refused("a.fcsv", "# nothing\n", {"holds no control points"});
