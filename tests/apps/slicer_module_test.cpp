@@ -10,6 +10,7 @@
 #include <memory>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace shellmatch {
 namespace {
@@ -117,7 +118,10 @@ std::vector<std::string> called(const std::string& command, const std::map<std::
     const std::string name = p.text_of("name"), value = given.contains(name) ? given.at(name) : p.text_of("default");
     if (p.child("index")) last.push_back(value);
     else if (p.tag == "boolean") { if (value == "true") words.push_back("--" + p.text_of("longflag")); }
-    else if (!value.empty()) words.insert(words.end(), {"--" + p.text_of("longflag"), value});
+    else if (p.attributes.find("multiple") != std::string::npos) {
+      std::istringstream parts(value);
+      for (std::string part; std::getline(parts, part, ',');) words.insert(words.end(), {"--" + p.text_of("longflag"), part});
+    } else if (!value.empty()) words.insert(words.end(), {"--" + p.text_of("longflag"), value});
   }
   words.insert(words.end(), last.begin(), last.end());
   return words;
@@ -129,9 +133,11 @@ TEST(SlicerModules, AreCalledAsTheyDescribeThemselves) {
     ASSERT_EQ(run_program({"generate", shape, "-o", tmp / (std::string(shape) == "sphere" ? "b.ply" : "a.ply"), "--edge-length", "0.05"}).exit_code, 0);
   testing::put(tmp / "a.csv", "name,x,y,z\ntop,0.5,0.5,0.8\n");
   ProgramResult result = run_program(called("match", {{"reference", tmp / "a.ply"}, {"template", tmp / "b.ply"}, {"output", tmp / "out"}, {"levels", "3:4"},
-                                                      {"align", "none"}, {"set", "pictures=none"}, {"quiet", "true"}, {"max_seconds", "500"}}));
+                                                      {"align", "none"}, {"set", "pictures=none,vertex_table=true"}, {"quiet", "true"}, {"max_seconds", "500"}}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(tmp / "out/deformed.ply"));
+  EXPECT_EQ(testing::contents_of(tmp / "out/deformed.csv").find("x,y,z,distance_to_template,area_ratio,template_face,template_v0"), 0u);
+  EXPECT_EQ(testing::contents_of(tmp / "out/template.csv").find("x,y,z,distance_to_deformed"), 0u);
   result = run_program(called("apply", {{"dir", tmp / "out"}, {"file", tmp / "a.csv"}, {"output", tmp / "moved.mrk.json"}, {"keep_pose", "true"}}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(tmp / "moved.mrk.json"));
