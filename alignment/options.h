@@ -51,8 +51,8 @@ struct AlignmentOptions {
            .meaning = "a pair is kept if the map changes lengths around it by no larger factor"});
     visit("identity_preference", self.identity_preference,
           {.min = 1, .max = 100,
-           .meaning = "the map that begins with the surfaces as they lie is chosen unless its score is larger than the "
-                      "best by this factor"});
+           .meaning = "outlines, and poses searched by distance: the map that begins with the shapes as they lie is chosen unless its "
+                      "score is larger than the best by this factor"});
     visit("mirror", self.mirror, {.meaning = "also try the mirrored reference"});
   }
 };

@@ -34,7 +34,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> files, ids;
-  int n_rotations = 0;
+  int n_rotations = 0, n_landmarks = 0;
   AlignmentOptions options;
 };
 
@@ -51,6 +51,10 @@ Arguments parse(const std::vector<std::string>& words) {
       set_n_threads(std::atoi(next().c_str()));
     } else if (words[i] == "--functions") {
       arguments.options.functions = std::atoi(next().c_str());
+    } else if (words[i] == "--landmarks") {
+      arguments.n_landmarks = std::atoi(next().c_str());
+    } else if (words[i] == "--refined") {
+      arguments.options.refined = std::atoi(next().c_str());
     } else if (words[i] == "--mirror") {
       arguments.options.mirror = true;
     } else {
@@ -102,6 +106,16 @@ class TrueCorrespondence {
       errors.push_back(error(nearest(end), on_template_[i]));
     }
     return errors;
+  }
+
+  /// Some of the known pairs, evenly through their list.
+  std::vector<CorrespondingPoints> landmarks(int n) const {
+    std::vector<CorrespondingPoints> points;
+    for (int k = 0; k < n; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k) * on_reference_.size() / static_cast<std::size_t>(n);
+      points.push_back({reference_.vertices[on_reference_[i]], template_.vertices[on_template_[i]], 1});
+    }
+    return points;
   }
 
   std::vector<double> pair_errors(const PairCandidate& candidate) {
@@ -157,7 +171,7 @@ void print(const AutomaticPairs& found, TrueCorrespondence& truth) {
                dense.beyond, candidate.score, candidate.is_identity ? " as it lies" : "",
                candidate.is_mirrored ? " mirrored" : "", candidate.pairs.size(), pairs.mean, pairs.beyond);
     for (const MapScore& s : {candidate.coarse_score, candidate.score_parts})
-      fmt::print(" | {:.3f} {:.3f} {:.3f} {:.3f}", s.functions, s.signature, s.orientation, s.pose);
+      fmt::print(" | {:.3f} {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}", s.functions, s.signature, s.orientation, s.pose, s.curvature, s.spin);
     fmt::print("\n");
   }
 }
@@ -212,7 +226,7 @@ int main(int argc, char** argv) try {
   }
   const double start = seconds();
   const std::clock_t cpu_start = std::clock();
-  const AutomaticPairs found = find_pairs(reference, template_surface, arguments.options);
+  const AutomaticPairs found = find_pairs(reference, template_surface, arguments.options, truth.landmarks(arguments.n_landmarks));
   const double took = seconds() - start, cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   const ErrorFigures dense = figures_of(truth.dense_errors(found, found.candidates[0]));
   fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s, CPU {:.2f} s\n", dense.mean, dense.beyond,

@@ -28,6 +28,14 @@ Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<s
   return points;
 }
 
+double square(double x) { return x * x; }
+
+/// Of the curvature, over the surface.
+double variance(const SpectralShape& shape) {
+  const double mean = shape.mass.dot(shape.local.curvature);
+  return shape.mass.dot((shape.local.curvature.array() - mean).square().matrix());
+}
+
 Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Mat<3> covariance = to * from.transpose();
   const Svd<Mat<3>> svd = jacobi_svd(covariance);
@@ -58,21 +66,30 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   const auto pairs = pairs_of(matches);
   const Embedding embedding = dense_embedding(pair, c);
   MapScore score;
-  double squares = 0, sum = 0;
+  double squares = 0, sum = 0, weights = 0;
   // Two pairs of normals of this length stand below the functions.
   constexpr double normal_scale = 0.5 / (embedded_normal_weight * embedded_normal_weight);
-  for (const auto& [p, q] : pairs) {
+  const SpectralShape &shape_1 = *pair.shapes[0], &shape_2 = *pair.shapes[1];
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [p, q] = pairs[i];
+    // Means are integrals over the surfaces: meshes have most vertices where the shape says least of the whole, as in a face.
+    const double weight = i < matches.from[0].size() ? shape_1.mass[p] : shape_2.mass[q];
+    weights += weight;
     const auto a = embedding.on[0].col(p), b = embedding.on[1].col(q);
-    sum += (a.head(k) - b.head(k)).squaredNorm();
-    squares += b.head(k).squaredNorm();
-    score.orientation += (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
-    const auto u = pair.shapes[0]->signature.row(p), v = pair.shapes[1]->signature.row(q);
-    score.signature += ((u - v).cwiseAbs().array() / (u + v).array()).mean();
+    sum += weight * (a.head(k) - b.head(k)).squaredNorm();
+    squares += weight * b.head(k).squaredNorm();
+    score.orientation += weight * (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
+    const auto u = shape_1.signature.row(p), v = shape_2.signature.row(q);
+    score.signature += weight * ((u - v).cwiseAbs().array() / (u + v).array()).mean();
+    score.curvature += weight * square(shape_1.local.curvature[p] - shape_2.local.curvature[q]);
+    score.spin += weight * (shape_1.local.spin.col(p) - shape_2.local.spin.col(q)).squaredNorm();
   }
   const auto n = static_cast<double>(pairs.size());
   score.functions = std::sqrt(sum / squares);
-  score.signature /= n;
-  score.orientation /= n;
+  score.signature /= weights;
+  score.orientation /= weights;
+  score.curvature /= weights * (variance(shape_1) + variance(shape_2));
+  score.spin /= weights;
   const int smooth = std::min(k, 24);
   Eigen::Matrix3Xd from = smooth_points(pair, pairs, 0, smooth), to = smooth_points(pair, pairs, 1, smooth);
   from.colwise() -= from.rowwise().mean().eval();

@@ -4,6 +4,8 @@
 
 #include "alignment/functional_map/map_score.h"
 
+#include <algorithm>
+
 namespace shellmatch {
 
 /// A map with its score.
@@ -19,8 +21,8 @@ struct MapCandidate {
   bool is_by_landmarks = false;  ///< began with landmarks
 
   double total() const { return 0.5 * (coarse_score.total() + score.total()); }
-  /// The lower, the better.
-  double order() const { return total() + score.landmarks; }
+  /// The lower, the better: what tells maps apart, beyond the noise of sampling, and the more, the farther landmarks are.
+  double order() const { return (1e-3 + score.distinction()) * (1 + score.landmarks / std::max(total(), 0.1)); }
 };
 
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.

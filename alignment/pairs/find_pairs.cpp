@@ -16,6 +16,10 @@ namespace shellmatch {
 namespace {
 
 constexpr std::size_t n_most_landmarks = 200;
+// Orders that differ by less than this factor do not tell maps apart.
+constexpr double tie = 1.02;
+// Shapes that are symmetric themselves are as good mirrored, and are to stay as they are.
+constexpr double mirrored_penalty = 1.1;
 
 /// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
 std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
@@ -27,6 +31,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
   parallel_for(maps.size(), [&](std::size_t i) {
     PairCandidate& candidate = candidates[i];
     candidate.score = maps[i].total();
+    candidate.order = maps[i].order();
     candidate.coarse_score = maps[i].coarse_score;
     candidate.score_parts = maps[i].score;
     candidate.n_landmarks = pair.landmarks.size();
@@ -116,18 +121,16 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
     const SpectralShape mirrored = mirrored_shape(*shapes[0]);
     for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true)) result.candidates.push_back(std::move(candidate));
   }
-  // Shapes that are symmetric themselves score nearly the same mirrored, and are to stay as they are.
   const auto key = [&](const PairCandidate& c) {
-    const double factor = c.is_mirrored ? options.identity_preference : c.is_identity ? 1 / options.identity_preference : 1;
-    return factor * c.score + c.landmark_distance.value_or(0);
+    return (c.is_mirrored ? mirrored_penalty : c.is_identity ? 1 / tie : 1) * c.order;
   };
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
   double runner_up = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < result.candidates.size(); ++i)
-    if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored) runner_up = std::min(runner_up, result.candidates[i].score);
+    if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored) runner_up = std::min(runner_up, result.candidates[i].order);
   result.is_ambiguous = are_ambiguous(*shapes[0], *shapes[1]);
-  result.margin = result.is_ambiguous ? 1 : runner_up / std::max(result.candidates[0].score, 1e-12);
+  result.margin = result.is_ambiguous ? 1 : runner_up / result.candidates[0].order;
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
   project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);
   return result;

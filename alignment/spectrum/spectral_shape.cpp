@@ -1,26 +1,9 @@
 #include "alignment/spectrum/spectral_shape.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
-
-Rows3 vertex_normals(const std::vector<std::array<Index, 3>>& facets, const Rows3& coordinates) {
-  Rows3 normals = Rows3::Zero(coordinates.rows(), 3);
-  for (const auto& [a, b, c] : facets) {
-    const Vec<3> origin = coordinates.row(a);
-    const Vec<3> u = coordinates.row(b).transpose() - origin, v = coordinates.row(c).transpose() - origin;
-    const Vec<3> normal = u.cross(v);
-    for (const Index corner : {a, b, c}) normals.row(corner) += normal;
-  }
-  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    const double length = normals.row(i).norm();
-    if (length > 0) normals.row(i) /= length;
-  }
-  return normals;
-}
 
 Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies) {
   // The constant function says nothing of a place, so that energies begin at the second eigenvalue.
@@ -75,8 +58,9 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 coefficients = pairs.functions.transpose() * laplacian.mass.asDiagonal() * coordinates;
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
+  LocalDescriptors local = local_descriptors(surface, laplacian);
   return {std::move(surface), std::move(graph), std::move(laplacian.mass), pairs.values, pairs.functions,
-          std::move(coefficients), std::move(normals), std::move(signature), std::move(samples),
+          std::move(coefficients), std::move(normals), std::move(signature), std::move(local), std::move(samples),
           centre, std::sqrt(area)};
 }
 

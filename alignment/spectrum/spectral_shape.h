@@ -5,11 +5,10 @@
 #include "alignment/options.h"
 #include "alignment/spectrum/edge_graph.h"
 #include "alignment/spectrum/eigenpairs.h"
+#include "alignment/spectrum/local_descriptors.h"
+#include "alignment/spectrum/vertex_normals.h"
 
 namespace shellmatch {
-
-/// Points or normals, one in each row.
-using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// A connected surface of area 1 with its centre of mass in the origin. n vertices, k eigenpairs.
 struct SpectralShape {
@@ -21,6 +20,7 @@ struct SpectralShape {
   Rows3 coefficients;          ///< k x 3: functions * coefficients are the smoothed coordinates
   Rows3 normals;               ///< n x 3, of unit length
   Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
+  LocalDescriptors local;
   std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
   Vec<3> centre;               ///< of the input
   double root_area;            ///< of the input
@@ -40,10 +40,6 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
 
 /// The shape mirrored in x, oriented outward again.
 SpectralShape mirrored_shape(SpectralShape shape);
-
-/// Unit normals at the vertices of a surface with these facets and the given coordinates (n x 3): means of the facets'
-/// normals, weighted by area; zero where they cancel.
-Rows3 vertex_normals(const std::vector<std::array<Index, 3>>& facets, const Rows3& coordinates);
 
 /// The wave kernel signature at every vertex (n x m), a descriptor that does not depend on the pose: Aubry, Schlickewei
 /// and Cremers, 'The wave kernel signature', ICCV workshops 2011. Each column is scaled to mean 1 over the surface.

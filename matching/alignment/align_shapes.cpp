@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
+#include "matching/alignment/coincidence.h"
 #include "matching/alignment/search_starts.h"
 
 #include <Eigen/LU>
@@ -33,6 +34,14 @@ struct Outcome {
   Start<Dim>& best() { return search.starts[choice.index]; }
 };
 
+// A mirrored copy is searched only where something is strange, since it takes as long as the search itself: a turn to the other side, as of
+// what is mirrored and thin, or no map that is nearly isometric.
+constexpr double strange_turn = 120;  // degrees
+
+bool is_worth_mirroring(const Start<3>& best, const StartChoice& choice) {
+  return best.is_usable() && (choice.is_doubtful || choice.as_it_lies || angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
+}
+
 template <int Dim>
 Outcome<Dim> choice_among(StartSearch<Dim> search, const AlignOptions& options, Trials<Dim>& trials) {
   const StartChoice choice = choose_start(search, options, trials);
@@ -53,6 +62,28 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
   return outcome;
 }
 
+// Pairs of one component of several say nothing of the others.
+constexpr double least_searched = 0.9;
+
+/// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs. Why it does, in words.
+template <int Dim>
+std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search, Alignment<Dim>& start) {
+  const Coincidence<Dim> coincidence(shapes);
+  if (coincidence.decides()) {
+    start.pose = {};
+    coincidence.keep_others(start.pairs);
+    if (start.pairs.size() < n_least_pairs) start.pairs.clear();
+    return fmt::format("{:.0f} % of one shape coincides with the other as they lie", 100 * coincidence.share());
+  }
+  const bool is_of_a_part = search.searched_share < least_searched && !start.pose.is_identity();
+  if (is_of_a_part && distance_after<Dim>(shapes, {}) < distance_after(shapes, start.pose)) {
+    start.pose = {};
+    start.pairs.clear();
+    return "all components together lie nearer as they are";
+  }
+  return {};
+}
+
 template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
                       Trials<Dim> trials, Observer& observer, std::string_view moved) {
@@ -60,31 +91,43 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
-  const bool is_trusted = options.mode != AlignMode::automatic || !(choice.is_doubtful || choice.as_it_lies);
-  const bool is_used = best.is_usable() && is_trusted;
+  bool fits_mirrored = false;
+  if constexpr (Dim == 3)
+    if (!options.search.mirror && options.mode == AlignMode::automatic && is_worth_mirroring(best, choice))
+      fits_mirrored = fits_far_better_mirrored(shapes, options, best);
+  const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
+  bool is_used = best.is_usable() && is_trusted;
   Alignment<Dim> result;
   if (is_used) {
     result = std::move(best.alignment);
     result.pairs.resize(result.pairs.size() - best.n_contradicting);
   }
+  const std::string stays = is_used && options.mode == AlignMode::automatic ? why_they_stay(shapes, outcome.search, result) : "";
+  if (!stays.empty()) is_used = !result.pairs.empty();
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
   s.landmark_distance = best.landmark_distance;
   if (is_used) s.landmark_trust = result.landmark_trust;
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   s.n_tried = static_cast<int>(choice.n_tried);
-  s.n_pairs = is_used ? static_cast<int>(best.n_pairs) : 0;
+  s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
   s.doubtful = choice.is_doubtful;
-  s.as_it_lies = choice.as_it_lies;
+  s.as_it_lies = choice.as_it_lies || !stays.empty();
+  s.fits_mirrored = fits_mirrored;
+  if (fits_mirrored)
+    observer.note("alignment: the mirrored reference fits far better: is one of the shapes of the other side, or its x axis turned over? --set "
+                  "align.search.mirror=true mirrors it");
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
   if (best.landmark_distance) why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks, *best.landmark_distance);
   if (is_used && result.landmark_trust.value_or(1) < 0.5)
     why += fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)", 100 * *result.landmark_trust);
+  if (!stays.empty()) why += ", but " + stays;
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   // Score and margin tell something where they are bad; the summary always has them.
   if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
-  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, is_used ? "" : "they are not used, and ",
+  const std::string use = !is_used ? "they are not used, and " : stays.empty() ? "" : fmt::format("{} of them are used, and ", result.pairs.size());
+  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, use,
                             pose_text(result.pose, moved)));
   return result;
 }

@@ -16,6 +16,9 @@ constexpr double clearly_better = 1.5;
 // In roots of the area.
 constexpr double most_landmark_distance = 0.15;
 
+// Maps of animals and people that are better than all others by this factor were right.
+constexpr double clear_margin = 1.15;
+
 template <int Dim>
 class Choosing {
  public:
@@ -30,12 +33,15 @@ class Choosing {
     choice.margin = margin;
     if (usable_.empty()) return choice;
     choice.index = usable_.front();
-    const std::vector<std::size_t> close = close_ones();
-    if (close.size() > 1) among(close, choice);
+    if constexpr (Dim == 2)
+      if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
     if (is_ambiguous_) choice.margin = 1;
     const Start<Dim>& best = starts_[choice.index];
     choice.is_doubtful = is_doubtful(best, choice.margin);
-    if (options_.mode == AlignMode::automatic && !choice.is_doubtful && !best.is_identity && !landmarks_confirm(best))
+    // What landmarks contradict, and what any rotation may replace, is no start.
+    choice.is_usable = !is_ambiguous_ && !landmarks_contradict(best);
+    const bool is_clear = !choice.is_doubtful && (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
+    if (options_.mode == AlignMode::automatic && choice.is_usable && !is_clear)
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
   }
@@ -44,8 +50,12 @@ class Choosing {
   // Landmarks say better than scores whether pairs are right: those all over the shape alone, those on one part of it that they are wrong.
   bool is_doubtful(const Start<Dim>& start, double margin) const {
     if (landmarks_confirm(start)) return false;
-    if (start.landmark_distance && *start.landmark_distance > most_landmark_distance) return true;
+    if (landmarks_contradict(start)) return true;
     return start.score > options_.doubtful_score || margin < options_.doubtful_margin;
+  }
+
+  static bool landmarks_contradict(const Start<Dim>& start) {
+    return start.landmark_distance && *start.landmark_distance > most_landmark_distance;
   }
 
   // Landmarks all over the shape tell a turn by which it resembles itself from where it belongs.

@@ -19,6 +19,9 @@ namespace {
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
+// How much better the mirrored reference has to fit before the run speaks of it.
+constexpr double far_better = 3;
+
 // So many landmarks halve the part of the pairs' errors that exceeds those of nearly isometric shapes.
 constexpr double halving_landmarks = 10;
 
@@ -87,15 +90,25 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
   StartSearch<3> search{{}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
   search.is_ambiguous = found.is_ambiguous;
   for (const auto& [shape, prepared] : {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
-    if (prepared->share < 1)
+    if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
       search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area", shape->source, 100 * prepared->share));
   for (const PairCandidate& candidate : found.candidates) {
     const double n_telling = candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
+    search.starts.back().order = candidate.order;
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;
+}
+
+bool fits_far_better_mirrored(const ShapePair<3>& shapes, const AlignOptions& options, const Start<3>& start) {
+  Surface<3> mirrored = shapes.reference.surface;
+  for (Vec<3>& x : mirrored.vertices) x[0] *= -1;
+  for (auto& facet : mirrored.facets) std::swap(facet[1], facet[2]);
+  const PairCandidate best = find_pairs(mirrored, shapes.template_shape.surface, options.search).candidates.front();
+  // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a wrong one does.
+  return far_better * best.order < start.order && best.score < options.doubtful_score;
 }
 
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>&, const AlignOptions& options) {

@@ -81,7 +81,7 @@ requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
 static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
   member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
-  member("as_it_lies", s.as_it_lies), member("landmark_distance", s.landmark_distance), member("landmark_trust", s.landmark_trust);
+  member("as_it_lies", s.as_it_lies), member("fits_mirrored", s.fits_mirrored), member("landmark_distance", s.landmark_distance), member("landmark_trust", s.landmark_trust);
 }
 
 template <class S, class Member>

@@ -82,8 +82,9 @@ struct AlignmentSummary {
   std::optional<double> landmark_distance = {}, landmark_trust = {};
   int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
   int n_pairs = 0;              ///< used in the energy or for the pose
-  bool doubtful = false;        ///< with align.mode auto nothing is used then
-  bool as_it_lies = false;      ///< nor here: not clearly better than the shapes as they lie
+  bool doubtful = false;        ///< not clearly the best map, or far from isometric
+  bool as_it_lies = false;      ///< nothing is used then: not clearly better than the shapes as they lie
+  bool fits_mirrored = false;   ///< the mirrored reference would fit far better; searched only where the chosen map is strange
 };
 
 /// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above

@@ -127,6 +127,8 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
                     "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)", "", {}});
   if (summary.alignment && summary.alignment->doubtful)
     reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks, or with the better of both directions (--set align.direction=auto; docs/alignment.md)", "", {}});
+  if (summary.alignment && summary.alignment->fits_mirrored)
+    reasons.look({"the mirrored reference fits far better", "is one of the shapes of the other side? --set align.search.mirror=true mirrors it", "", {}});
   if (!summary.levels.empty() && summary.levels.back().stop_reason == enum_name(StopReason::cannot_evaluate_start))
     reasons.look({fmt::format("nothing was minimised on level {}: {}", summary.levels.back().level, summary.levels.back().stop_message),
                   "other weights (energy.*) or levels may help", "", {}});

@@ -71,21 +71,30 @@ StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>
   return choose_start<Dim>(search, options.align, trials);
 }
 
-TEST(ChooseStart, TheEnergyChoosesAmongScoresThatAreClose) {
+TEST(ChooseStart, OfSurfacesTheFirstIsChosenWithoutTrials) {
   const ShapePair<3> hands = generated<3>("hand", "hand/bent");
-  const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.30), right = hand_start(hands, {}, 0.33);
-  const StartChoice choice = choice_of<3>(hands, {wrong, right}, 1.1, quick());
-  EXPECT_EQ(choice.index, 1u);
-  EXPECT_EQ(choice.n_tried, 2u);
-  EXPECT_GT(choice.margin, 1.2);
-  // A score that is clear enough is believed.
-  ExperimentOptions o = quick();
-  o.align.clear_margin = 1.05;
-  const StartChoice by_score = choice_of<3>(hands, {wrong, right}, 1.1, o);
-  EXPECT_EQ(by_score.index, 0u);
-  EXPECT_EQ(by_score.n_tried, 0u);
-  EXPECT_EQ(by_score.margin, 1.1);
-  EXPECT_TRUE(by_score.as_it_lies);  // but it is no better than what lies there
+  const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33), right = hand_start(hands, {}, 0.33);
+  const StartChoice clear = choice_of<3>(hands, {right, wrong}, 1.3, quick());
+  EXPECT_EQ(clear.index, 0u);
+  EXPECT_EQ(clear.n_tried, 0u);
+  EXPECT_EQ(clear.margin, 1.3);
+  EXPECT_FALSE(clear.is_doubtful);
+  EXPECT_FALSE(clear.as_it_lies) << "clear enough to be believed";
+  // What is not clear has to be better than the shapes as they lie.
+  EXPECT_TRUE(choice_of<3>(hands, {wrong, right}, 1.1, quick()).as_it_lies);
+}
+
+TEST(ChooseStart, DoubtfulPairsAreUsedWhereTheyAreBetterThanNone) {
+  const ShapePair<3> dolphins = generated<3>("dolphin", "dolphin/reversed");
+  Start<3> turned;
+  turned.n_pairs = 100;
+  turned.score = 2;
+  turned.alignment.pose = half_turn(dolphins, 2);
+  const StartChoice choice = choice_of<3>(dolphins, {turned}, 2, quick());
+  EXPECT_TRUE(choice.is_doubtful);
+  EXPECT_TRUE(choice.is_usable);
+  EXPECT_FALSE(choice.as_it_lies);
+  EXPECT_FALSE(choice_of<3>(dolphins, {turned}, 2, quick(), false, true).is_usable) << "any rotation may be as good";
 }
 
 TEST(ChooseStart, WhatLiesAsItBelongsStaysUnlessAnotherPoseIsClearlyBetter) {
@@ -94,13 +103,13 @@ TEST(ChooseStart, WhatLiesAsItBelongsStaysUnlessAnotherPoseIsClearlyBetter) {
   turned.score = 0.1;
   const ShapePair<3> boxes = generated<3>("sphere", "box/cube");
   turned.alignment.pose = half_turn(boxes, 0);
-  EXPECT_TRUE(choice_of<3>(boxes, {turned}, 2, quick()).as_it_lies);
+  EXPECT_TRUE(choice_of<3>(boxes, {turned}, 1.1, quick()).as_it_lies);
   const ShapePair<3> dolphins = generated<3>("dolphin", "dolphin/reversed");
   turned.alignment.pose = half_turn(dolphins, 2);
-  EXPECT_FALSE(choice_of<3>(dolphins, {turned}, 2, quick()).as_it_lies);
+  EXPECT_FALSE(choice_of<3>(dolphins, {turned}, 1.1, quick()).as_it_lies);
   // What began as the shapes lie is not compared with them.
   turned.is_identity = true;
-  EXPECT_FALSE(choice_of<3>(boxes, {turned}, 2, quick()).as_it_lies);
+  EXPECT_FALSE(choice_of<3>(boxes, {turned}, 1.1, quick()).as_it_lies);
 }
 
 TEST(ChooseStart, LandmarksAllOverTheShapeTellThatItDoesNotLieAsItBelongs) {
@@ -111,7 +120,7 @@ TEST(ChooseStart, LandmarksAllOverTheShapeTellThatItDoesNotLieAsItBelongs) {
   turned.alignment.pose = half_turn(boxes, 0);
   const auto as_it_lies = [&](double landmark_distance, bool landmarks_are_spread) {
     turned.landmark_distance = landmark_distance;
-    return choice_of<3>(boxes, {turned}, 2, quick(), landmarks_are_spread).as_it_lies;
+    return choice_of<3>(boxes, {turned}, 1.1, quick(), landmarks_are_spread).as_it_lies;
   };
   EXPECT_FALSE(as_it_lies(0.05, true));
   EXPECT_TRUE(as_it_lies(0.05, false)) << "those on one part do not";

@@ -1,0 +1,95 @@
+// Shapes that lie as they belong in what both have keep their places.
+#include "matching/alignment/coincidence.h"
+
+#include "geometry/repair/make_shape.h"
+#include "matching/alignment/align_shapes.h"
+#include "tests/geometry/surface/test_surfaces.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shellmatch {
+namespace {
+
+Shape<3> shape_of(const Surface<3>& surface) {
+  OriginalShape<3> original;
+  original.vertices = surface.vertices;
+  for (const auto& [a, b, c] : surface.facets) original.polygons.push_back({a, b, c});
+  return make_shape(std::move(original), "shape", {}, Closing::automatic);
+}
+
+/// A tube with a knob, cut off at z = length: open there.
+Shape<3> bone(double length) {
+  const int n = 40, rings = static_cast<int>(length / 0.1);
+  Surface<3> s;
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double z = 0.1 * i, t = 2 * EIGEN_PI * j / n;
+      const double r = std::min(1.0, std::sqrt(z / 0.5) + 0.05) * (1 + 0.8 * std::exp(-(z - 1) * (z - 1)) * (1 + 0.5 * std::cos(t)) + 0.6 * std::exp(-(z - 3) * (z - 3)) * std::cos(t - 1.5));
+      s.vertices.emplace_back(r * std::cos(t) + 0.001 * z * z, r * std::sin(t) + 0.05 * z, z);
+    }
+  s.vertices.emplace_back(0, 0, -0.1);
+  const auto tip = static_cast<Index>(s.vertices.size() - 1);
+  for (Index i = 0; i < rings; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const Index a = i * n + j, b = i * n + (j + 1) % n;
+      s.facets.push_back({a, b, b + n});
+      s.facets.push_back({a, b + n, a + n});
+    }
+  for (Index j = 0; j < n; ++j) s.facets.push_back({tip, (j + 1) % n, j});
+  return shape_of(s);
+}
+
+Shape<3> displaced(const Shape<3>& shape, const Similarity<3>& by) {
+  OriginalShape<3> original = shape.original;
+  for (Vec<3>& x : original.vertices) x = by(x);
+  return make_shape(std::move(original), "moved", {}, Closing::automatic);
+}
+
+struct Told final : Observer {
+  void note(const std::string& text) override { all += text + "\n"; }
+  std::string all;
+};
+
+TEST(Coincidence, OneBoneCutAtTwoLengthsStaysWhereItLies) {
+  const ShapePair<3> bones{bone(24), bone(30)};
+  EXPECT_GT(Coincidence<3>(bones).share(), 0.95);
+  Told notes;
+  const Alignment<3> found = align_shapes<3>(bones, {}, profile_defaults(Profile::standard), notes, "reference");
+  EXPECT_TRUE(found.pose.is_identity()) << notes.all;
+  EXPECT_TRUE(found.pairs.empty()) << notes.all;
+  EXPECT_NE(notes.all.find("coincide"), std::string::npos) << notes.all;
+}
+
+TEST(Coincidence, WhatIsTurnedOrLiesElsewhereDoesNotCoincide) {
+  const Shape<3> whole = bone(16);
+  for (const double angle : {0.5, 3.0}) {
+    const Similarity<3> by{1, Vec<3>(0, 0.5, 0), Eigen::AngleAxisd(angle, Vec<3>::UnitX()).toRotationMatrix()};
+    const Coincidence<3> turned(ShapePair<3>{whole, displaced(whole, by)});
+    EXPECT_FALSE(turned.decides()) << turned.share();
+  }
+  // The sides of a thin plate are near each other, but face away.
+  const Shape<3> plate = shape_of(test::box({0, 0, 0}, {1, 1.5, 0.05})), on_top = shape_of(test::box({0, 0, 0.05}, {1, 1.5, 0.5}));
+  EXPECT_NEAR(Coincidence<3>(ShapePair<3>{plate, plate}).share(), 1, 1e-9);
+  EXPECT_LT(Coincidence<3>(ShapePair<3>{plate, on_top}).share(), 0.1);
+}
+
+TEST(Coincidence, PairsThatEndOnWhatBothHaveAreLeftOut) {
+  const ShapePair<3> bones{bone(24), bone(30)};
+  const Vec<3> shared = bones.reference.surface.vertices[500], beyond(3.0, 1.5, 29.5);
+  std::vector<Landmark<3>> pairs = {{"shared", shared, shared}, {"drawn out", shared, beyond}};
+  Coincidence<3>(bones).keep_others(pairs);
+  EXPECT_TRUE(pairs.empty());
+}
+
+TEST(Coincidence, APoseOfOneComponentHasToBringAllNearer) {
+  const Shape<3> whole = bone(16);
+  const ShapePair<3> pair{whole, whole};
+  EXPECT_NEAR(distance_after<3>(pair, {}), 0, 1e-9);
+  EXPECT_GT(distance_after<3>(pair, {1, Vec<3>(0, 1, 0), Mat<3>::Identity()}), 0.1);
+}
+
+}  // namespace
+}  // namespace shellmatch
