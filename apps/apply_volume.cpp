@@ -50,10 +50,23 @@ Sampling chosen_sampling(const ApplyCommand& command, const Volume& volume) {
   return is_label ? Sampling::label : Sampling::linear;
 }
 
+void say_notes(const std::string& path, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) say_line(fmt::format("{}: {}", path, note));
+}
+
+// The voxels of results; what their file leaves open is said.
+VoxelGrid result_grid(const std::string& path) {
+  VoxelGrid grid = read_voxel_grid(path);
+  say_notes(path, volume_notes(grid));
+  return grid;
+}
+
 PendingFile carried(const ApplyCommand& command, const Deformation<3>& deformation) {
   const Volume volume = read_volume(command.file);
   const VolumeSampler sampler(volume, chosen_sampling(command, volume));
-  Volume result{command.like.empty() ? volume.grid : read_voxel_grid(command.like), volume.type, {}};
+  say_notes(command.file, volume_notes(volume.grid));
+  Volume result{command.like.empty() ? volume.grid : result_grid(command.like), volume.type, {}};
+  say_notes(command.output, written_notes(command.output, result.grid));
   result.values.assign(result.grid.n_voxels(), 0.0f);
   const UserMap<3> back(deformation, command.inverse ? Toward::template_shape : Toward::reference, command.keep_pose);
   std::atomic<std::size_t> n_inside{0};
@@ -67,6 +80,21 @@ PendingFile carried(const ApplyCommand& command, const Deformation<3>& deformati
     throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?", command.like.empty() ? command.file : command.like,
                       command.inverse ? "reference" : "template", command.like.empty() ? "; --like gives the voxels of another volume" : "");
   return volume_file(command.output, result, existing(command));
+}
+
+// A field ends where its voxels do, the map does not.
+void say_what_ends(const std::string& path, const VoxelGrid& grid, const std::vector<float>& values) {
+  double largest = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i) {
+        if (i % (grid.size[0] - 1) != 0 && j % (grid.size[1] - 1) != 0 && k % (grid.size[2] - 1) != 0) continue;
+        const float* const u = &values[3 * grid.number(i, j, k)];
+        largest = std::max(largest, std::hypot(static_cast<double>(u[0]), static_cast<double>(u[1]), static_cast<double>(u[2])));
+      }
+  if (largest > 0.5 * grid.least_spacing())
+    say_line(fmt::format("{}: ends at the border of its voxels, where it moves points by up to {:.3g}: ITK, ANTs and elastix move nothing beyond; give --like a "
+                         "volume that reaches further where that matters", path, largest));
 }
 
 PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid) {
@@ -83,6 +111,7 @@ PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>&
     for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
   });
   if (n_lost > 0) say_line(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
+  say_what_ends(command.displacement, grid, values);
   return vector_volume_file(command.displacement, grid, values, existing(command));
 }
 
@@ -132,7 +161,10 @@ void apply_to_volumes(const ApplyCommand& command) {
   std::vector<PendingFile> results;
   if (carries) results.push_back(carried(command, deformation));
   if (has_fields(command)) {
-    const VoxelGrid grid = read_voxel_grid(command.like.empty() ? command.file : command.like);
+    const std::string& like = command.like.empty() ? command.file : command.like;
+    const VoxelGrid grid = carries ? read_voxel_grid(like) : result_grid(like);
+    for (const std::string& path : {command.displacement, command.jacobian, command.log_jacobian})
+      if (!path.empty()) say_notes(path, written_notes(path, grid));
     if (!command.displacement.empty()) results.push_back(displacement_file(command, deformation, grid));
     if (!command.jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.jacobian, false));
     if (!command.log_jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.log_jacobian, true));

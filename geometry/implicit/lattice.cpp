@@ -10,6 +10,8 @@
 #include <limits>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 namespace shellmatch {
 
@@ -20,19 +22,40 @@ constexpr double low = 0.04, high = 0.96;
 constexpr double short_threshold = 0.41, long_threshold = 0.25;  // fractions of an edge
 constexpr int block = 4;  // cubes along a side of a block; blocks far from the surface are skipped
 
-class Lattice {
+}  // namespace
+
+class Lattice::Body {
  public:
-  Lattice(const ImplicitFunction& f, double spacing)
+  Body(const ImplicitFunction& f, double spacing)
       : n_(block * static_cast<int>(std::ceil((high - low) / (block * spacing))) + 1), spacing_(spacing) {
     evaluate(f);
   }
 
   Surface<3> triangulate() {
+    const std::vector<double> values = values_;
     move_close_sites();
     for_each_tetrahedron([this](const std::array<Site, 4>& t) { cut(t); });
     for (const auto& [key, facet] : facets_) surface_.facets.push_back(facet);
-    return std::move(surface_);
+    values_ = values;
+    moved_.clear();
+    vertices_.clear();
+    facets_.clear();
+    return std::exchange(surface_, {});
   }
+
+  void keep_points_near(const std::vector<Vec<3>>& places) {
+    for (const Vec<3>& x : places) {
+      const Vec<3> at = (x - Vec<3>::Constant(low)) / spacing_;
+      for (int c = 0; c < 64; ++c) {
+        const int i = static_cast<int>(std::floor(at[0])) + c % 4 - 1, j = static_cast<int>(std::floor(at[1])) + c / 4 % 4 - 1,
+                  k = static_cast<int>(std::floor(at[2])) + c / 16 - 1;
+        if (std::min({i, j, k}) < 0 || std::max({i, j, k}) >= n_) continue;
+        kept_.insert(site(i, j, k, false));
+        kept_.insert(site(i, j, k, true));
+      }
+    }
+  }
+  void keep_all_points() { keeps_all_ = true; }
 
  private:
   Site site(int i, int j, int k, bool centre) const {
@@ -135,9 +158,11 @@ class Lattice {
   // longer cut. If two sheets of the surface pass close to a site, moving it would connect them; a site is
   // therefore moved only if the surface divides the sphere of its neighbours into two connected parts.
   void move_close_sites() {
+    if (keeps_all_) return;
     for_each_cube([&](const std::array<int, 3>& c) {
       for (const bool centre : {false, true}) {
         const Site s = site(c[0], c[1], c[2], centre);
+        if (kept_.contains(s)) continue;
         const Vec<3> x = rest_position(s);
         double least = std::numeric_limits<double>::infinity();
         Vec<3> target;
@@ -226,15 +251,17 @@ class Lattice {
   std::vector<double> values_;
   std::vector<std::array<int, 3>> blocks_;
   std::unordered_map<Site, Vec<3>> moved_;
+  std::unordered_set<Site> kept_;  // never moved
+  bool keeps_all_ = false;
   std::unordered_map<std::uint64_t, Index> vertices_;
   std::map<std::array<Index, 3>, std::array<Index, 3>> facets_;  // by sorted corners, which fixes the order
   Surface<3> surface_;
 };
 
-}  // namespace
-
-Surface<3> triangulate_on_lattice(const ImplicitFunction& f, double spacing) {
-  return Lattice(f, spacing).triangulate();
-}
+Lattice::Lattice(const ImplicitFunction& f, double spacing) : body_(std::make_unique<Body>(f, spacing)) {}
+Lattice::~Lattice() = default;
+Surface<3> Lattice::triangulate() { return body_->triangulate(); }
+void Lattice::keep_points_near(const std::vector<Vec<3>>& places) { body_->keep_points_near(places); }
+void Lattice::keep_all_points() { body_->keep_all_points(); }
 
 }  // namespace shellmatch

@@ -109,29 +109,33 @@ void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& s)
   }
 }
 
-bool is_closed_manifold(const Surface<3>& s) {
+std::vector<Index> vertices_without_a_fan(const Surface<3>& s) {
   const FacetOfEdge facet_of = facets_of_edges(s);
-  if (s.facets.empty() || facet_of.size() != 3 * s.facets.size()) return false;
   std::vector<Index> n_facets(s.vertices.size(), 0), start(s.vertices.size(), no_index);
+  std::vector<char> is_bad(s.vertices.size(), false);
   for (std::size_t f = 0; f < s.facets.size(); ++f)
-    for (const Index v : s.facets[f]) {
+    for (int k = 0; k < 3; ++k) {
+      const Index v = s.facets[f][k], next = s.facets[f][(k + 1) % 3];
       ++n_facets[v];
       start[v] = static_cast<Index>(f);
+      // One facet to the left of each edge, and one to its right.
+      if (facet_of.at(edge_key(v, next)) != static_cast<Index>(f) || !facet_of.contains(edge_key(next, v))) is_bad[v] = is_bad[next] = true;
     }
+  std::vector<Index> found;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v) {
-    if (n_facets[v] == 0) return false;
-    // A walk around v from facet to facet must return after visiting all of them.
-    Index f = start[v], n = 0;
-    do {
-      const auto& facet = s.facets[f];
-      const Index before = facet[(std::find(facet.begin(), facet.end(), v) - facet.begin() + 2) % 3];
-      const auto next = facet_of.find(edge_key(v, before));
-      if (next == facet_of.end()) return false;
-      f = next->second;
-    } while (++n <= n_facets[v] && f != start[v]);
-    if (n != n_facets[v]) return false;
+    if (!is_bad[v] && n_facets[v] > 0) {
+      // A walk around v from facet to facet must return after visiting all of them.
+      Index f = start[v], n = 0;
+      do {
+        const auto& facet = s.facets[f];
+        const Index before = facet[(std::find(facet.begin(), facet.end(), v) - facet.begin() + 2) % 3];
+        f = facet_of.at(edge_key(v, before));
+      } while (++n <= n_facets[v] && f != start[v]);
+      is_bad[v] = n != n_facets[v];
+    }
+    if (is_bad[v] || n_facets[v] == 0) found.push_back(v);
   }
-  return true;
+  return found;
 }
 
 }  // namespace shellmatch

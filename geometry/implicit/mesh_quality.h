@@ -5,6 +5,8 @@
 #include "geometry/implicit/implicit_function.h"
 #include "geometry/surface/surface.h"
 
+#include <vector>
+
 namespace shellmatch {
 
 /// Flips edges of a closed two-manifold as long as the two angles opposite an edge sum to more than pi (the
@@ -16,8 +18,10 @@ void swap_to_delaunay(Surface<3>& surface);
 /// the zero level of f by a simplified Newton step (with the gradient at the old position); `n_sweeps` times.
 void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& surface);
 
-/// True if every edge is shared by exactly two facets, with opposite directions, and the facets at every
-/// vertex form a single fan.
-bool is_closed_manifold(const Surface<3>& surface);
+/// The vertices, ascending, at which the surface is no closed two-manifold: an edge is not shared by exactly two facets with opposite
+/// directions, or the facets form no single fan.
+std::vector<Index> vertices_without_a_fan(const Surface<3>& surface);
+
+inline bool is_closed_manifold(const Surface<3>& surface) { return !surface.facets.empty() && vertices_without_a_fan(surface).empty(); }
 
 }  // namespace shellmatch

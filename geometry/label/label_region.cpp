@@ -110,8 +110,7 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
   const auto& [low, high] = chosen.box;
   if (chosen.n < least_label) throw_input_error("{}: {} has {}: too small for a surface", source, choice.text(), counted(chosen.n, "voxel", "voxels"));
   LabelRegion region;
-  if (chosen.n_at_border > 0)
-    region.notes.push_back(fmt::format("it reaches the border of the volume ({}) and is closed there", counted(chosen.n_at_border, "voxel", "voxels")));
+  region.n_at_border = chosen.n_at_border;
 
   // One free voxel all around, so that the outside is connected.
   std::array<int, 3> size;

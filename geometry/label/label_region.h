@@ -23,10 +23,11 @@ struct LabelRegion {
   VoxelGrid grid;             ///< a box around the label with a margin; RAS
   std::vector<float> shares;  ///< of each voxel that belongs to the label: 0 or 1 but for blocks
   std::vector<std::string> notes;
+  std::size_t n_at_border = 0;  ///< chosen voxels at the border of the volume
 };
 
-/// Components and cavities of fewer than least_component voxels go (the largest component stays), and what reaches the border of
-/// the volume ends there; notes say so. \param volume canonical() \param source for messages
+/// Components and cavities of fewer than least_component voxels go (the largest component stays); notes say so. What reaches the border of the
+/// volume ends there. \param volume canonical() \param source for messages
 /// \throws InputError where a label is absent, naming those that there are, or where no voxel or every voxel is chosen
 LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const std::string& source);
 

@@ -2,6 +2,8 @@
 
 #include "base/disjoint_sets.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <utility>
 #include <vector>

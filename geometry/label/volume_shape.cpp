@@ -3,12 +3,15 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "geometry/distance/buried_parts.h"
 #include "geometry/distance/surface_distance.h"
 #include "geometry/implicit/mesh_implicit.h"
 #include "geometry/repair/make_shape.h"
+#include "geometry/label/border_cut.h"
 #include "geometry/label/label_region.h"
 #include "geometry/label/smoothed_label.h"
 #include "geometry/label/surface_parts.h"
+#include "geometry/volume/grid_file.h"
 #include "geometry/volume/volume_file.h"
 
 #include <Eigen/LU>
@@ -66,18 +69,11 @@ class LabelFunction {
 
 Surface<3> mesh(const LabelFunction& function, const LabelRegion& region, const std::string& source) {
   // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 7 can use.
-  double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / most_voxels_across);
+  const double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / most_voxels_across);
   const ImplicitFunction f = [&](const Vec<3>& x) { return function(x); };
-  for (int attempt = 0;; ++attempt, edge *= 0.8) {
-    try {
-      Surface<3> surface = mesh_implicit(f, function.to_unit(edge), source);
-      for (Vec<3>& x : surface.vertices) x = function.point(x);
-      return surface;
-    } catch (const InputError&) {
-      if (attempt == 1)
-        throw_input_error("{}: the label has details that no closed surface at its resolution separates; smooth or clean the segmentation", source);
-    }
-  }
+  Surface<3> surface = mesh_implicit(f, function.to_unit(edge), source, Details::as_they_come);
+  for (Vec<3>& x : surface.vertices) x = function.point(x);
+  return surface;
 }
 
 // Distances of the surface to the middles of faces between voxels inside and outside.
@@ -119,15 +115,36 @@ std::vector<std::string> result_notes(const VoxelChoice& choice, const LabelRegi
   return notes;
 }
 
+// What closes the surface at the border of the volume is no evidence, unless there is hardly anything else.
+void leave_out_border(const Volume& volume, const VoxelChoice& choice, const LabelRegion& region, Shape<3>& shape) {
+  constexpr double most = 0.9;
+  Surface<3> in_ras = shape.surface;
+  change_space(in_ras.vertices, shape.original.space, Space::ras);
+  const std::vector<Index> facets = facets_at_border(in_ras, volume, choice, region);
+  double area = 0;
+  for (const Index f : facets) area += facet_measure(shape.surface, f);
+  const double share = area / surface_measure(shape.surface);
+  const std::string text = fmt::format("it reaches the border of the volume ({}) and is closed there", counted(region.n_at_border, "voxel", "voxels"));
+  if (share > most) {
+    shape.notes.push_back(fmt::format("{}, which is {:.2g} % of the area: hardly anything else is seen of it, and that part counts as its surface", text, 100 * share));
+    return;
+  }
+  shape.evidence = without_buried(shape.surface, shape.evidence, facets);
+  shape.invented_share = share;
+  shape.notes.push_back(fmt::format("{}: that part, {:.2g} % of the area, is made up, and weighs nothing", text, 100 * share));
+}
+
 }  // namespace
 
 Shape<3> volume_shape(const VolumeName& name, const std::string& source, Space space) {
-  return volume_shape(VolumePart{read_volume(name.file), name.choice}, source, space);
+  return volume_shape(read_volume_part(name), source, space);
 }
 
 Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
-  const std::string unit = part.volume.grid.unit;
-  LabelRegion region = label_region(canonical(std::move(part.volume)), part.choice, source);
+  const VoxelGrid grid = part.volume.grid;
+  Volume volume = canonical(std::move(part.volume));
+  LabelRegion region = label_region(volume, part.choice, source);
+  if (region.n_at_border == 0) volume = {};  // it is large, and no longer needed
   const SmoothedLabel label(region);
   if (!(label.largest_share() > label.level() + 1e-3))
     throw_input_error("{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source, part.choice.text());
@@ -139,13 +156,16 @@ Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
   if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, part.choice.text());
   const std::vector<std::string> result = result_notes(part.choice, region, surface);
   notes.insert(notes.begin(), result.begin(), result.end());
+  if (grid.file) notes.push_back(fmt::format("its voxels are placed by {}; the surface is in {}", grid.file->placed_by, space_name(or_default(space))));
+  for (const std::string& note : volume_notes(grid)) notes.push_back(note);
   OriginalShape<3> original;
   original.vertices = std::move(surface.vertices);
   original.space = or_default(space);
   change_space(original.vertices, Space::ras, original.space);
   for (const auto& [a, b, c] : surface.facets) original.polygons.push_back({a, b, c});
   Shape<3> shape = make_shape(std::move(original), source, std::move(notes));
-  shape.unit = unit;
+  shape.unit = grid.unit;
+  if (region.n_at_border > 0) leave_out_border(volume, part.choice, region, shape);
   return shape;
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/picture/label_choice.h"
 
 #include "base/error.h"
+#include "base/printable.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,7 @@ bool VoxelChoice::contains(float value) const {
 }
 
 std::string VoxelChoice::text() const {
+  if (!segment.empty()) return fmt::format("segment {}", printable(segment, 60));
   if (labels.empty()) return fmt::format("everything above {:g}", above);
   return fmt::format("{} {:g}", labels.size() == 1 ? "label" : "labels", fmt::join(labels, ", "));
 }

@@ -15,6 +15,7 @@ inline constexpr double largest_label = 16777216;
 struct VoxelChoice {
   std::vector<double> labels;
   double above = 0;
+  std::string segment = {};  ///< of an NRRD, by its name: read_volume_part() (geometry/volume/volume_file.h) finds its label
 
   bool contains(float value) const;
   /// "label 3", "labels 1, 2", "everything above 0"

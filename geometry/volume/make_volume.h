@@ -12,12 +12,6 @@
 
 namespace shellmatch {
 
-/// What makes a shape of a volume: its voxels, and which of them.
-struct VolumePart {
-  Volume volume;
-  VoxelChoice choice;
-};
-
 /// A volume that is checked as one out of a file.
 /// \param source for messages
 /// \param size voxels along each axis, 2 or more

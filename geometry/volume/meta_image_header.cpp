@@ -1,10 +1,12 @@
 // MetaImage: https://itk.org/Wiki/ITK/MetaIO/Documentation
 #include "base/error.h"
 #include "base/printable.h"
+#include "geometry/volume/grid_file.h"
 #include "geometry/volume/header_fields.h"
 #include "geometry/volume/volume_header.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 namespace shellmatch {
@@ -70,6 +72,7 @@ VolumeHeader read_meta_image_header(const std::string& path) {
   if (std::ranges::any_of(spacing, [](double s) { return !(s > 0); }))
     throw_input_error("{}: the spacing of its voxels must be positive", path);
   grid = exchange_space(grid);
+  grid.file = std::make_shared<const GridFile>(GridFile{"its offset and matrix, in LPS", {}, {}, {}});
   header.type = *type;
   const bool is_here = equals_ignoring_case(*data_file, "local");
   header.file = is_here ? path : file_of_values(path, *data_file);

@@ -1,13 +1,16 @@
 // NIfTI-1 and NIfTI-2 in one file: https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h and nifti2.h, whose names are used here.
 #include "base/error.h"
+#include "geometry/volume/nifti_placement.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/zlib_volume.h"
 
-#include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -32,6 +35,7 @@ class NiftiFields {
   }
   std::int64_t dim(std::size_t k) const { return is_second_ ? number<std::int64_t>(16 + 8 * k) : number<std::int16_t>(40 + 2 * k); }
   int datatype() const { return number<std::int16_t>(is_second_ ? 12 : 70); }
+  int bitpix() const { return number<std::int16_t>(is_second_ ? 14 : 72); }
   int code(std::size_t first, std::size_t second) const { return is_second_ ? number<std::int32_t>(second) : number<std::int16_t>(first); }
   int units() const { return is_second_ ? number<std::int32_t>(500) : bytes_[123]; }
   std::uintmax_t offset() const {
@@ -73,36 +77,25 @@ VoxelType type_of(const std::string& path, int datatype) {
   }
 }
 
-// The sform where there is one, else the qform, else spacing alone.
-void set_frame(const std::string& path, const NiftiFields& fields, VoxelGrid& grid) {
-  const auto quatern = [&](std::size_t k) { return fields.real(256, 352, k); };  // b, c, d, offset x, y, z
-  const auto srow = [&](std::size_t i, std::size_t j) { return fields.real(280, 400, 4 * i + j); };
-  Vec<3> spacing;
-  for (std::size_t k = 0; k < 3; ++k) {
-    spacing[k] = fields.real(76, 104, k + 1);
-    if (!(std::isfinite(spacing[k]) && spacing[k] > 0))
-      throw_input_error("{}: the spacing of its voxels along axis {} is {:g} (pixdim[{}]), and must be positive", path, k + 1, spacing[k], k + 1);
-  }
-  if (fields.code(254, 348) > 0) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) grid.axes(i, j) = srow(i, j);
-      grid.origin[i] = srow(i, 3);
-    }
-  } else if (fields.code(252, 344) > 0) {
-    const Vec<3> v(quatern(0), quatern(1), quatern(2));
-    const Eigen::Quaterniond q(std::sqrt(std::max(0.0, 1 - v.squaredNorm())), v[0], v[1], v[2]);
-    grid.axes = q.normalized().toRotationMatrix() * spacing.asDiagonal();
-    if (fields.real(76, 104, 0) < 0) grid.axes.col(2) *= -1;
-    grid.origin = Vec<3>(quatern(3), quatern(4), quatern(5));
-  } else {
-    grid.axes = spacing.asDiagonal();
-  }
-  if (!grid.origin.allFinite() || !grid.axes.allFinite())
-    throw_input_error("{}: its position in space is not finite (quatern or srow of the header)", path);
+NiftiPlacement placement_of(const std::string& path, const NiftiFields& fields) {
   const int unit = fields.units() & 7;
   const double millimetres = unit == 1 ? 1000 : unit == 3 ? 0.001 : 1;
-  grid.axes *= millimetres;
-  grid.origin *= millimetres;
+  NiftiPlacement p;
+  p.qform_code = fields.code(252, 344);
+  p.sform_code = fields.code(254, 348);
+  p.qfac = fields.real(76, 104, 0) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double spacing = fields.real(76, 104, k + 1);
+    if (!(std::isfinite(spacing) && spacing > 0))
+      throw_input_error("{}: the spacing of its voxels along axis {} is {:g} (pixdim[{}]), and must be positive", path, k + 1, spacing, k + 1);
+    p.pixdim[static_cast<int>(k)] = millimetres * spacing;
+  }
+  for (std::size_t k = 0; k < 6; ++k) p.quatern[k] = (k < 3 ? 1 : millimetres) * fields.real(256, 352, k);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) p.srow(static_cast<int>(i), static_cast<int>(j)) = millimetres * fields.real(280, 400, 4 * i + j);
+    p.srow_offset[static_cast<int>(i)] = millimetres * fields.real(280, 400, 4 * i + 3);
+  }
+  return p;
 }
 
 }  // namespace
@@ -121,10 +114,16 @@ VolumeHeader read_nifti_header(const std::string& path) {
   VolumeHeader header;
   set_size(path, size, header.grid);
   header.type = type_of(path, fields.datatype());
-  set_frame(path, fields, header.grid);
+  GridFile file;
+  file.nifti = placement_of(path, fields);
+  place_by_nifti(path, *file.nifti, header.grid, file);
+  if (const int bits = fields.bitpix(), wanted = static_cast<int>(8 * bytes_of(header.type)); bits != 0 && bits != wanted)
+    file.notes.push_back(fmt::format("its header contradicts itself: {} bits for each voxel (bitpix), and a type of {} (datatype {}), by which it is read", bits, wanted,
+                                     fields.datatype()));
+  header.grid.file = std::make_shared<const GridFile>(std::move(file));
   const double slope = fields.real(112, 176, 0), intercept = fields.real(116, 184, 0);
   if (slope != 0 && std::isfinite(slope) && std::isfinite(intercept)) header.slope = slope, header.intercept = intercept;
-  if (const int unit = fields.units() & 7; unit >= 1 && unit <= 3) header.grid.unit = "mm";  // set_frame() has made it so
+  if (const int unit = fields.units() & 7; unit >= 1 && unit <= 3) header.grid.unit = "mm";  // placement_of() has made it so
   header.file = path;
   header.offset = fields.offset();
   header.is_big_endian = fields.is_big_endian();

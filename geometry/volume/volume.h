@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,12 +22,15 @@ namespace shellmatch {
 /// From RAS to LPS and back: half a turn about the third axis.
 inline Vec<3> exchange_space(const Vec<3>& x) { return in_space(x, Space::ras, Space::lps); }
 
+struct GridFile;
+
 /// Where the voxels are. The voxel with the index (i, j, k) has its centre at origin + axes (i, j, k).
 struct VoxelGrid {
   std::array<int, 3> size{0, 0, 0};
   Vec<3> origin = Vec<3>::Zero();    ///< centre of the first voxel; in the unit of the file, millimetres as a rule
   Mat<3> axes = Mat<3>::Identity();  ///< column k leads from a voxel to the next one along axis k
   std::string unit = {};             ///< of these coordinates, where the file names it: "mm"
+  std::shared_ptr<const GridFile> file = {};  ///< what else its file says, to be written again (geometry/volume/grid_file.h)
 
   std::size_t n_voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
   /// The linear number of a voxel: the first index runs fastest.

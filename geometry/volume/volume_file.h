@@ -7,10 +7,12 @@
 
 #include "base/replace_file.h"
 #include "geometry/volume/volume.h"
+#include "geometry/volume/volume_name.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace shellmatch {
 
@@ -23,6 +25,16 @@ VoxelGrid read_voxel_grid(const std::string& path);
 
 /// The same with its values. \throws InputError as above, and where a value is not finite or a whole number too large
 Volume read_volume(const std::string& path);
+
+/// The same with what is chosen in it: a segment's name becomes its label and layer. Of several layers a threshold takes all that are above it
+/// in any. \throws InputError as above, where there is no such segment, naming those that there are, and where labels are asked of several layers
+VolumePart read_volume_part(const VolumeName& name);
+
+/// Where other programs may place the voxels elsewhere, or the header contradicts itself.
+std::vector<std::string> volume_notes(const VoxelGrid& grid);
+
+/// What other programs cannot do with a volume on this grid in a file of this name.
+std::vector<std::string> written_notes(const std::string& path, const VoxelGrid& grid);
 
 /// What can be written. \throws InputError naming the formats where the name's ending is none of .nii .nii.gz .nrrd .mha .vti
 void check_volume_output(const std::string& path);

@@ -8,12 +8,22 @@
 #include "geometry/volume/volume.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace shellmatch {
+
+/// A part of a segmentation by its name, as 3D Slicer writes it into an NRRD.
+struct Segment {
+  std::string name;
+  std::optional<std::int64_t> label, layer;  ///< both known where a header has been read
+};
+
+/// Layers of segments that may overlap, along an axis of their own.
+inline constexpr int most_layers = 256;
 
 struct VolumeHeader {
   VoxelGrid grid;  ///< RAS
@@ -24,6 +34,10 @@ struct VolumeHeader {
   std::uintmax_t offset = 0;   ///< of the first: in the file, or in what a file that is compressed as a whole inflates to
   enum { raw, deflated, whole_file_deflated, text } encoding = raw;
   bool is_big_endian = false;
+
+  std::vector<Segment> segments;
+  int n_layers = 1;              ///< numbers for each voxel
+  bool has_layers_first = true;  ///< those of a voxel follow each other, else the layers do
 };
 
 /// \throws InputError as read_voxel_grid (geometry/volume/volume_file.h)

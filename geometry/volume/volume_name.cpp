@@ -15,6 +15,11 @@ bool has_ending(std::string_view path, std::string_view ending) {
   return path.size() > ending.size() && equals_ignoring_case(path.substr(path.size() - ending.size()), ending);
 }
 
+// What is no list of whole numbers and no threshold is the name of a segment, which an NRRD may have.
+bool is_segment(std::string_view text, const std::string& file) {
+  return volume_format(file) == VolumeFormat::nrrd && !text.starts_with('>') && text.find_first_not_of("+-0123456789,") != text.npos;
+}
+
 }  // namespace
 
 bool is_volume_file(const std::string& path) {
@@ -35,7 +40,11 @@ std::optional<VolumeName> parse_volume_name(const std::string& source) {
   if (is_volume_file(source)) return VolumeName{source, {}};
   const std::size_t colon = source.rfind(':');
   if (colon == source.npos || !is_volume_file(source.substr(0, colon))) return std::nullopt;
-  return VolumeName{source.substr(0, colon), parse_choice(std::string_view(source).substr(colon + 1), source, "scan.nii.gz")};
+  VolumeName name{source.substr(0, colon), {}};
+  const std::string_view text = std::string_view(source).substr(colon + 1);
+  if (is_segment(text, name.file)) name.choice.segment = text;
+  else name.choice = parse_choice(text, source, "scan.nii.gz");
+  return name;
 }
 
 std::string file_of(const std::string& source) {

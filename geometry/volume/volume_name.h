@@ -1,13 +1,21 @@
 #pragma once
 /// \file
-/// Names of shapes that are parts of volumes: "scan.nii.gz", "scan.nii.gz:3", "scan.nrrd:1,2", "map.mha:>0.5".
+/// Names of shapes that are parts of volumes: "scan.nii.gz", "scan.nii.gz:3", "scan.nrrd:1,2", "map.mha:>0.5",
+/// "scan.seg.nrrd:Femur".
 
 #include "geometry/picture/label_choice.h"
+#include "geometry/volume/volume.h"
 
 #include <optional>
 #include <string>
 
 namespace shellmatch {
+
+/// What makes a shape of a volume: its voxels, and which of them.
+struct VolumePart {
+  Volume volume;
+  VoxelChoice choice;
+};
 
 struct VolumeName {
   std::string file;

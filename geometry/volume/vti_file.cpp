@@ -3,12 +3,14 @@
 #include "base/printable.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/read_text.h"
+#include "geometry/volume/grid_file.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/vtk_xml/xml_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -98,6 +100,8 @@ class VtiFile {
     VoxelGrid& grid = header_.grid;
     set_size(path_, size, grid);
     const auto spacing = numbers<3>(file_.data_set(), "Spacing").value_or(std::array<double, 3>{1, 1, 1});
+    for (const double s : spacing)
+      if (!(s > 0)) throw_input_error("{}: the spacing of its voxels is {:g} along an axis, and must be positive", path_, s);
     const auto origin = numbers<3>(file_.data_set(), "Origin").value_or(std::array<double, 3>{0, 0, 0});
     const auto direction = numbers<9>(file_.data_set(), "Direction").value_or(std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
     for (int i = 0; i < 3; ++i)
@@ -105,6 +109,7 @@ class VtiFile {
     Vec<3> first;  // indices of the first value: of a point, or of the middle of a cell
     for (int k = 0; k < 3; ++k) first[k] = static_cast<double>(range[static_cast<std::size_t>(2 * k)]) + (is_of_cells_ ? 0.5 : 0);
     grid.origin = Vec<3>(origin[0], origin[1], origin[2]) + grid.axes * first;
+    grid.file = std::make_shared<const GridFile>(GridFile{"its origin and spacing, taken to be in RAS, as it names no frame", {}, {}, {}});
   }
 
   const std::string& path_;

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "geometry/io/input_file.h"
+#include "geometry/volume/nifti_placement.h"
 #include "geometry/volume/volume_file.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/volume_name.h"
@@ -13,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace shellmatch {
 
@@ -52,8 +54,34 @@ void put(std::string& header, std::size_t offset, T value) {
   std::memcpy(header.data() + offset, &value, sizeof value);
 }
 
-// NIfTI-1; sform and, where the axes are orthogonal, the same as qform. Lengths whose unit is known become millimetres, which all
-// programs read alike.
+// Both transforms and their codes as in the NIfTI that the grid is of, so that every program places both alike; for others the sform and,
+// where the axes are orthogonal, the same as qform.
+NiftiPlacement placement_of(const VoxelGrid& grid) {
+  if (grid.file && grid.file->nifti) {
+    VoxelGrid there = grid;
+    GridFile unused;
+    place_by_nifti("", *grid.file->nifti, there, unused);
+    if (there.axes == grid.axes && there.origin == grid.origin) return *grid.file->nifti;
+  }
+  NiftiPlacement p;
+  p.sform_code = 1;
+  p.srow = grid.axes;
+  p.srow_offset = grid.origin;
+  p.pixdim = grid.axes.colwise().norm();
+  Mat<3> rotation = grid.axes * p.pixdim.cwiseInverse().asDiagonal();
+  const bool is_left_handed = rotation.determinant() < 0;
+  if (is_left_handed) rotation.col(2) *= -1;
+  p.qfac = is_left_handed ? -1 : 1;
+  if ((rotation.transpose() * rotation - Mat<3>::Identity()).norm() < 1e-5) {
+    p.qform_code = 1;
+    Eigen::Quaterniond q(rotation);
+    if (q.w() < 0) q.coeffs() *= -1;
+    p.quatern = {q.x(), q.y(), q.z(), grid.origin[0], grid.origin[1], grid.origin[2]};
+  }
+  return p;
+}
+
+// NIfTI-1. Lengths whose unit is known become millimetres, which all programs read alike.
 std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
   const std::optional<double> millimetres = millimetres_of(grid.unit);
   grid.axes *= millimetres.value_or(1);
@@ -67,35 +95,35 @@ std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
   if (is_vector) put<std::int16_t>(h, 68, 1007);
   put(h, 70, codes[static_cast<std::size_t>(type)]);
   put(h, 72, static_cast<std::int16_t>(8 * bytes_of(type)));
-  const Vec<3> spacing = grid.axes.colwise().norm();
-  Mat<3> rotation = grid.axes * spacing.cwiseInverse().asDiagonal();
-  const bool is_left_handed = rotation.determinant() < 0;
-  if (is_left_handed) rotation.col(2) *= -1;
-  put(h, 76, is_left_handed ? -1.0f : 1.0f);
-  for (std::size_t k = 0; k < 3; ++k) put(h, 80 + 4 * k, static_cast<float>(spacing[static_cast<int>(k)]));
+  const NiftiPlacement p = placement_of(grid);
+  put(h, 76, static_cast<float>(p.qfac));
+  for (std::size_t k = 0; k < 3; ++k) put(h, 80 + 4 * k, static_cast<float>(p.pixdim[static_cast<int>(k)]));
   for (std::size_t k = 3; k < 7; ++k) put(h, 80 + 4 * k, 1.0f);
   put(h, 108, 352.0f);
   put(h, 112, 1.0f);
   h[123] = millimetres ? 2 : 0;  // millimetres, or unknown
-  if ((rotation.transpose() * rotation - Mat<3>::Identity()).norm() < 1e-5) {
-    put<std::int16_t>(h, 252, 1);
-    Eigen::Quaterniond q(rotation);
-    if (q.w() < 0) q.coeffs() *= -1;
-    for (std::size_t k = 0; k < 3; ++k) put(h, 256 + 4 * k, static_cast<float>(q.vec()[static_cast<int>(k)]));
-    for (std::size_t k = 0; k < 3; ++k) put(h, 268 + 4 * k, static_cast<float>(grid.origin[static_cast<int>(k)]));
-  }
-  put<std::int16_t>(h, 254, 1);
+  put(h, 252, static_cast<std::int16_t>(p.qform_code));
+  put(h, 254, static_cast<std::int16_t>(p.sform_code));
+  for (std::size_t k = 0; k < 6; ++k) put(h, 256 + 4 * k, static_cast<float>(p.quatern[k]));
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) put(h, 280 + 16 * i + 4 * j, static_cast<float>(grid.axes(static_cast<int>(i), static_cast<int>(j))));
-    put(h, 292 + 16 * i, static_cast<float>(grid.origin[static_cast<int>(i)]));
+    for (std::size_t j = 0; j < 3; ++j) put(h, 280 + 16 * i + 4 * j, static_cast<float>(p.srow(static_cast<int>(i), static_cast<int>(j))));
+    put(h, 292 + 16 * i, static_cast<float>(p.srow_offset[static_cast<int>(i)]));
   }
   h.replace(344, 3, "n+1");
   return h;
 }
 
+// The millimetres of the numbers of an NRRD on these voxels, which has the unit that theirs had.
+double nrrd_unit(const VoxelGrid& grid) { return grid.file && grid.unit == "mm" ? millimetres_of(grid.file->unit).value_or(1) : 1; }
+
 std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector) {
   static constexpr const char* names[] = {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float", "double"};
-  const VoxelGrid grid = exchange_space(in_ras);
+  VoxelGrid grid = exchange_space(in_ras);
+  if (const double unit = nrrd_unit(grid); unit != 1) {
+    grid.unit = grid.file->unit;
+    grid.axes /= unit;
+    grid.origin /= unit;
+  }
   const auto text = [](const Vec<3>& x) { return fmt::format("({},{},{})", x[0], x[1], x[2]); };
   const std::string units = grid.unit.empty() ? "" : fmt::format("space units: \"{0}\" \"{0}\" \"{0}\"\n", grid.unit);
   return fmt::format("NRRD0004\ntype: {}\ndimension: {}\nspace: left-posterior-superior\n{}sizes: {}{} {} {}\n"
@@ -168,6 +196,14 @@ void check_volume_output(const std::string& path) {
     throw_input_error("{}: volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti", path);
 }
 
+std::vector<std::string> volume_notes(const VoxelGrid& grid) { return grid.file ? grid.file->notes : std::vector<std::string>(); }
+
+std::vector<std::string> written_notes(const std::string& path, const VoxelGrid& grid) {
+  if (volume_format(path) != VolumeFormat::nifti || (grid.file && grid.file->nifti)) return {};
+  if (itk_choice(placement_of(grid), grid.size) != ItkChoice::refused) return {};
+  return {"its axes are not at right angles, which a NIfTI's qform cannot say: ITK, ANTs and 3D Slicer do not read it; they read an .nrrd"};
+}
+
 PendingFile volume_file(const std::string& path, const Volume& volume, Existing existing) {
   SHELLMATCH_CHECK(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
   std::string bytes;
@@ -184,8 +220,9 @@ PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, s
   bytes.reserve(values.size() * sizeof(float));
   // VTK's files name no frame: their components are along the axes of their positions, which are in RAS.
   const bool is_in_ras = is_volume_file(path) && volume_format(path) == VolumeFormat::vti;
-  // In a NIfTI vectors are in the unit of its header, which other programs do not convert.
-  const auto factor = static_cast<float>(by_component ? millimetres_of(grid.unit).value_or(1) : 1);
+  // Vectors are in the unit of their file, which other programs do not convert.
+  const bool is_nrrd = is_volume_file(path) && volume_format(path) == VolumeFormat::nrrd;
+  const auto factor = static_cast<float>(by_component ? millimetres_of(grid.unit).value_or(1) : is_nrrd ? 1 / nrrd_unit(grid) : 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float value = factor * values[by_component ? 3 * (i % n) + i / n : i];
     append_as<float>(is_in_ras && i % 3 < 2 ? -value : value, bytes);

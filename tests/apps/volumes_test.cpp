@@ -3,6 +3,7 @@
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 #include "geometry/label/volume_shape.h"
+#include "geometry/volume/grid_file.h"
 #include "geometry/volume/volume_file.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/map_file/user_map.h"
@@ -184,6 +185,55 @@ TEST(VolumeFrames, AreItks) {
   }
 }
 
+// A NIfTI has two transforms. By which of them ITK goes we say, and what is written keeps both.
+TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
+  const Folder other;
+  const VoxelGrid straight = grid_over({1, 2, 3}, {1, 1.5, 2}, {6, 5, 4});
+  Volume volume = volume_of(straight, [](const Vec<3>& x) { return std::round(x.sum()); });
+  const auto lps = [](const ItkVoxel& v) { return exchange_space(Vec<3>(v.position[0], v.position[1], v.position[2])); };
+  Mat<3> rotated = Eigen::AngleAxisd(0.3, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * straight.axes, sheared = straight.axes;
+  sheared(0, 1) = 0.5;
+  for (const auto& [name, axes] : {std::pair<std::string, Mat<3>>{"equal", straight.axes}, {"turned", rotated}, {"sheared", sheared}, {"unit", Mat<3>::Identity()}})
+    for (const int q : {0, 1, 2})
+      for (const int s : {0, 1, 2, 4}) {
+        SCOPED_TRACE(fmt::format("{} sform, codes {} and {}", name, q, s));
+        volume.grid.axes = axes;
+        std::string bytes = nifti(volume);
+        put<std::int16_t>(bytes, 252, static_cast<std::int16_t>(q));
+        put<std::int16_t>(bytes, 254, static_cast<std::int16_t>(s));
+        for (int k = 0; k < 3; ++k) put(bytes, 80 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.axes(k, k)));
+        for (int k = 0; k < 3; ++k) put(bytes, 268 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.origin[k]));
+        write(other / "model.nii", bytes);
+        const Volume read = read_volume(other / "model.nii");
+        write_volume(other / "kept.nii", read, Existing::is_replaced);
+        const std::string kept = other.read("kept.nii");
+        for (const auto& [begin, end] : {std::pair{76, 92}, {252, 328}})
+          EXPECT_EQ(kept.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
+                    bytes.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)));
+        const ItkChoice choice = itk_choice(*read.grid.file->nifti, read.grid.size);
+        const std::array<int, 3> at{5, 3, 2};
+        const Vec<3> index(5, 3, 2), ours = read.grid.position(index);
+        if (choice == ItkChoice::refused) {
+          EXPECT_ANY_THROW(voxel_by_itk(other / "model.nii", at));
+          EXPECT_FALSE(volume_notes(read.grid).empty());
+          continue;
+        }
+        const Vec<3> itk = lps(voxel_by_itk(other / "model.nii", at));
+        const Vec<3> expected = choice == ItkChoice::identity ? exchange_space(Vec<3>(straight.axes * index))
+                                : choice == ItkChoice::qform  ? Vec<3>(straight.axes * index + straight.origin)
+                                                              : Vec<3>(axes.colwise().normalized() * (straight.axes * index) + straight.origin);
+        EXPECT_LT((itk - expected).norm(), 1e-5);
+        EXPECT_EQ(lps(voxel_by_itk(other / "kept.nii", at)), itk);
+        EXPECT_EQ(volume_notes(read.grid).empty(), (itk - ours).norm() < 1e-5 && !(s > 0 && q > 0 && (name == "turned" || name == "sheared")));
+      }
+  // What was no NIfTI and cannot be said in one.
+  volume.grid.axes = sheared;
+  EXPECT_FALSE(written_notes("a.nii", volume.grid).empty());
+  EXPECT_TRUE(written_notes("a.nrrd", volume.grid).empty());
+  volume.grid.axes = rotated;
+  EXPECT_TRUE(written_notes("a.nii", volume.grid).empty());
+}
+
 // NRRD's axes without directions, which begin at the middle of the first voxel or at its border.
 TEST(VolumeFrames, OfAxesWithoutDirectionsAreItks) {
   const Folder other;
@@ -200,14 +250,23 @@ TEST_F(Volumes, ResultsAreInTheUnitOfTheirVoxels) {
   const Folder other;
   Volume a = volume_of(grid, in_reference);
   for (const std::string unit : {"cm", ""}) {
+    a.grid = grid;
     a.grid.unit = unit;
+    if (unit == "cm") {  // the same place
+      a.grid.axes /= 10;
+      a.grid.origin /= 10;
+    }
     write_volume(other / "a.nrrd", a, Existing::is_replaced);
     run({"apply", *tmp / "out", other / "a.nrrd", "-o", other / "moved.nrrd", "--displacement", other / "u.nii", "--jacobian",
          other / "j.nii", "--force"});
     run({"apply", *tmp / "out", *tmp / "a.nii", "--like", other / "a.nrrd", "-o", other / "like.nrrd", "--force"});
-    for (const char* name : {"moved.nrrd", "like.nrrd"}) EXPECT_EQ(read_voxel_grid(other / name).unit, unit) << name;
+    for (const char* name : {"moved.nrrd", "like.nrrd"}) {
+      EXPECT_EQ(read_voxel_grid(other / name).unit, unit.empty() ? "" : "mm") << name;
+      EXPECT_EQ(read_voxel_grid(other / name).file->unit, unit) << name;
+      EXPECT_NEAR(read_voxel_grid(other / name).axes(0, 0), 1, 1e-12) << name;
+    }
     EXPECT_EQ(read_voxel_grid(other / "j.nii").unit, unit.empty() ? "" : "mm");
-    EXPECT_NEAR(read_voxel_grid(other / "j.nii").axes(0, 0), unit.empty() ? 1 : 10, 1e-6);
+    EXPECT_NEAR(read_voxel_grid(other / "j.nii").axes(0, 0), 1, 1e-6);
     EXPECT_EQ(other.read("u.nii")[123], unit.empty() ? 0 : 2);
   }
 }

@@ -2,6 +2,7 @@
 #include "geometry/label/label_region.h"
 #include "geometry/label/smoothed_label.h"
 #include "geometry/volume/volume_file.h"
+#include "geometry/volume/volume_header.h"
 #include "tests/fuzz/target.h"
 
 #include <Eigen/LU>
@@ -37,7 +38,7 @@ class NamedFile {
 
 void read_as(std::string_view bytes, const char* ending) {
   const NamedFile file(bytes, ending);
-  const Volume volume = canonical(read_volume(file.path()));
+  const Volume volume = canonical(read_volume_part({file.path(), {}}).volume);
   demand(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
   for (const float v : volume.values) demand(std::isfinite(v), "values are finite");
   demand(volume.grid.origin.allFinite() && volume.grid.axes.allFinite() && volume.grid.voxel_volume() > 0, "voxels lie in space");
@@ -52,7 +53,18 @@ void read_as(std::string_view bytes, const char* ending) {
 
 void read_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii"); }
 void read_compressed_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii.gz"); }
-void read_nrrd_bytes(std::string_view bytes) { read_as(bytes, ".nrrd"); }
+void read_nrrd_bytes(std::string_view bytes) {
+  read_as(bytes, ".nrrd");
+  const NamedFile file(bytes, ".nrrd");
+  for (const Segment& segment : read_volume_header(file.path()).segments) {
+    demand(segment.label && segment.layer, "a segment has a label and a layer");
+    try {
+      const VolumePart part = read_volume_part({file.path(), {{}, 0, segment.name}});
+      demand(part.choice.labels.size() == 1 && part.volume.values.size() == part.volume.grid.n_voxels(), "a segment is one label of one layer");
+    } catch (const InputError&) {  // of a layer that is not there, or named twice
+    }
+  }
+}
 void read_meta_image_bytes(std::string_view bytes) { read_as(bytes, ".mha"); }
 void read_vti_bytes(std::string_view bytes) { read_as(bytes, ".vti"); }
 

@@ -5,6 +5,7 @@
 #include "tests/geometry/volume/volume_files.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace shellmatch::testing {
@@ -110,8 +111,55 @@ TEST(VolumeShape, NoiseGoesAndIsSaid) {
 TEST(VolumeShape, ClosesWhatTheBorderCuts) {
   const Shape<3> shape = shape_of(volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {12, 24, 24}), [](const Vec<3>& x) { return ball(x, {0, 11, 11}, 8); }));
   EXPECT_TRUE(is_closed_and_oriented(shape.surface));
-  EXPECT_TRUE(has_note(shape, "it reaches the border of the volume (193 voxels) and is closed there")) << shape.notes[1];
+  EXPECT_TRUE(has_note(shape, "it reaches the border of the volume (193 voxels) and is closed there: that part, ")) << shape.notes.back();
   EXPECT_NEAR(bounding_box(shape.surface.vertices).min.x(), -0.5, 0.1);
+  // The disc and the first voxel of the side are made up; the rest is that of the whole ball.
+  const double r = 8, disc = r * r, side = 2 * r;  // over pi
+  EXPECT_NEAR(shape.invented_share, (disc + side) / (disc + side * 8.5), 0.05);  // its edge is rounded
+  EXPECT_NEAR(surface_measure(shape.evidence.unobserved) / surface_measure(shape.surface), shape.invented_share, 1e-12);
+  for (const Vec<3>& x : shape.surface.vertices)
+    EXPECT_TRUE(x[0] < 0.8 || std::abs((x - Vec<3>(0, 11, 11)).norm() - 7.9) < 0.4);
+  for (const auto& facet : shape.evidence.observed.facets) {
+    Vec<3> centre = Vec<3>::Zero();
+    for (const Index v : facet) centre += shape.evidence.observed.vertices[static_cast<std::size_t>(v)] / 3;
+    EXPECT_GT(centre[0], 0.5);
+  }
+}
+
+// The frame of the result is that of the mesh beside it, the border that of the volume.
+TEST(VolumeShape, TheBorderIsFoundInEitherFrameAndAtEitherEnd) {
+  const VoxelGrid grid = grid_over({-30, -7, 4}, {1, 1.5, 1}, {12, 16, 24});
+  const auto label = [](const Vec<3>& x) { return ball(x, {-19, 5, 15}, 8); };
+  const Shape<3> shape = shape_of(volume_of(grid, label)), other = shape_of(volume_of(grid, label), "", Space::lps);
+  EXPECT_GT(shape.invented_share, 0.3);
+  EXPECT_EQ(shape.invented_share, other.invented_share);
+  for (const auto& facet : shape.evidence.observed.facets)
+    for (const Index v : facet) EXPECT_LT(shape.evidence.observed.vertices[static_cast<std::size_t>(v)][0], -19);
+  // One free layer of voxels, and nothing is cut.
+  const Shape<3> whole = shape_of(volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {13, 13, 13}), [](const Vec<3>& x) { return ball(x, {6, 6, 6}, 5.5); }));
+  EXPECT_TRUE(whole.evidence.is_complete());
+  EXPECT_EQ(whole.invented_share, 0);
+  // Two slices have hardly any surface but the border.
+  const Shape<3> flat = shape_of(volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {24, 24, 2}), [](const Vec<3>& x) { return ball({x[0], x[1], 11}, {11, 11, 11}, 8); }));
+  EXPECT_TRUE(flat.evidence.is_complete());
+  EXPECT_TRUE(has_note(flat, "hardly anything else is seen of it"));
+}
+
+// Voxels that touch along edges and at corners, threads and bubbles: whatever the label, its surface is closed.
+TEST(VolumeShape, NoiseHasASurface) {
+  for (const double z : {1.0, 3.0})
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      std::uint32_t state = seed;
+      const auto random = [&] { return state = 1664525 * state + 1013904223, state >> 16; };
+      const VoxelGrid grid = grid_over({0, 0, 0}, {1, 1, z}, {20, 20, 20});
+      Volume noise = volume_of(grid, [&](const Vec<3>& x) {
+        const Vec<3> i(x[0], x[1], x[2] / z);
+        return i.minCoeff() > 1.5 && i.maxCoeff() < 17.5 && random() % 5 < 2 ? 1.0 : 0.0;
+      });
+      const Shape<3> shape = shape_of(noise);
+      EXPECT_TRUE(is_closed_and_oriented(shape.surface));
+      EXPECT_GT(shape.surface.facets.size(), 1000u);
+    }
 }
 
 TEST(VolumeShape, SmallAndThinLabelsAreRefusedOrKept) {

@@ -3,6 +3,8 @@
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/volume/volume_files.h"
 
+#include <algorithm>
+
 namespace shellmatch::testing {
 namespace {
 
@@ -75,9 +77,60 @@ TEST_F(Nrrd, AxesBeginAndEnd) {
   expect_axes("centers: node cell ???\naxis mins: 1 2 3\naxis maxs: 7 4.5 4.5\n", {1, 2.25, 3.25}, {2, 0.5, 0.5});
   expect_axes("axis mins: 1 2 3\nspacings: 2 0.5 0.5\n", {2, 2.25, 3.25}, {2, 0.5, 0.5});
   expect_axes("axis mins: 1 2 3\naxis maxs: 9 nan nan\nspacings: nan 0.5 0.5\n", {2, 2.25, 3.25}, {2, 0.5, 0.5});
+  EXPECT_TRUE(contains(refusal(of_axes("sizes: 4 5 3\nspacings: 1 -0.5 2\n")), "the spacing of its voxels along axis 2 is -0.5, and must be positive"));
+  EXPECT_EQ(volume_notes(read_voxel_grid(of_axes("sizes: 4 5 3\nspacings: 1 nan 2\n"))),
+            std::vector<std::string>{"its header gives no spacing along axis 2: taken to be 1"});
+  EXPECT_EQ(volume_notes(read_voxel_grid(of_axes("sizes: 4 5 3\n"))).size(), 3u);
   EXPECT_TRUE(contains(refusal(of_axes("sizes: 4 5 3\naxis maxs: 9 4.5 4.5\n")),
                        "axis 1 has a maximum (axis maxs), but neither a minimum nor a spacing"));
   EXPECT_TRUE(contains(refusal(of_axes("sizes: 4 5 3\naxis mins: 1 2 3\naxis maxs: 9 2 4\n")), "must be positive"));
+}
+
+// 3D Slicer's segmentations: segments have names, and where they overlap layers.
+TEST_F(Nrrd, SegmentsByName) {
+  const std::string keys = "Segment0_Name:=Femur\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_Name:=Tibia left\nSegment1_LabelValue:=2\n"
+                           "Segment1_Layer:=0\nSegment2_Name:=Femur and more\nSegment2_LabelValue:=1\nSegment2_Layer:=1\nSegment3_Name:=Lost\nSegment3_Layer:=7\n"
+                           "Segmentation_MasterRepresentation:=Binary labelmap\n";
+  // Layer 0: 1 where i = 0, 2 where i = 3; layer 1: 1 where i < 2.
+  const auto of_layers = [&](const std::string& header, bool layers_first) {
+    std::string bytes(120, '\0');
+    for (std::size_t v = 0; v < 60; ++v) {
+      bytes[layers_first ? 2 * v : v] = v % 4 == 0 ? 1 : v % 4 == 3 ? 2 : 0;
+      bytes[layers_first ? 2 * v + 1 : 60 + v] = v % 4 < 2 ? 1 : 0;
+    }
+    return folder.write("a.seg.nrrd", "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nencoding: raw\nspace origin: (1,2,3)\n" + header +
+                                          keys + "\n" + bytes);
+  };
+  const std::string first = "sizes: 2 4 5 3\nkinds: list domain domain domain\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n";
+  const std::string last = "sizes: 4 5 3 2\nkinds: domain domain domain list\nspace directions: (1,0,0) (0,2,0) (0,0,3) none\n";
+  for (const bool layers_first : {true, false}) {
+    const std::string file = of_layers(layers_first ? first : last, layers_first);
+    const auto n_chosen = [&](const std::string& choice) {
+      const VolumePart part = read_volume_part(*parse_volume_name(file + choice));
+      EXPECT_EQ(part.volume.values.size(), 60u);
+      EXPECT_EQ(exchange_space(part.volume.grid.position({1, 1, 1})), Vec<3>(2, 4, 6));
+      return std::ranges::count_if(part.volume.values, [&](float v) { return part.choice.contains(v); });
+    };
+    EXPECT_EQ(n_chosen(":Femur"), 15);
+    EXPECT_EQ(n_chosen(":Tibia left"), 15);
+    EXPECT_EQ(n_chosen(":Femur and more"), 30);
+    EXPECT_EQ(n_chosen(""), 45);
+    const auto refused = [&](const std::string& choice) { return input_error_of([&] { n_chosen(choice); }); };
+    EXPECT_TRUE(contains(refused(":Fibula"), "has no segment 'Fibula'; there are Femur, Tibia left, Femur and more, Lost"));
+    EXPECT_TRUE(contains(refused(":Lost"), "is in layer 7, and there are 2"));
+    EXPECT_TRUE(contains(refused(":1"), "has 2 layers, each with labels of its own; name the segment"));
+    EXPECT_TRUE(contains(refusal(file), "a segmentation in 2 layers"));
+    folder.write("b.seg.nrrd", folder.read("a.seg.nrrd").substr(0, folder.read("a.seg.nrrd").size() - 1));
+    EXPECT_TRUE(contains(refusal(folder.path("b.seg.nrrd") + ""), "layers"));
+    EXPECT_TRUE(contains(input_error_of([&] { read_volume_part(*parse_volume_name(folder.path("b.seg.nrrd") + ":Femur")); }), "cut off"));
+  }
+  // One layer is a volume of labels as any other.
+  const std::string one = folder.write("one.seg.nrrd", std::string(whole).insert(9, keys));
+  EXPECT_EQ(read_volume_part(*parse_volume_name(one + ":Tibia left")).choice.labels, std::vector<double>{2});
+  EXPECT_EQ(read_volume(one).values, volume.values);
+  EXPECT_TRUE(contains(input_error_of([&] { read_volume_part(*parse_volume_name(folder.write("none.nrrd", whole) + ":Femur")); }), "it names no segments"));
+  EXPECT_TRUE(contains(refusal(of_layers("sizes: 2 4 5 3\nkinds: vector domain domain domain\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n", true)),
+                       "has 4 dimensions"));
 }
 
 }  // namespace

@@ -88,8 +88,20 @@ TEST(VolumeFile, NamesItsUnit) {
     return read_volume(folder.write("a.nrrd", text)).grid.unit;
   };
   EXPECT_EQ(unit_of_nrrd(""), "");
-  EXPECT_EQ(unit_of_nrrd("space units: \"um\" \"um\" \"um\"\n"), "um");
+  EXPECT_EQ(unit_of_nrrd("space units: \"um\" \"um\" \"um\"\n"), "mm");
+  EXPECT_EQ(unit_of_nrrd("space units: \"pixel\" \"pixel\" \"pixel\"\n"), "pixel");
   EXPECT_EQ(unit_of_nrrd("space units: \"mm\" \"mm\" \"cm\"\n"), "");
+}
+
+// What contradicts itself is read by the type, and said.
+TEST(VolumeFile, ContradictionsAreSaid) {
+  const TempFolder folder;
+  std::string bytes = nifti(volume_of(straight, number_of_place));
+  EXPECT_TRUE(volume_notes(read_voxel_grid(folder.write("a.nii", bytes))).empty());
+  put<std::int16_t>(bytes, 72, 16);
+  const std::vector<std::string> notes = volume_notes(read_voxel_grid(folder.write("b.nii", bytes)));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(contains(notes[0], "16 bits for each voxel (bitpix), and a type of 8 (datatype 2)"));
 }
 
 // Whether gzip has compressed a file is what its first bytes say.
@@ -175,11 +187,13 @@ TEST_F(RefusedVolume, OtherDimensions) {
 TEST_F(RefusedVolume, NoFrameOfSpace) {
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, 0)), "the spacing of its voxels along axis 2 is 0"));
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, NAN)), "the spacing of its voxels along axis 2 is nan"));
+  EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, -1)), "the spacing of its voxels along axis 2 is -1"));
   EXPECT_TRUE(contains(refusal("b.nii", changed<float>(nii, 280, INFINITY)), "position in space is not finite"));
   EXPECT_TRUE(contains(refusal("c.nii", changed<float>(changed<float>(nii, 280, 0), 296, 1)), "do not span space"));  // two columns along one axis
   EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (-1,-0,0)")), "do not span space"));
   EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (0,0,0)")), "must be positive"));
   EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 0 2")), "must be positive"));
+  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 -0.5 2")), "must be positive"));
   EXPECT_TRUE(contains(refusal("b.mha", replaced(mha, "TransformMatrix = -1 0 0 0 -1 0", "TransformMatrix = -1 0 0 -1 0 0")), "do not span space"));
 }
 

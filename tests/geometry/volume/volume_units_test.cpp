@@ -59,12 +59,23 @@ TEST(VolumeUnits, VectorsAreInTheUnitOfTheirFile) {
 
 TEST(VolumeUnits, AnNrrdKeepsItsUnit) {
   const TempFolder folder;
-  for (const std::string unit : {"cm", "mm", "voxel", ""}) {
+  for (const std::string unit : {"cm", "um", "mm", "voxel", ""}) {
     write_volume(folder.path("a.nrrd"), volume_of(grid_in(unit), [](const Vec<3>&) { return 1; }), Existing::is_replaced);
     const Volume read = canonical(read_volume(folder.path("a.nrrd")));
-    EXPECT_EQ(read.grid.unit, unit);
-    EXPECT_EQ(read.grid.axes(2, 2), 2);
+    const std::optional<double> millimetres = millimetres_of(unit);
+    EXPECT_EQ(read.grid.unit, millimetres ? "mm" : unit);
+    EXPECT_EQ(read.grid.axes(2, 2), 2 * millimetres.value_or(1));
     EXPECT_EQ(folder.read("a.nrrd").find("units") != std::string::npos, unit != "");
+    // What lies on its voxels has its numbers, and vectors too.
+    const VoxelGrid grid = read_voxel_grid(folder.path("a.nrrd"));
+    EXPECT_EQ(volume_notes(grid).empty(), !millimetres || *millimetres == 1);
+    const std::string header = folder.read("a.nrrd").substr(0, folder.read("a.nrrd").find("\n\n"));
+    write_volume(folder.path("b.nrrd"), read_volume(folder.path("a.nrrd")), Existing::is_replaced);
+    EXPECT_EQ(folder.read("b.nrrd").substr(0, header.size()), header);
+    vector_volume_file(folder.path("u.nrrd"), grid, std::vector<float>(3 * grid.n_voxels(), 5.0f), Existing::is_replaced).publish();
+    std::string inflated;
+    for_each_piece(folder.path("u.nrrd"), folder.read("u.nrrd").find("\n\n") + 2, true, 0, sizeof(float), [&](std::string_view piece) { inflated += piece; });
+    EXPECT_FLOAT_EQ(number_at(inflated, 0), static_cast<float>(5 / millimetres.value_or(1)));
   }
 }
 
