@@ -1,4 +1,4 @@
-// Consistent orientation and flat triangles through CGAL's Polygon Mesh Processing.
+// Consistent orientation through CGAL's Polygon Mesh Processing.
 #include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/repair_steps.h"
 
@@ -8,8 +8,6 @@ namespace shellmatch {
 namespace {
 
 using Kernel = CgalKernel;
-
-Kernel::Point_3 kernel_point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
 // Do two triangles with the same corners run the same way round? New copies of vertices count as the old.
 bool same_turn(const std::array<Index, 3>& before, const std::array<std::size_t, 3>& after,
@@ -35,15 +33,6 @@ Orientation orient_consistently(Surface<3>& surface) {
     for (std::size_t k = 0; k < 3; ++k) surface.facets[t][k] = static_cast<Index>(triangles[t][k]);
   }
   return result;
-}
-
-std::size_t count_flat_triangles(const Surface<3>& surface) {
-  std::size_t n = 0;
-  for (const auto& [a, b, c] : surface.facets)
-    n += CGAL::collinear(kernel_point(surface.vertices[a]), kernel_point(surface.vertices[b]), kernel_point(surface.vertices[c]))
-             ? 1
-             : 0;
-  return n;
 }
 
 }  // namespace shellmatch

@@ -66,6 +66,7 @@ std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<st
   std::vector<int> depths(parts.size(), 0);
   if (parts.size() == 1) return depths;
   const Surface<3> surface = scaled_to_unit(original);
+  const auto point = [&](Index v) { return CgalKernel::Point_3(surface.vertices[v].x(), surface.vertices[v].y(), surface.vertices[v].z()); };
   std::vector<Part> all;
   for (const std::vector<Index>& facets : parts) all.push_back(part_of(surface, facets));
   for (std::size_t outer = 0; outer < all.size(); ++outer) {
@@ -73,7 +74,10 @@ std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<st
     for (std::size_t inner = 0; inner < all.size(); ++inner)
       if (inner != outer && within(all[inner].box, all[outer].box)) candidates.push_back(inner);
     if (candidates.empty()) continue;
-    const CgalMesh mesh = cgal_mesh(surface, all[outer].facets);
+    // Every ray that meets a triangle without area is tried again, for ever; without them the same is inside.
+    Triangles solid = all[outer].facets;
+    std::erase_if(solid, [&](const auto& f) { return CGAL::collinear(point(f[0]), point(f[1]), point(f[2])); });
+    const CgalMesh mesh = cgal_mesh(surface, solid);
     const Side side(mesh);
     for (const std::size_t inner : candidates) depths[inner] += is_inside(all[inner], surface, side) ? 1 : 0;
   }

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "geometry/distance/facet_tree.h"
+#include "geometry/repair/flat_triangles.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/facet_point.h"
 
@@ -79,9 +80,33 @@ Closure closure_by(const FilledHoles& filled, Surface<3> observed) {
 
 }  // namespace
 
+Closure wrap_surface(Surface<3>& surface, std::string_view state, const std::string& why, std::vector<std::string>& notes) {
+  const double diagonal = bounding_box(surface.vertices).diagonal();
+  if (!(diagonal > 0)) throw InputError(why);
+  Surface<3> wrap = wrapped(surface, gap * diagonal, distance * diagonal);
+  if (wrap.facets.empty()) throw_input_error("{} (and no wrap could be made)", why);
+  if (encloses_next_to_nothing(wrap, distance * diagonal))
+    throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
+  Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
+  closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap);
+  notes.push_back(fmt::format("{}, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
+                              "{:.2g} % of its area is made up, and weighs nothing",
+                              state, distance * diagonal, gap * diagonal, 100 * closure.invented_share));
+  if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
+  surface = std::move(wrap);
+  return closure;
+}
+
 Closure close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes) {
   const std::string why = why_open(surface, source);
   if (why.empty()) return {};
+  // The triangles on one side of each wedge stay together; what remains open is filled or wrapped.
+  Surface<3> apart = surface;
+  if (take_apart(apart) > 0 && remove_folded_pairs(apart) == 0 && why_open(apart, source).empty()) {
+    notes.emplace_back("edges with more than two triangles taken apart");
+    surface = std::move(apart);
+    return {};
+  }
   Surface<3> bodies = surface;
   const std::size_t n_loose = drop_loose_triangles(bodies);
   const auto note_loose = [&] {
@@ -106,20 +131,7 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
     surface = std::move(filled->surface);
     return closure;
   }
-  const double diagonal = bounding_box(surface.vertices).diagonal();
-  if (!(diagonal > 0)) throw InputError(why);
-  Surface<3> wrap = wrapped(surface, gap * diagonal, distance * diagonal);
-  if (wrap.facets.empty()) throw_input_error("{} (and no wrap could be made)", why);
-  if (encloses_next_to_nothing(wrap, distance * diagonal))
-    throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
-  Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
-  closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap);
-  notes.push_back(fmt::format("not closed, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
-                              "{:.2g} % of its area is made up, and weighs nothing",
-                              distance * diagonal, gap * diagonal, 100 * closure.invented_share));
-  if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
-  surface = std::move(wrap);
-  return closure;
+  return wrap_surface(surface, "not closed", why, notes);
 }
 
 }  // namespace shellmatch

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shellmatch {
@@ -31,6 +32,10 @@ struct Closure {
   Evidence<3> evidence;       ///< complete where nothing was made up
   double invented_share = 0;  ///< of the area of the closed surface
 };
+
+/// Puts the wrap around the surface in its place, and says so in `notes`, beginning with its `state`. \throws InputError, which begins with `why`, where the wrap encloses
+/// next to nothing
+Closure wrap_surface(Surface<3>& surface, std::string_view state, const std::string& why, std::vector<std::string>& notes);
 
 /// Closes a surface that is not closed: by filling its holes where these are small, by a wrap otherwise. Says so in `notes`.
 /// \throws InputError with the place of a gap where even the wrap encloses next to nothing

@@ -4,7 +4,9 @@
 #include "base/text.h"
 #include "geometry/surface/self_intersections.h"
 #include "geometry/repair/close_surface.h"
+#include "geometry/repair/flat_triangles.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/repair/stitch_cracks.h"
 
 #include <Eigen/Geometry>
 
@@ -17,6 +19,8 @@ namespace {
 
 // A volume below this share of the cubed diagonal of a part is a rounding error.
 constexpr double flat_share = 1e-9;
+// Of the mean edge: coordinates whose steps are longer move triangles visibly.
+constexpr double most_step = 0.1;
 
 class Notes {
  public:
@@ -84,10 +88,26 @@ void orient_outward(Surface<3>& surface, const std::string& source, Notes& notes
   notes.add(n_turned, "connected part", "connected parts", "turned inside out, to face outward");
 }
 
-}  // namespace
+// What to say of coordinates in single precision so far from the origin that its steps are about as long as the edges; empty otherwise.
+std::string used_up_precision(const OriginalShape<3>& original) {
+  const auto is_single = [](double a) { return static_cast<double>(static_cast<float>(a)) == a; };
+  const auto in_single = [&](const Vec<3>& x) { return is_single(x.x()) && is_single(x.y()) && is_single(x.z()); };
+  if (!std::ranges::all_of(original.vertices, in_single)) return "";
+  const Box<3> box = bounding_box(original.vertices);
+  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff();
+  double sum = 0;
+  std::size_t n = 0;
+  for (const std::vector<Index>& polygon : original.polygons)
+    for (std::size_t k = 0; k < polygon.size(); ++k, ++n)
+      sum += (original.vertices[polygon[k]] - original.vertices[polygon[(k + 1) % polygon.size()]]).norm();
+  const double step = largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0, edge = n > 0 ? sum / static_cast<double>(n) : 0;
+  if (!(step > most_step * edge)) return "";
+  return fmt::format("single precision is used up: {:.3g} from the origin its steps are {:.3g} long, and the mean edge is {:.3g}; write the file in "
+                     "double precision, or move the shape to the origin before it is written",
+                     largest, step, edge);
+}
 
-MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& note_list,
-                           Closing closing) {
+MendedSurface mend(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& note_list, Closing closing) {
   if (original.polygons.empty())
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
@@ -105,8 +125,15 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
   if (surface.facets.empty())
     throw_input_error("{}: the faces have no area; a closed surface is needed", source);
+  const double negligible = negligible_length(surface.vertices);
+  const bool automatic = closing == Closing::automatic;
+  if (!automatic) check_closed(surface, source);
+  std::size_t n_flat = dissolve_flat_triangles(surface, negligible);
   Closure closure;
-  if (closing == Closing::automatic) closure = close_surface(surface, source, note_list);
+  if (automatic) {
+    notes.add(stitch_cracks(surface, negligible), "border edge", "border edges", "of cracks without width closed");
+    closure = close_surface(surface, source, note_list);
+  }
   check_closed(surface, source);
 
   const Orientation orientation = orient_consistently(surface);
@@ -114,18 +141,14 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   try {
     check_closed(surface, source);
   } catch (const InputError&) {
-    throw_input_error(
-        "{}: the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart",
-        source);
+    const std::string why = source + ": the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart";
+    if (!automatic) throw InputError(why);
+    closure = wrap_surface(surface, "one-sided", why, note_list);
   }
   notes.add(orientation.n_split, "vertex", "vertices", "added where the surface touches itself");
-  const std::size_t n_flat = count_flat_triangles(surface);
-  if (n_flat == surface.facets.size())
+  if (flat_triangles(surface, 0).size() == surface.facets.size())
     throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
-  // Rays through those that CGAL has left would be tried for ever in the search for nested parts.
-  if (n_flat > 0 && (!remove_flat_triangles(surface) || count_flat_triangles(surface) > 0))
-    throw_input_error("{}: {} without area could not be removed; remove them in a mesh editor", source,
-                      counted(n_flat, "triangle", "triangles"));
+  n_flat += dissolve_flat_triangles(surface, negligible);
   notes.add(n_flat, "triangle", "triangles", "without area removed");
   orient_outward(surface, source, notes);
   remove_unused_vertices(surface);
@@ -133,6 +156,19 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
   if (surface.facets.size() <= self_intersection_limit) crossing = self_intersecting_facets(surface);
   notes.add(crossing.size(), "triangle", "triangles", "that cross or touch others (left as they are)");
   return {std::move(surface), std::move(closure.evidence), closure.invented_share, std::move(crossing)};
+}
+
+}  // namespace
+
+MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& notes, Closing closing) {
+  const std::string precision = used_up_precision(original);
+  if (!precision.empty()) notes.push_back(precision);
+  try {
+    return mend(original, source, notes, closing);
+  } catch (const InputError& error) {
+    if (precision.empty()) throw;
+    throw InputError(fmt::format("{}; {}", error.what(), precision));
+  }
 }
 
 }  // namespace shellmatch

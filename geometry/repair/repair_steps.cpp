@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -42,7 +43,16 @@ void for_each_edge(const Surface<3>& surface, Visit&& visit) {
   }
 }
 
-std::string position(const Vec<3>& x) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z()); }
+// Six digits of the shape's size, however far from the origin it lies.
+int digits_for(const std::vector<Vec<3>>& vertices) {
+  const Box<3> box = bounding_box(vertices);
+  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff(), size = box.diagonal();
+  return size > 0 ? std::clamp(6 + static_cast<int>(std::log10(largest / size)), 6, 17) : 6;
+}
+
+std::string position(const Vec<3>& x, int digits) {
+  return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", x.x(), digits, x.y(), digits, x.z(), digits);
+}
 
 }  // namespace
 
@@ -108,8 +118,9 @@ void check_closed(const Surface<3>& surface, const std::string& source) {
   });
   std::set<Index> loop_names;
   for (const Edge& e : open) loop_names.insert(loops.find(e.a));
+  const int digits = digits_for(surface.vertices);
   const auto place = [&](const Edge& e) {
-    return position(surface.vertices[e.a]) + " to " + position(surface.vertices[e.b]);
+    return position(surface.vertices[e.a], digits) + " to " + position(surface.vertices[e.b], digits);
   };
   const std::string boundary =
       open.empty()

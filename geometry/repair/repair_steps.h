@@ -29,13 +29,6 @@ std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface);
 /// position.
 void check_closed(const Surface<3>& surface, const std::string& source);
 
-/// Number of triangles without area (exact test).
-std::size_t count_flat_triangles(const Surface<3>& surface);
-/// Removes triangles without area by collapses and flips, which keep the surface closed; returns false on
-/// failure.
-/// \pre closed, manifold, consistently oriented.
-bool remove_flat_triangles(Surface<3>& surface);
-
 /// Result of orient_consistently().
 struct Orientation {
   std::size_t n_turned = 0;  ///< triangles reversed

@@ -112,6 +112,26 @@ Inspection inspect_shape(const Shape<Dim>& shape) {
   return result;
 }
 
+namespace {
+
+// Six digits of the box's size, however far from the origin it lies: formats of fmt's join take no digits of their own.
+std::string box_text(const Inspection& r) {
+  double largest = 0, size = 0;
+  for (std::size_t k = 0; k < r.box_min.size(); ++k) {
+    largest = std::max({largest, std::abs(r.box_min[k]), std::abs(r.box_max[k])});
+    size = std::max(size, r.box_max[k] - r.box_min[k]);
+  }
+  const int digits = size > 0 ? std::clamp(6 + static_cast<int>(std::log10(largest / size)), 6, 17) : 6;
+  const auto corner = [&](const std::vector<double>& x) {
+    std::vector<std::string> numbers;
+    for (const double a : x) numbers.push_back(fmt::format("{:.{}g}", a, digits));
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+  };
+  return corner(r.box_min) + " to " + corner(r.box_max);
+}
+
+}  // namespace
+
 std::string inspection_text(const Inspection& r) {
   const bool plane = r.dimension == 2;
   std::string text = fmt::format("{}: {}\n", printable(r.source, max_message_length), plane ? "a contour in the plane" : "a surface in space");
@@ -125,7 +145,7 @@ std::string inspection_text(const Inspection& r) {
   if (!plane) row("genus", fmt::format("{}", r.genus));
   row(plane ? "length" : "area", fmt::format("{:.6g}", r.measure));
   row(plane ? "enclosed area" : "enclosed volume", fmt::format("{:.6g}", r.enclosed));
-  row("box", fmt::format("[{:.6g}] to [{:.6g}]", fmt::join(r.box_min, ", "), fmt::join(r.box_max, ", ")));
+  row("box", box_text(r));
   row("mean edge", fmt::format("{:.4g}", r.mean_edge));
   if (std::isfinite(r.curvature_radius))
     row("radius of curvature", fmt::format("{:.4g}; 95 % are bent less", r.curvature_radius));

@@ -24,7 +24,7 @@ READERS = {
     "meta_image": ["geometry/volume/meta_image_header.cpp"],
     "close3": ["geometry/repair/close_surface.cpp", "geometry/repair/cgal_fill_holes.cpp", "geometry/repair/cgal_wrap.cpp"],
     "repair3": ["geometry/repair/repair.cpp", "geometry/repair/repair_steps.cpp", "geometry/repair/repair_triangulate.cpp",
-                "geometry/repair/make_shape.cpp", "geometry/repair/cgal_repair.cpp", "geometry/repair/cgal_repair_flat.cpp",
+                "geometry/repair/make_shape.cpp", "geometry/repair/cgal_repair.cpp", "geometry/repair/cgal_stitch_cracks.cpp",
                 "geometry/repair/cgal_repair_nesting.cpp"],
     "repair2": ["geometry/repair/repair_outline.cpp", "geometry/repair/cgal_repair_crossings.cpp"],
     "yaml": ["matching/experiment/yaml_document.cpp", "matching/experiment/yaml_syntax.cpp", "matching/experiment/option_text.cpp"],
