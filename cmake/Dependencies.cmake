@@ -26,6 +26,8 @@ find_package(TIFF 4.5 REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)
 find_package(ZLIB REQUIRED)
 find_package(embree 3 REQUIRED)
+find_package(assimp 5.2 REQUIRED)
+find_package(pugixml 1.13 REQUIRED)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 # VTK's package configuration requires the C language through its dependency on MPI.

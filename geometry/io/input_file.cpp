@@ -1,6 +1,7 @@
 #include "geometry/io/input_file.h"
 
 #include "base/error.h"
+#include "geometry/scene/brain_surface.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -17,10 +18,20 @@ namespace {
 
 constexpr std::pair<std::string_view, FileFormat> endings[] = {
     {".obj", FileFormat::obj},   {".off", FileFormat::off},   {".ply", FileFormat::ply},    {".stl", FileFormat::stl},
-    {".vtk", FileFormat::vtk},   {".vtp", FileFormat::vtp},
+    {".vtk", FileFormat::vtk},   {".vtp", FileFormat::vtp},   {".gii", FileFormat::gifti},
+    {".glb", FileFormat::gltf},  {".gltf", FileFormat::gltf}, {".dae", FileFormat::collada}, {".3mf", FileFormat::three_mf},
     {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
     {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".tif", FileFormat::tiff},   {".tiff", FileFormat::tiff},
     {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points}};
+
+// Of files alone: a pipe would wait.
+bool begins_as_freesurfer(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream stream(path, std::ios::binary);
+  std::string mark(freesurfer_mark.size(), '\0');
+  return stream.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == freesurfer_mark;
+}
 
 }  // namespace
 
@@ -35,7 +46,7 @@ FileFormat format_of(const std::string& path) {
   const std::string extension = file_extension(path);
   for (const auto& [ending, format] : endings)
     if (ending == extension) return format;
-  return FileFormat::unknown;
+  return begins_as_freesurfer(path) ? FileFormat::freesurfer : FileFormat::unknown;
 }
 
 int dimension_of(FileFormat format) {
@@ -46,6 +57,11 @@ int dimension_of(FileFormat format) {
     case FileFormat::stl:
     case FileFormat::vtk:
     case FileFormat::vtp:
+    case FileFormat::gifti:
+    case FileFormat::freesurfer:
+    case FileFormat::gltf:
+    case FileFormat::collada:
+    case FileFormat::three_mf:
       return 3;
     case FileFormat::table:
     case FileFormat::png:

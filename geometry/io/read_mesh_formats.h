@@ -21,6 +21,7 @@ namespace shellmatch {
 struct MeshFile {
   OriginalShape<3> shape;
   std::vector<std::string> notes;
+  std::string unit = {};  ///< of the coordinates, where the format says it: "mm"
 };
 
 MeshFile read_obj(const std::string& path, std::string_view bytes);

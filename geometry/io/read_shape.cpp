@@ -11,6 +11,8 @@
 #include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/scene/brain_surface.h"
+#include "geometry/scene/scene_shape.h"
 
 #include <optional>
 #include <utility>
@@ -18,7 +20,7 @@
 namespace shellmatch {
 namespace {
 
-constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp";
+constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp .gii .glb .gltf .3mf .dae and FreeSurfer's surfaces";
 constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
 constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
 
@@ -32,6 +34,7 @@ constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .p
 
 // The shape as it stands in the file. \pre the format is that of a mesh
 MeshFile parse_mesh(const InputFile& file) {
+  if (file.format() == FileFormat::gltf) return read_gltf(file.path());  // may name other files
   const std::string bytes = file.read();
   MeshFile mesh;
   switch (file.format()) {
@@ -40,6 +43,10 @@ MeshFile parse_mesh(const InputFile& file) {
     case FileFormat::ply: mesh = read_ply(file.path(), bytes); break;
     case FileFormat::vtk: mesh.shape = read_legacy_vtk(file.path(), bytes, mesh.notes); return mesh;
     case FileFormat::vtp: mesh.shape = read_vtp(file.path(), bytes, mesh.notes); return mesh;
+    case FileFormat::gifti: return read_gifti(file.path(), bytes);
+    case FileFormat::freesurfer: return read_freesurfer(file.path(), bytes);
+    case FileFormat::collada: return read_collada(file.path(), bytes);
+    case FileFormat::three_mf: return read_three_mf(file.path(), bytes);
     default: mesh = read_stl(file.path(), bytes);
   }
   if (mesh.shape.space == Space::unsaid) mesh.shape.space = space_of_mesh(bytes);
@@ -71,7 +78,9 @@ OriginalShape<2> parse_outline(const InputFile& file, const std::string& part, b
 
 Shape<3> mesh_of(const InputFile& file, Closing closing = Closing::never) {
   MeshFile mesh = parse_mesh(file);
-  return make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes), closing);
+  Shape<3> shape = make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes), closing);
+  shape.unit = std::move(mesh.unit);
+  return shape;
 }
 
 Shape<2> outline_of(const InputFile& file, const std::string& part, const std::string& source) {

@@ -2,7 +2,8 @@
 /// \file
 /// Reading of shapes: what a file name stands for, and a closed surface out of it.
 ///
-/// In space: meshes .obj, .off, .ply, .stl, .vtk, .vtp. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
+/// In space: meshes .obj, .off, .ply, .stl, .vtk, .vtp, .gii, .glb, .gltf, .3mf, .dae, and surfaces of FreeSurfer's, which are known by their
+/// first bytes. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
 /// separated by blank lines) and masks .png, .pgm, .tif, .jpg, .bmp (geometry/picture/picture_shape.h), of which "mask.png:3" chooses a label.
 
 #include "geometry/repair/repair.h"

@@ -43,6 +43,72 @@ def mesh_seeds():
     return seeds
 
 
+def surface_seeds():
+    """A tetrahedron in the formats of neuroimaging and of scenes."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    flat = lambda rows: [v for row in rows for v in row]
+    text = lambda rows: " ".join(map(str, flat(rows)))
+
+    def gifti(encode, order="<", columns=False, matrix="1 0 0 5 0 1 0 6 0 0 1 7 0 0 0 1"):
+        def array(intent, kind, letter, rows):
+            values = flat(zip(*rows)) if columns else flat(rows)
+            data = encode(struct.pack(f"{order}12{letter}", *values), values)
+            return (f'<DataArray Intent="NIFTI_INTENT_{intent}" DataType="NIFTI_TYPE_{kind}" ArrayIndexingOrder="{"Column" if columns else "Row"}MajorOrder" '
+                    f'Dimensionality="2" Dim0="4" Dim1="3" Encoding="{data[0]}" Endian="{"Little" if order == "<" else "Big"}Endian">'
+                    f"<CoordinateSystemTransformMatrix><DataSpace>NIFTI_XFORM_UNKNOWN</DataSpace><TransformedSpace>NIFTI_XFORM_SCANNER_ANAT"
+                    f"</TransformedSpace><MatrixData>{matrix}</MatrixData></CoordinateSystemTransformMatrix><Data>{data[1]}</Data></DataArray>")
+        return ('<?xml version="1.0"?><!DOCTYPE GIFTI><GIFTI Version="1.0" NumberOfDataArrays="2">' + array("POINTSET", "FLOAT32", "f", points) +
+                array("TRIANGLE", "INT32", "i", faces) + "</GIFTI>").encode()
+    plain = lambda data, values: ("ASCII", " ".join(map(str, values)))
+    packed = lambda data, values: ("GZipBase64Binary", base64.b64encode(zlib.compress(data)).decode())
+    binary = lambda data, values: ("Base64Binary", base64.b64encode(data).decode())
+    frame = b"\0\0\0\x14valid = 1\nfilename = a\nvolume = 4 4 4\nvoxelsize = 1 1 1\nxras = -1 0 0\nyras = 0 0 -1\nzras = 0 1 0\ncras = 1 2 3\n"
+    brain = b"\xff\xff\xfea\n\n" + struct.pack(">2i12f12i", 4, 4, *flat(points), *flat(faces))
+    part = ('<mesh><source id="p"><float_array id="a" count="12">' + text(points) + '</float_array><technique_common><accessor source="#a" count="4" stride="3"/>'
+            '</technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>{}</mesh>')
+    corners = '<input semantic="VERTEX" source="#v" offset="0"/>'
+    collada = lambda faces: ('<?xml version="1.0"?><COLLADA><asset><unit meter="0.01"/><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g">' +
+                             part.format(faces) + '</geometry></library_geometries><library_controllers><controller id="c"><skin source="#g"><bind_shape_matrix>'
+                             '1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix></skin></controller></library_controllers><library_visual_scenes>'
+                             '<visual_scene id="s"><node id="n"><translate>1 2 3</translate><rotate>0 0 1 30</rotate><scale>1 2 3</scale><instance_geometry url="#g"/>'
+                             '<instance_controller url="#c"/></node><node><instance_node url="#n"/></node></visual_scene></library_visual_scenes>'
+                             '<scene><instance_visual_scene url="#s"/></scene></COLLADA>').encode()
+    mesh = ("<mesh><vertices>" + "".join('<vertex x="%d" y="%d" z="%d"/>' % p for p in points) + "</vertices><triangles>" +
+            "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % f for f in faces) + "</triangles></mesh>")
+    model = ('<model unit="inch"><resources><object id="1">' + mesh + '</object><object id="2"><components><component objectid="1" '
+             'transform="1 0 0 0 1 0 0 0 1 2 0 0"/></components></object></resources><build><item objectid="2"/><item objectid="1"/></build></model>').encode()
+    relations = b'<Relationships><Relationship Target="/a" Type="x/3dmodel"/></Relationships>'
+
+    def archive(pack):
+        files = directory = b""
+        for name, data in ((b"_rels/.rels", relations), (b"a", model)):
+            squeezer = zlib.compressobj(9, zlib.DEFLATED, -15)
+            stored = squeezer.compress(data) + squeezer.flush() if pack else data
+            sizes = struct.pack("<IIHH", len(stored), len(data), len(name), 0)
+            method = 8 if pack else 0
+            directory += b"PK\1\2" + struct.pack("<HHHHII", 20, 20, 0, method, 0, 0) + sizes + struct.pack("<HHHII", 0, 0, 0, 0, len(files)) + name
+            files += b"PK\3\4" + struct.pack("<HHHII", 20, 0, method, 0, 0) + sizes + name + stored
+        return files + directory + b"PK\5\6" + struct.pack("<HHHHIIH", 0, 0, 2, 2, len(directory), len(files), 0)
+    data = struct.pack("<12f12H", *flat(points), *flat(faces))
+    gltf = ('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3]}],"meshes":[{"primitives":'
+            '[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},'
+            '{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":48},'
+            '{"buffer":0,"byteOffset":48,"byteLength":24}],"buffers":[{"byteLength":72%s}]}')
+    head = (gltf % "").encode()
+    head += b" " * (-len(head) % 4)
+    glb = b"glTF" + struct.pack("<III", 2, 28 + len(head) + len(data), len(head)) + b"JSON" + head + struct.pack("<I", len(data)) + b"BIN\0" + data
+    lists = lambda rows: "".join("<p>" + " ".join(map(str, row)) + "</p>" for row in rows)
+    return {"gifti": [gifti(plain), gifti(packed), gifti(binary, ">", True), gifti(plain, matrix="0 2 0 5 -1 1 0 6 0 0 1 7 0 0 0 1"), gifti(plain, matrix="1")],
+            "freesurfer": [brain + frame, brain, brain + b"\0\0\0\2\0\0\0\1" + frame, brain[:60]],
+            "gltf": [glb, (gltf % (',"uri":"data:application/octet-stream;base64,' + base64.b64encode(data).decode() + '"')).encode()],
+            "collada": [collada("<triangles>" + corners + "<p>" + text(faces) + "</p></triangles>"),
+                        collada("<polylist>" + corners + "<vcount>3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
+                        collada("<polygons>" + corners + lists(faces) + "</polygons>"), collada("<tristrips>" + corners + "<p>0 1 2 3 0 1</p></tristrips>"),
+                        collada("<trifans>" + corners + "<p>0 1 2 3</p></trifans>")],
+            "three_mf": [archive(True), archive(False)]}
+
+
 def image_seeds():
     grey = bytes(255 if 4 <= x < 12 and 3 <= y < 13 else 0 for y in range(16) for x in range(16))
 
@@ -273,7 +339,7 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
 
 
 def seeds_of_all():
-    seeds = {**mesh_seeds(), **image_seeds(), **volume_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
+    seeds = {**mesh_seeds(), **surface_seeds(), **image_seeds(), **volume_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
     joined = lambda *parts: SEPARATOR.join(parts)
     seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
     seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n",

@@ -6,6 +6,9 @@
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_crossings.h"
 #include "tests/fuzz/edited_shape.h"
+#include "geometry/scene/brain_surface.h"
+#include "geometry/scene/scene_shape.h"
+#include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/target.h"
 
 #include <cmath>
@@ -82,6 +85,14 @@ void read_vtp_bytes(std::string_view bytes) {
   std::vector<std::string> notes;
   check_original(read_vtp("input", bytes, notes));
 }
+void read_gifti_bytes(std::string_view bytes) { check_original(read_gifti("input", bytes).shape); }
+void read_freesurfer_bytes(std::string_view bytes) { check_original(read_freesurfer("input", bytes).shape); }
+void read_gltf_bytes(std::string_view bytes) {
+  const NamedMemoryFile file(bytes, bytes.starts_with("glTF") ? ".glb" : ".gltf");
+  check_original(read_gltf(file.path()).shape);
+}
+void read_collada_bytes(std::string_view bytes) { check_original(read_collada("input", bytes).shape); }
+void read_three_mf_bytes(std::string_view bytes) { check_original(read_three_mf("input", bytes).shape); }
 void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }
 void read_points_of_space(std::string_view bytes) { check_original(read_points<3>("input", bytes, false)); }
 void read_tiff_bytes(std::string_view bytes) { check_image(read_tiff("input", bytes)); }

@@ -37,7 +37,9 @@ const std::vector<Adapter>& adapter_table() {
       {"libtiff", {"tiff"}, {"geometry/picture/tiff_*.cpp"}},
       {"libjpeg-turbo", {"turbojpeg", "jpeglib"}, {"geometry/picture/jpeg_*.cpp"}},
       {"libdeflate", {"libdeflate"}, {"matching/map_file/libdeflate_*.cpp"}},
-      {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp"}},
+      {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp", "geometry/scene/zlib_*.cpp"}},
+      {"assimp", {"assimp/"}, {"geometry/scene/assimp_*.cpp"}},
+      {"pugixml", {"pugixml"}, {"geometry/scene/pugixml_*"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
       {"libwebp", {"webp/"}, {"render/canvas/webp_*.cpp"}},
@@ -55,7 +57,7 @@ const std::vector<Adapter>& adapter_table() {
 
 // Headers that the sources of one adapter share among themselves. They do show the library's types.
 bool is_private_header(std::string_view file) {
-  return matches(file, "geometry/*/cgal_*.h") || matches(file, "matching/*/json_*.h") ||
+  return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/scene/pugixml_*.h") || matches(file, "matching/*/json_*.h") ||
          matches(file, "studies/*/json_*.h") || matches(file, "cohorts/*/json_*.h");
 }
 

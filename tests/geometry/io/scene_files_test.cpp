@@ -1,0 +1,184 @@
+// Scenes: nodes are applied, units are millimetres, z points up, vertices keep their order. Written as the specifications say, and by
+// assimp's own exporters.
+#include "geometry/io/read_shape.h"
+#include "tests/geometry/io/surface_files.h"
+
+#include <assimp/Exporter.hpp>
+#include <assimp/scene.h>
+
+#include <memory>
+
+namespace shellmatch::testing {
+namespace {
+
+// The corner (1, 0, 0) and (0, 1, 0) and so on of the cube, under the map that the test expects.
+template <class Map>
+void expect_cube(const std::vector<Vec<3>>& vertices, std::size_t first, Map&& map) {
+  const std::vector<Vec<3>> corners = cube().vertices;
+  ASSERT_GE(vertices.size(), first + 8);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR((vertices[first + i] - map(corners[i])).norm(), 0, 1e-4) << i;
+}
+
+std::string collada(const std::string& asset, const std::string& nodes, const std::string& faces) {
+  std::string positions;
+  for (const Vec<3>& x : cube().vertices) positions += fmt::format("{} {} {} ", x.x(), x.y(), x.z());
+  return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset>" + asset +
+         "</asset><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"24\">" + positions +
+         "</float_array><technique_common><accessor source=\"#a\" count=\"8\" stride=\"3\"/></technique_common></source>"
+         "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>" + faces +
+         "</mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">" + nodes +
+         "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+}
+
+// Each corner with a normal, as most programs write it.
+std::string polylist() {
+  std::string counts, corners;
+  for (const auto& q : cube().polygons) {
+    counts += "4 ";
+    for (const Index v : q) corners += fmt::format("{} 0 ", v);
+  }
+  return "<polylist count=\"6\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><input semantic=\"NORMAL\" source=\"#n\" offset=\"1\"/><vcount>" + counts +
+         "</vcount><p>" + corners + "</p></polylist>";
+}
+
+TEST(Collada, NodesUnitAndAxisAreApplied) {
+  const TempFolder folder;
+  const std::string nodes = "<node><translate>1 0 0</translate><rotate>0 0 1 90</rotate><scale>2 2 2</scale><instance_geometry url=\"#g\"/>"
+                            "<node><matrix>1 0 0 10 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url=\"#g\"/></node></node>";
+  const Shape<3> shape = read_mesh(folder.write("a.dae", collada("<unit name=\"inch\" meter=\"0.0254\"/><up_axis>Z_UP</up_axis>", nodes,
+      polylist())));
+  EXPECT_EQ(shape.original.vertices.size(), 16u);
+  EXPECT_EQ(shape.original.polygons[0], cube().polygons[0]);
+  expect_cube(shape.original.vertices, 0, [](const Vec<3>& x) { return Vec<3>(25.4 * Vec<3>(1 - 2 * x.y(), 2 * x.x(), 2 * x.z())); });
+  expect_cube(shape.original.vertices, 8, [](const Vec<3>& x) { return Vec<3>(25.4 * Vec<3>(1 - 2 * x.y(), 2 * (x.x() + 10), 2 * x.z())); });
+  EXPECT_TRUE(has_note(shape, "2 meshes of the scene taken as one"));
+  EXPECT_TRUE(has_note(shape, "multiplied by 25.4: the file's unit is the inch"));
+  EXPECT_EQ(shape.unit, "mm");
+
+  const std::string plain = "<node><instance_geometry url=\"#g\"/></node>";
+  const auto first = [&](const std::string& up) { return read_mesh(folder.write("a.dae", collada("<unit meter=\"0.001\"/>" + up, plain,
+      polylist()))); };
+  expect_cube(first("").original.vertices, 0, [](const Vec<3>& x) { return Vec<3>(x.x(), -x.z(), x.y()); });
+  expect_cube(first("<up_axis>X_UP</up_axis>").original.vertices, 0, [](const Vec<3>& x) { return Vec<3>(-x.y(), -x.z(), x.x()); });
+  EXPECT_TRUE(first("<up_axis>Z_UP</up_axis>").notes.size() == 1);  // of polygons split
+}
+
+TEST(Collada, WhatIsWrongIsSaidOnce) {
+  const TempFolder folder;
+  const auto message = [&](const std::string& nodes, const std::string& faces) { return input_error_of([&] { read_mesh(folder.write("a.dae",
+      collada("", nodes, faces))); }); };
+  const std::string node = "<node><instance_geometry url=\"#g\"/></node>";
+  EXPECT_TRUE(contains(message("", polylist()), "no mesh with faces"));
+  EXPECT_TRUE(contains(message("<node id=\"n\"><instance_node url=\"#n\"/></node>", polylist()), "deep"));
+  EXPECT_TRUE(contains(message("<node><instance_geometry url=\"#h\"/></node>", polylist()), "'#h', which is not in it"));
+  EXPECT_TRUE(contains(message("<node><instance_geometry url=\"b.dae#h\"/></node>", polylist()), "another file"));
+  const auto triangles = [](const std::string& p) { return "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" + p +
+      "</p></triangles>"; };
+  EXPECT_TRUE(contains(message(node, triangles("0 1 8")), "names vertex 8"));
+  EXPECT_TRUE(contains(message(node, triangles("0 1 2 3")), "have 4 corners"));
+  EXPECT_TRUE(contains(message(node, triangles("0 1 a")), "'a' is no number"));
+}
+
+std::string three_mf(const std::string& unit, const std::string& build, const std::string& more = "") {
+  std::string mesh = "<mesh><vertices>";
+  const OriginalShape<3> shape = triangulated_cube();
+  for (const Vec<3>& x : shape.vertices) mesh += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", x.x(), x.y(), x.z());
+  mesh += "</vertices><triangles>";
+  for (const auto& t : shape.polygons) mesh += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>", t[0], t[1], t[2]);
+  mesh += "</triangles></mesh>";
+  const std::string model = "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" xmlns:p=\"p\" ";
+  return zip_bytes({{"_rels/.rels",
+      "<Relationships><Relationship Target=\"/3D/a.model\" Id=\"r\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
+                    {"3D/b.model", model + "><resources><object id=\"7\">" + mesh + "</object></resources></model>"},
+                    {"3D/a.model", model + unit + "><resources><object id=\"1\" type=\"model\">" + mesh + "</object>" + more +
+                        "</resources><build>" + build + "</build></model>"}});
+}
+
+TEST(ThreeMf, BuildComponentsPartsAndUnit) {
+  const TempFolder folder;
+  const Shape<3> shape = read_mesh(folder.write(
+      "a.3mf", three_mf("unit=\"centimeter\"", "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 5 6 7\"/><item objectid=\"3\"/>",
+                        "<object id=\"2\"><components><component objectid=\"1\"/><component objectid=\"7\" p:path=\"/3D/b.model\" transform=\"2 0 0 0 2 0 0 0 2 10 0 0\"/>"
+                        "</components></object><object id=\"3\" type=\"support\"/>")));
+  expect_cube(shape.original.vertices, 0, [](const Vec<3>& x) { return Vec<3>(10 * Vec<3>(5 - x.y(), 6 + x.x(), 7 + x.z())); });
+  expect_cube(shape.original.vertices, 8, [](const Vec<3>& x) { return Vec<3>(10 * Vec<3>(5 - 2 * x.y(), 6 + 10 + 2 * x.x(), 7 + 2 * x.z())); });
+  EXPECT_TRUE(has_note(shape, "multiplied by 10: the file's unit is the centimeter"));
+  EXPECT_TRUE(has_note(shape, "1 support structure left out"));
+  EXPECT_TRUE(read_mesh(folder.write("a.3mf", three_mf("", "<item objectid=\"1\"/>"))).notes.empty());
+}
+
+TEST(ThreeMf, WhatIsWrongIsSaidOnce) {
+  const TempFolder folder;
+  const auto message = [&](const std::string& bytes) { return input_error_of([&] { read_mesh(folder.write("a.3mf", bytes)); }); };
+  const std::string whole = three_mf("", "<item objectid=\"1\"/>");
+  EXPECT_TRUE(contains(message(whole.substr(0, 900)), "its directory is missing"));
+  EXPECT_TRUE(contains(message(three_mf("unit=\"mile\"", "<item objectid=\"1\"/>")), "the unit 'mile' is unknown"));
+  EXPECT_TRUE(contains(message(three_mf("", "<item objectid=\"9\"/>")), "object '9'"));
+  EXPECT_TRUE(contains(message(three_mf("", "<item objectid=\"2\"/>",
+      "<object id=\"2\"><components><component objectid=\"2\"/></components></object>")), "without end"));
+  EXPECT_TRUE(contains(message(three_mf("", "")), "no mesh with faces"));
+}
+
+// Two nodes with the same cube: as it is, and moved, turned to its side and doubled.
+std::unique_ptr<aiScene> exported_scene() {
+  auto scene = std::make_unique<aiScene>();
+  scene->mRootNode = new aiNode("root");
+  scene->mNumMeshes = scene->mNumMaterials = 1;
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+  scene->mMeshes = new aiMesh* [1] { new aiMesh };
+  aiMesh& mesh = *scene->mMeshes[0];
+  const OriginalShape<3> shape = triangulated_cube();
+  mesh.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  mesh.mNumVertices = static_cast<unsigned>(shape.vertices.size());
+  mesh.mVertices = new aiVector3D[shape.vertices.size()];
+  for (std::size_t i = 0; i < shape.vertices.size(); ++i)
+    mesh.mVertices[i] = aiVector3D(static_cast<float>(shape.vertices[i].x()), static_cast<float>(shape.vertices[i].y()),
+        static_cast<float>(shape.vertices[i].z()));
+  mesh.mNumFaces = static_cast<unsigned>(shape.polygons.size());
+  mesh.mFaces = new aiFace[shape.polygons.size()];
+  for (std::size_t f = 0; f < shape.polygons.size(); ++f) {
+    mesh.mFaces[f].mNumIndices = 3;
+    mesh.mFaces[f].mIndices = new unsigned[3];
+    for (std::size_t k = 0; k < 3; ++k) mesh.mFaces[f].mIndices[k] = static_cast<unsigned>(shape.polygons[f][k]);
+  }
+  for (int k = 0; k < 2; ++k) {
+    auto* node = new aiNode("part" + std::to_string(k));
+    node->mNumMeshes = 1;
+    node->mMeshes = new unsigned[1]{0};
+    if (k == 1) node->mTransformation = aiMatrix4x4(0, -2, 0, 10, 2, 0, 0, 20, 0, 0, 2, 30, 0, 0, 0, 1);
+    scene->mRootNode->addChildren(1, &node);
+  }
+  return scene;
+}
+
+TEST(Scenes, WhatAssimpExportsIsReadBack) {
+  const TempFolder folder;
+  const auto exported = [&](const char* format, const std::string& name) {
+    Assimp::Exporter exporter;
+    EXPECT_EQ(exporter.Export(exported_scene().get(), format, folder.path(name)), AI_SUCCESS) << exporter.GetErrorString();
+    return read_mesh(folder.path(name));
+  };
+  const auto up = [](const Vec<3>& x) { return Vec<3>(1000 * Vec<3>(x.x(), -x.z(), x.y())); };
+  const auto place = [](const Vec<3>& x) { return Vec<3>(10 - 2 * x.y(), 20 + 2 * x.x(), 30 + 2 * x.z()); };
+  for (const auto& [format, name] : {std::pair{"glb2", "a.glb"}, std::pair{"gltf2", "a.gltf"}}) {
+    const Shape<3> shape = exported(format, name);
+    expect_cube(shape.original.vertices, 0, up);
+    expect_cube(shape.original.vertices, 8, [&](const Vec<3>& x) { return up(place(x)); });
+    EXPECT_EQ(shape.original.polygons[0], triangulated_cube().polygons[0]);
+    EXPECT_TRUE(has_note(shape, "turned so that z points up"));
+    EXPECT_TRUE(has_note(shape, "multiplied by 1000: the file's unit is the metre"));
+    EXPECT_EQ(shape.surface.facets.size(), 24u);
+  }
+  const Shape<3> dae = exported("collada", "a.dae");
+  EXPECT_NEAR(volume(dae.surface), 9e9, 1e5);
+  expect_cube(exported("3mf", "a.3mf").original.vertices, 0, [](const Vec<3>& x) { return x; });
+}
+
+TEST(Gltf, DamageIsSaidOnce) {
+  const TempFolder folder;
+  EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("a.glb", "glTF")); }), "cannot be read as glTF"));
+  EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("a.gltf", "{\"asset\": {\"version\": \"2.0\"}}")); }), "a.gltf"));
+}
+
+}  // namespace
+}  // namespace shellmatch::testing

@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// Files of neuroimaging and of scenes, written in the form that their specifications define.
+
+#include "tests/geometry/io/files.h"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shellmatch::testing {
+
+/// The bytes of a number, the highest first where `is_big`.
+template <class T>
+std::string number_bytes(T value, bool is_big) {
+  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  return is_big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+inline std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k < bytes.size() + 1 ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+/// The cube of files.h, each face as two triangles.
+inline OriginalShape<3> triangulated_cube(const Vec<3>& corner = Vec<3>::Zero(), double side = 1) {
+  OriginalShape<3> shape = cube(corner, side);
+  std::vector<std::vector<Index>> triangles;
+  for (const auto& q : shape.polygons) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  shape.polygons = triangles;
+  return shape;
+}
+
+/// FreeSurfer's file of triangles. \param footer what stands after them
+inline std::string freesurfer_bytes(const OriginalShape<3>& shape, std::string_view footer) {
+  std::string bytes = "\xff\xff\xfe" "created by a test\n\n";
+  bytes += number_bytes(static_cast<std::int32_t>(shape.vertices.size()), true) + number_bytes(static_cast<std::int32_t>(shape.polygons.size()),
+      true);
+  for (const Vec<3>& x : shape.vertices)
+    for (int k = 0; k < 3; ++k) bytes += number_bytes(static_cast<float>(x[k]), true);
+  for (const auto& polygon : shape.polygons)
+    for (const Index v : polygon) bytes += number_bytes(static_cast<std::int32_t>(v), true);
+  return bytes + std::string(footer);
+}
+
+/// A ZIP archive of parts that are not compressed.
+inline std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& parts) {
+  const auto word = [](std::size_t value, std::size_t n) {
+    std::string bytes;
+    for (std::size_t k = 0; k < n; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
+    return bytes;
+  };
+  std::string files, directory;
+  for (const auto& [name, content] : parts) {
+    const std::string sizes = word(0, 4) + word(content.size(), 4) + word(content.size(), 4) + word(name.size(), 2) + word(0, 2);
+    directory += "PK\1\2" + word(20, 2) + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + word(0, 2) + word(0, 2) + word(0, 2) +
+        word(0, 4) +
+                 word(files.size(), 4) + name;
+    files += "PK\3\4" + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + name + content;
+  }
+  return files + directory + "PK\5\6" + word(0, 4) + word(parts.size(), 2) + word(parts.size(), 2) + word(directory.size(), 4) +
+      word(files.size(), 4) + word(0, 2);
+}
+
+}  // namespace shellmatch::testing
