@@ -4,7 +4,7 @@
 #include "apps/terminal/words.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/io/write_shape.h"
 #include "geometry/surface/mesh_details.h"
 #include "matching/pairs/point_frame.h"

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "cohorts/cohort.h"
 #include "cohorts/subjects/subject_table.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/option_text.h"
 #include "matching/input/shape_source.h"

@@ -14,7 +14,7 @@
 #include "cohorts/execution/run_cohort.h"
 #include "cohorts/output/own_files.h"
 #include "cohorts/output/write_cohort.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "matching/experiment/option_text.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "base/replace_file.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <fmt/format.h>
 

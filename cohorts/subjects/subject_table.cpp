@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/volume_name.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/experiment/several_errors.h"

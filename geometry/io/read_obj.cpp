@@ -1,6 +1,6 @@
 // Wavefront OBJ: "v x y z [red green blue]" and "f i j k ..." with indices from 1, or relative to the end if
 // negative.
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/surface/mesh_details.h"
 
 #include <algorithm>

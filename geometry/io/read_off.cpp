@@ -1,6 +1,6 @@
 // Object file format (Geomview), text form: OFF, COFF, NOFF, STOFF and their combinations.
 // http://www.geomview.org/docs/html/OFF.html
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 
 #include <algorithm>
 

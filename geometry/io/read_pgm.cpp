@@ -1,6 +1,6 @@
 // Portable grey map: https://netpbm.sourceforge.net/doc/pgm.html
 #include "geometry/picture/read_mask.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 // Polygon file format (Stanford): text and both binary forms, with every scalar vertex property.
 // http://paulbourke.net/dataformats/ply/
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/io/read_ply_header.h"
 #include "geometry/surface/mesh_details.h"
 

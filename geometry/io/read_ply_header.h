@@ -2,7 +2,7 @@
 /// \file
 /// The header of a PLY file: its elements, their numbers and properties.
 
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "geometry/io/read_points.h"
 
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/surface/mesh_details.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "geometry/io/part_name.h"
 #include "geometry/io/picture_height.h"
 #include "geometry/picture/read_mask.h"
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
 #include "geometry/picture/picture_shape.h"
 #include "geometry/polydata/polydata.h"

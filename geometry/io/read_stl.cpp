@@ -1,5 +1,5 @@
 // Stereolithography files, text and binary. Both list separate triangles.
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 
 #include <array>
 #include <cstring>

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/replace_file.h"
 #include "geometry/io/read_ply_header.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/io/write_shape.h"
 #include "geometry/surface/mesh_details.h"
 

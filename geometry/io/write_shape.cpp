@@ -5,7 +5,7 @@
 #include "base/replace_file.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/polydata/write_polydata.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/mesh_details.h"

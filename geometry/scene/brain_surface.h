@@ -2,7 +2,7 @@
 /// \file
 /// Surfaces of neuroimaging, in millimetres of scanner RAS.
 
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 
 #include <string>
 #include <string_view>

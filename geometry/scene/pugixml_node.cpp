@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <limits>
 

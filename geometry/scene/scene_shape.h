@@ -2,7 +2,7 @@
 /// \file
 /// Meshes of a scene, each at its place in it, as one shape: in millimetres, z upward.
 
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 /// \file
 /// The lines of a header in text: names and values.
 
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 // NRRD: https://teem.sourceforge.net/nrrd/format.html
 #include "base/error.h"
 #include "base/printable.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/grid_file.h"
 #include "geometry/volume/header_fields.h"
 #include "geometry/volume/volume_header.h"

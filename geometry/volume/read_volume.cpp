@@ -1,6 +1,6 @@
 #include "base/error.h"
 #include "base/printable.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/volume_file.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/volume_name.h"

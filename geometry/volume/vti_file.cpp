@@ -2,7 +2,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/grid_file.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/vtk_xml/xml_file.h"

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/stop.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "matching/pairs/slicer_points.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 /// Lines of a CSV file of landmarks.
 
 #include "base/types.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/surface/space.h"
 
 #include <functional>

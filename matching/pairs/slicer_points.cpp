@@ -4,7 +4,7 @@
 #include "base/printable.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include "geometry/picture/read_mask.h"
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
 #include "geometry/picture/picture_shape.h"
 #include "geometry/polydata/polydata.h"
@@ -19,7 +19,7 @@ namespace shellmatch::fuzz {
 
 namespace {
 
-// What every reader of a shape promises (geometry/io/read_mesh_formats.h).
+// What every reader of a shape promises (geometry/mesh_text/read_mesh_formats.h).
 template <int Dim>
 void check_original(const OriginalShape<Dim>& shape) {
   for (const Vec<Dim>& x : shape.vertices) demand(x.allFinite(), "coordinates are finite");

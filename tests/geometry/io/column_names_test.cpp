@@ -1,6 +1,6 @@
 // Names of columns that are no words, or mean something to a format: what is written is read back.
 #include "geometry/io/read_shape.h"
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/io/write_shape.h"
 #include "tests/geometry/io/files.h"
 

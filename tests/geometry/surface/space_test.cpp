@@ -1,6 +1,6 @@
 // Frames of coordinates as 3D Slicer names them in comments of meshes.
 
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/surface/space.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include "geometry/io/input_file.h"
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 #include "tests/support/folders.h"
 
 #include <cmath>

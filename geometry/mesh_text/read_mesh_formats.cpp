@@ -1,4 +1,4 @@
-#include "geometry/io/read_mesh_formats.h"
+#include "geometry/mesh_text/read_mesh_formats.h"
 
 #include <algorithm>
 

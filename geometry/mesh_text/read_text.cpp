@@ -1,4 +1,4 @@
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <algorithm>
 #include <charconv>

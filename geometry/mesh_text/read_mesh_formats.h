@@ -8,7 +8,7 @@
 /// coordinates are finite, and throw InputError with the file and the line or element. A shape may be open or
 /// have no faces.
 
-#include "geometry/io/read_text.h"
+#include "geometry/mesh_text/read_text.h"
 #include "geometry/surface/surface.h"
 
 #include <string>
