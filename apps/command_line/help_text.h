@@ -21,7 +21,7 @@ needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
-inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP), labels of volumes (NIfTI, NRRD, MetaImage, VTI; scan.nii.gz:3 or
+inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP, GIfTI, FreeSurfer, glTF, 3MF, COLLADA), labels of volumes (NIfTI, NRRD, MetaImage, VTI; scan.nii.gz:3 or
 "scan.nii.gz:>0.5", otherwise all above 0), closed contours in the plane (CSV) or pictures of them (PNG, PGM, TIFF, JPEG, BMP; cells.png:3 is one label), or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
 
 Examples:

@@ -115,8 +115,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.as_it_lies = choice.as_it_lies || !stays.empty();
   s.fits_mirrored = fits_mirrored;
   if (fits_mirrored)
-    observer.note("alignment: the mirrored reference fits far better: is one of the shapes of the other side, or its x axis turned over? --set "
-                  "align.search.mirror=true mirrors it");
+    observer.note(
+        "alignment: the mirrored reference fits far better: is one of the shapes of the other side, or its x axis turned over? "
+        "--set align.search.mirror=true mirrors it");
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
   if (best.landmark_distance) why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks, *best.landmark_distance);
