@@ -21,6 +21,9 @@ constexpr Limits largest_distance{0.03, 0.2};
 constexpr Limits unreached{0.015, 0.05};      // share of the template's area
 constexpr Limits flipped{0.02, 0.08};         // share of the reference's area
 constexpr Limits turned_angles{20, 48};       // degrees; 95 % of the area have less
+// The same where the search has found a nearly isometric map that is clearly better than any other: limbs in another pose turn by so much.
+constexpr Limits turned_limbs{40, 48};
+constexpr double nearly_isometric = 0.6, clear_margin = 1.15;
 constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
 constexpr double much_invented = 0.5;         // share of a shape's area
 constexpr double apart = 0.25;                // mean distance in diagonals, before a run
@@ -93,6 +96,11 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
                "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }
 
+bool is_clear(const MatchSummary& summary) {
+  const auto& a = summary.alignment;
+  return a && !a->doubtful && !a->as_it_lies && a->score && *a->score <= nearly_isometric && a->margin.value_or(clear_margin) >= clear_margin;
+}
+
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
   if (summary.flipped_share)
@@ -100,7 +108,7 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
                 {fmt::format("{} of the {} faces away from the template next to it", percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
                  "look at the pictures; the parts may belong to different limbs", "", {}});
   if (summary.angle_distortion && summary.angle_distortion->p95)
-    reasons.add(*summary.angle_distortion->p95, turned_angles,
+    reasons.add(*summary.angle_distortion->p95, is_clear(summary) ? turned_limbs : turned_angles,
                 {fmt::format("directions on a twentieth of the surface turn by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
                  "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {

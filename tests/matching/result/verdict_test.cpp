@@ -49,6 +49,27 @@ const std::vector<Case> cases = {
     {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
 };
 
+TEST(Verdict, LimbsInAnotherPoseMayTurnWhereTheSearchIsSure) {
+  MatchSummary s = good_summary();
+  s.angle_distortion->p95 = 39;
+  EXPECT_EQ(judge(s, places).outcome, "look-here") << "nothing was searched";
+  s.alignment.emplace();
+  s.alignment->score = 0.4;
+  s.alignment->margin = 1.5;
+  EXPECT_EQ(judge(s, places).outcome, "matched");
+  s.angle_distortion->p95 = 41;
+  EXPECT_EQ(judge(s, places).outcome, "look-here");
+  s.angle_distortion->p95 = 39;
+  for (void (*const spoil)(AlignmentSummary&) : {+[](AlignmentSummary& a) { a.score = 0.7; }, +[](AlignmentSummary& a) { a.margin = 1.1; },
+                                                 +[](AlignmentSummary& a) { a.as_it_lies = true; }}) {
+    MatchSummary unsure = s;
+    spoil(*unsure.alignment);
+    EXPECT_EQ(judge(unsure, places).outcome, "look-here");
+  }
+  s.alignment->fits_mirrored = true;
+  EXPECT_EQ(judge(s, places).outcome, "look-here");
+}
+
 TEST(Verdict, IsMatchedWithoutReasonsWhereAllIsWell) {
   const Verdict v = judge(good_summary(), places);
   EXPECT_EQ(v.outcome, "matched");
