@@ -171,7 +171,7 @@ void print(const AutomaticPairs& found, TrueCorrespondence& truth) {
                dense.beyond, candidate.score, candidate.is_identity ? " as it lies" : "",
                candidate.is_mirrored ? " mirrored" : "", candidate.pairs.size(), pairs.mean, pairs.beyond);
     for (const MapScore& s : {candidate.coarse_score, candidate.score_parts})
-      fmt::print(" | {:.3f} {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}", s.functions, s.signature, s.orientation, s.pose, s.curvature, s.spin);
+      fmt::print(" | {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}", s.functions, s.signature, s.orientation, s.pose, s.spin);
     fmt::print("\n");
   }
 }

@@ -28,14 +28,6 @@ Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<s
   return points;
 }
 
-double square(double x) { return x * x; }
-
-/// Of the curvature, over the surface.
-double variance(const SpectralShape& shape) {
-  const double mean = shape.mass.dot(shape.local.curvature);
-  return shape.mass.dot((shape.local.curvature.array() - mean).square().matrix());
-}
-
 Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Mat<3> covariance = to * from.transpose();
   const Svd<Mat<3>> svd = jacobi_svd(covariance);
@@ -81,14 +73,12 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
     score.orientation += weight * (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
     const auto u = shape_1.signature.row(p), v = shape_2.signature.row(q);
     score.signature += weight * ((u - v).cwiseAbs().array() / (u + v).array()).mean();
-    score.curvature += weight * square(shape_1.local.curvature[p] - shape_2.local.curvature[q]);
-    score.spin += weight * (shape_1.local.spin.col(p) - shape_2.local.spin.col(q)).squaredNorm();
+    score.spin += weight * (shape_1.spin.col(p) - shape_2.spin.col(q)).squaredNorm();
   }
   const auto n = static_cast<double>(pairs.size());
   score.functions = std::sqrt(sum / squares);
   score.signature /= weights;
   score.orientation /= weights;
-  score.curvature /= weights * (variance(shape_1) + variance(shape_2));
   score.spin /= weights;
   const int smooth = std::min(k, 24);
   Eigen::Matrix3Xd from = smooth_points(pair, pairs, 0, smooth), to = smooth_points(pair, pairs, 1, smooth);

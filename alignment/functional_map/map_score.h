@@ -12,7 +12,6 @@ struct MapScore {
   double signature = 0;    ///< mean relative difference of the wave kernel signatures
   double orientation = 0;  ///< mean of (1 - n . n') / 2 over normals and pulled back normals
   double pose = 0;         ///< root mean square distance after a proper rotation, in roots of the area
-  double curvature = 0;    ///< mean square difference of mean curvatures over that of unrelated points
   double spin = 0;         ///< mean square difference of spin images, at most 2
   double landmarks = 0;    ///< median of landmark_distances(), 0 without landmarks; no part of the total
   double landmark_noise = 0;   ///< median of landmark_noise(); no part of the total

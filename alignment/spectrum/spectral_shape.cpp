@@ -58,9 +58,9 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 coefficients = pairs.functions.transpose() * laplacian.mass.asDiagonal() * coordinates;
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
-  LocalDescriptors local = local_descriptors(surface, laplacian);
+  Eigen::MatrixXf spin = spin_images(surface, laplacian);
   return {std::move(surface), std::move(graph), std::move(laplacian.mass), pairs.values, pairs.functions,
-          std::move(coefficients), std::move(normals), std::move(signature), std::move(local), std::move(samples),
+          std::move(coefficients), std::move(normals), std::move(signature), std::move(spin), std::move(samples),
           centre, std::sqrt(area)};
 }
 

@@ -5,7 +5,7 @@
 #include "alignment/options.h"
 #include "alignment/spectrum/edge_graph.h"
 #include "alignment/spectrum/eigenpairs.h"
-#include "alignment/spectrum/local_descriptors.h"
+#include "alignment/spectrum/spin_images.h"
 #include "alignment/spectrum/vertex_normals.h"
 
 namespace shellmatch {
@@ -20,7 +20,7 @@ struct SpectralShape {
   Rows3 coefficients;          ///< k x 3: functions * coefficients are the smoothed coordinates
   Rows3 normals;               ///< n x 3, of unit length
   Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
-  LocalDescriptors local;
+  Eigen::MatrixXf spin;        ///< 96 x n, spin_images()
   std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
   Vec<3> centre;               ///< of the input
   double root_area;            ///< of the input
