@@ -75,7 +75,7 @@ class Tutorial(unittest.TestCase):
                     for line in shown:
                         self.assertTrue(says(line, printed), f"{command}\n--- shown:\n{line}\n--- printed:\n{printed}")
             # What the text says of results.
-            moved, back = ([float(x) for x in (place / name).read_text().splitlines()[1].split(",")[:3]] for name in ("moved.csv", "back.csv"))
+            moved, back = ([float(x) for x in (place / name).read_text().splitlines()[1].split(",")[1:4]] for name in ("moved.csv", "back.csv"))
             told = re.search(r"`moved.csv` has it at \((.*?)\)", text)[1]
             for x, y in zip(moved, map(float, told.split(", "))):
                 self.assertAlmostEqual(x, y, delta=0.002)
