@@ -19,7 +19,7 @@ template <int Dim>
 struct Start {
   Alignment<Dim> alignment;   ///< without a summary
   std::size_t n_pairs = 0;    ///< found, though they may have no weight
-  /// The last of alignment.pairs, which contradict those around them: they make the energy reached by a wrong map higher, and the one that
+  /// The last of alignment.pairs, which contradict those around them: they make the energy of a wrong map's trial higher, and the one that
   /// is chosen is used without them.
   std::size_t n_contradicting = 0;
   double score = 0;           ///< of the pairs, 0 is best: how nearly isometric
