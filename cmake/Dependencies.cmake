@@ -26,7 +26,7 @@ find_package(TIFF 4.5 REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)
 find_package(ZLIB REQUIRED)
 find_package(embree 3 REQUIRED)
-find_package(assimp 5.2 REQUIRED)
+find_package(TinyGLTF 2.7 REQUIRED)
 find_package(pugixml 1.13 REQUIRED)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
@@ -41,6 +41,7 @@ find_path(NODE_MODULES chart.js/package.json PATHS /usr/share/nodejs REQUIRED)
 include(cmake/LinkedLibraries.cmake)
 if(SHELLMATCH_TESTS)
   find_package(GTest REQUIRED)
+  find_package(assimp 5.2 REQUIRED)                           # writes the scenes that we read
   pkg_check_modules(WEBPDEMUX REQUIRED IMPORTED_TARGET libwebpdemux)  # reads our animations again
   # What our volumes are compared with. ITK's package configuration also reports programs of GDCM's that are not there, in ten lines each.
   set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)

@@ -34,7 +34,6 @@ constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat, masks .p
 
 // The shape as it stands in the file. \pre the format is that of a mesh
 MeshFile parse_mesh(const InputFile& file) {
-  if (file.format() == FileFormat::gltf) return read_gltf(file.path());  // may name other files
   const std::string bytes = file.read();
   MeshFile mesh;
   switch (file.format()) {
@@ -45,6 +44,7 @@ MeshFile parse_mesh(const InputFile& file) {
     case FileFormat::vtp: mesh.shape = read_vtp(file.path(), bytes, mesh.notes); return mesh;
     case FileFormat::gifti: return read_gifti(file.path(), bytes);
     case FileFormat::freesurfer: return read_freesurfer(file.path(), bytes);
+    case FileFormat::gltf: return read_gltf(file.path(), bytes);
     case FileFormat::collada: return read_collada(file.path(), bytes);
     case FileFormat::three_mf: return read_three_mf(file.path(), bytes);
     default: mesh = read_stl(file.path(), bytes);

@@ -51,8 +51,8 @@ class SceneShape {
 /// Depth of nodes within nodes that is followed; a node within itself is thereby an error.
 inline constexpr int deepest_node = 100;
 
-/// glTF 2.0, .glb or .gltf, with the files beside it that it names.
-MeshFile read_gltf(const std::string& path);
+/// glTF 2.0, .glb or .gltf, with the files beside `path` that it names.
+MeshFile read_gltf(const std::string& path, std::string_view bytes);
 /// COLLADA 1.4 and 1.5.
 MeshFile read_collada(const std::string& path, std::string_view bytes);
 /// 3D Manufacturing Format, with components and parts in files of their own (production extension).

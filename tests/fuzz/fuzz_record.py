@@ -14,7 +14,7 @@ READERS = {
     "obj": [IO + "obj.cpp", IO + "mesh_formats.cpp", IO + "text.cpp"], "off": [IO + "off.cpp"],
     "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"],
     "gifti": ["geometry/scene/pugixml_gifti.cpp", "geometry/scene/pugixml_node.cpp", "geometry/scene/zlib_stream.cpp"],
-    "freesurfer": ["geometry/scene/read_freesurfer.cpp"], "gltf": ["geometry/scene/assimp_gltf.cpp", "geometry/scene/scene_shape.cpp"],
+    "freesurfer": ["geometry/scene/read_freesurfer.cpp"], "gltf": ["geometry/scene/tinygltf_gltf.cpp", "geometry/scene/scene_shape.cpp"],
     "collada": ["geometry/scene/pugixml_collada.cpp"], "three_mf": ["geometry/scene/pugixml_three_mf.cpp", "geometry/scene/zip_file.cpp"],
     "vti": ["geometry/volume/vti_file.cpp"],
     "vtk": ["geometry/polydata/legacy_file.cpp", "geometry/polydata/legacy_scanner.cpp", "geometry/polydata/polydata.cpp"],

@@ -87,10 +87,7 @@ void read_vtp_bytes(std::string_view bytes) {
 }
 void read_gifti_bytes(std::string_view bytes) { check_original(read_gifti("input", bytes).shape); }
 void read_freesurfer_bytes(std::string_view bytes) { check_original(read_freesurfer("input", bytes).shape); }
-void read_gltf_bytes(std::string_view bytes) {
-  const NamedMemoryFile file(bytes, bytes.starts_with("glTF") ? ".glb" : ".gltf");
-  check_original(read_gltf(file.path()).shape);
-}
+void read_gltf_bytes(std::string_view bytes) { check_original(read_gltf("input", bytes).shape); }
 void read_collada_bytes(std::string_view bytes) { check_original(read_collada("input", bytes).shape); }
 void read_three_mf_bytes(std::string_view bytes) { check_original(read_three_mf("input", bytes).shape); }
 void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }

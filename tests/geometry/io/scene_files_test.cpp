@@ -174,6 +174,57 @@ TEST(Scenes, WhatAssimpExportsIsReadBack) {
   expect_cube(exported("3mf", "a.3mf").original.vertices, 0, [](const Vec<3>& x) { return x; });
 }
 
+// A tetrahedron, edge length 1 metre along the axes; its bytes: positions of two bytes each, then corners of one.
+std::string gltf(const std::string& primitive, const std::string& accessors, const std::string& more = "") {
+  std::string bytes;
+  for (const int value : {0, 0, 0, 0, 127, 0, 0, 0, 0, 127, 0, 0, 0, 0, 127, 0}) bytes += static_cast<char>(value);
+  for (const int v : {0, 2, 1, 3, 0, 2}) bytes += static_cast<char>(v);
+  return "{\"asset\": {\"version\": \"2.0\"}, " + more + "\"nodes\": [{\"mesh\": 0}], \"meshes\": [{\"primitives\": [{" + primitive +
+         "}]}], \"accessors\": [" + accessors + "], \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 16, \"byteStride\": 4}, "
+         "{\"buffer\": 0, \"byteOffset\": 16, \"byteLength\": 6}, {\"buffer\": 0, \"byteOffset\": 4, \"byteLength\": 12}, "
+         "{\"buffer\": 0, \"byteOffset\": 18, \"byteLength\": 3}], "
+         "\"buffers\": [{\"byteLength\": 22, \"uri\": \"data:application/octet-stream;base64," + base64(bytes) + "\"}]}";
+}
+const std::string quantized = R"({"bufferView": 0, "componentType": 5120, "normalized": true, "count": 4, "type": "VEC3"})";
+const std::string strip = R"({"bufferView": 1, "componentType": 5121, "count": 6, "type": "SCALAR"})";
+
+TEST(Gltf, QuantizedPositionsAndStripsAreRead) {
+  const TempFolder folder;
+  const Shape<3> shape = read_mesh(folder.write("a.gltf", gltf(R"("attributes": {"POSITION": 0}, "indices": 1, "mode": 5)", quantized + "," + strip)));
+  ASSERT_EQ(shape.original.vertices.size(), 4u);
+  EXPECT_NEAR((shape.original.vertices[1] - Vec<3>(1000, 0, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR((shape.original.vertices[2] - Vec<3>(0, 0, 1000)).norm(), 0, 1e-9);
+  EXPECT_EQ(shape.original.polygons, (std::vector<std::vector<Index>>{{0, 2, 1}, {1, 2, 3}, {1, 3, 0}, {0, 3, 2}}));
+  EXPECT_NEAR(std::abs(volume(shape.surface)), 1e9 / 6, 1);
+}
+
+TEST(Gltf, SparsePositionsReplaceZeros) {
+  const TempFolder folder;
+  const std::string sparse = R"({"componentType": 5120, "normalized": true, "count": 4, "type": "VEC3", "sparse": {"count": 3, "indices":
+      {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 0, "byteOffset": 4}}})";
+  const auto of = [&](const std::string& positions) {
+    return read_mesh(folder.write("a.gltf", gltf(R"("attributes": {"POSITION": 0}, "indices": 1, "mode": 5)", positions + "," + strip)));
+  };
+  const Shape<3> shape = of(sparse);  // positions 1, 3 and 0 are replaced, 2 stays
+  EXPECT_NEAR((shape.original.vertices[1] - Vec<3>(1000, 0, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR((shape.original.vertices[3] - Vec<3>(0, 0, 1000)).norm(), 0, 1e-9);
+  EXPECT_EQ(shape.original.vertices[2], Vec<3>::Zero());
+}
+
+TEST(Gltf, WhatIsNotThereTakesNoMemory) {
+  const TempFolder folder;
+  const auto error_of = [&](const std::string& positions, const std::string& more = "") {
+    return input_error_of([&] { read_mesh(folder.write("a.gltf", gltf(R"("attributes": {"POSITION": 0}, "indices": 1)", positions + "," + strip, more))); });
+  };
+  EXPECT_TRUE(contains(error_of(R"({"bufferView": 0, "componentType": 5126, "count": 2000000000, "type": "VEC3"})"), "2000000000 numbers are declared"));
+  EXPECT_TRUE(contains(error_of(R"({"componentType": 5126, "count": 2000000000, "type": "VEC3"})"), "2000000000 positions are declared"));
+  EXPECT_TRUE(contains(error_of(R"({"bufferView": 9, "componentType": 5126, "count": 4, "type": "VEC3"})"), "refers to buffer view 9"));
+  const std::string beside = R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4, "uri": "%"}]})";
+  for (const std::string uri : {"%2e", "none.bin", "%2fdev%2fzero"})
+    EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("a.gltf", std::string(beside).replace(beside.find('%'), 1, uri))); }), "not found")) << uri;
+  EXPECT_TRUE(contains(error_of(quantized, R"("extensionsRequired": ["KHR_draco_mesh_compression"], )"), "export it without compression"));
+}
+
 TEST(Gltf, DamageIsSaidOnce) {
   const TempFolder folder;
   EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("a.glb", "glTF")); }), "cannot be read as glTF"));
