@@ -47,7 +47,7 @@ void add_experiment_settings(CLI::App& command, RunSettings& settings, const cha
   command.add_option("--align", settings.align,
                      "auto finds the pose and pairs of points before the matching (docs/alignment.md)")
       ->type_name("none|auto|rigid|similarity|landmarks");
-  command.add_option("--landmarks", settings.landmarks, "points that correspond: CSV, .fcsv or .mrk.json (docs/landmarks.md)")
+  command.add_option("--landmarks", settings.landmarks, "points that correspond: CSV, .fcsv, .mrk.json or .tps (docs/landmarks.md)")
       ->type_name("FILE");
   command.add_option("--template-landmarks", settings.template_landmarks,
                      "file of the template's points, where --landmarks has those of the reference alone")

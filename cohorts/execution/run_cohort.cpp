@@ -96,7 +96,7 @@ class CohortRun {
     std::vector<std::string> notes;
     if (file.empty()) return {};
     const Space space = space_beside(shape, file, wanted_space(cohort_.experiment.input));
-    return read_named_points<Dim>(file, shape.vertices, space, space, notes);
+    return read_named_points<Dim>(file, shape.vertices, space, space, notes, nullptr, shape.frame);
   }
 
   Atlas<Dim> atlas_of_subject(const std::string& id) {

@@ -1,6 +1,7 @@
 #include "cohorts/execution/stage_result.h"
 
 #include "base/error.h"
+#include "geometry/io/picture_height.h"
 #include "geometry/io/read_shape.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/summary.h"
@@ -120,7 +121,10 @@ class Reader {
       std::vector<std::string> notes;
       const PointMap<Dim> back(*f.map, Toward::reference);
       const Space space = space_beside(*f.subject, landmarks, wanted_space(cohort_.experiment.input));
-      for (const NamedPoint<Dim>& point : read_named_points<Dim>(landmarks, f.subject->vertices, space, space, notes)) {
+      // The subject is read as the run wrote it, its landmarks are as the user has them.
+      const Subject& subject = cohort_.subjects[k];
+      const PlaneFrame frame = Dim == 2 && !subject.reflect ? frame_of_drawing(subject.source) : PlaneFrame();
+      for (const NamedPoint<Dim>& point : read_named_points<Dim>(landmarks, f.subject->vertices, space, space, notes, nullptr, frame)) {
         known[point.name] = point.point;
         result_.returned.push_back({k, point.name, back(point.point)});
       }

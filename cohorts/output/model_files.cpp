@@ -3,8 +3,8 @@
 #include "base/replace_file.h"
 #include "base/text.h"
 #include "cohorts/output/npy_file.h"
-#include "cohorts/output/tps_file.h"
 #include "geometry/io/write_shape.h"
+#include "geometry/outline/tps_file.h"
 #include "matching/result/deformed_shape.h"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ void write_points_as_text(const std::string& name, const CohortResult<Dim>& resu
     const std::string first = csv_field(id);
     for (std::size_t p = 0; p < points.size() / Dim; ++p)
       fmt::format_to(std::back_inserter(csv), "{},{},{}\n", first, p, fmt::join(points.subspan(Dim * p, Dim), ","));
-    tps += tps_specimen(id, points, Dim);
+    append_tps_specimen(tps, id, points, Dim);
   }
   replace_file(name + ".csv", csv);
   replace_file(name + ".tps", tps);

@@ -55,7 +55,7 @@ std::string mirrored_landmarks(const Subject& subject, const InputOptions& input
           std::vector<std::string> notes;
           const Space space = space_beside(s.original, subject.landmarks, wanted_space(input));
           std::vector<NamedPoint<Dim>> points =
-              read_named_points<Dim>(subject.landmarks, s.original.vertices, space, space, notes);
+              read_named_points<Dim>(subject.landmarks, s.original.vertices, space, space, notes, nullptr, s.original.frame);
           for (NamedPoint<Dim>& point : points) point.point[0] = -point.point[0];
           write_named_points(path, points);
         },

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
+#include "geometry/io/part_name.h"
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/volume_name.h"
 #include "matching/experiment/generated_source.h"
@@ -75,7 +76,7 @@ Subject subject_of(const std::vector<std::string>& columns, const std::vector<st
       subject.further.emplace_back(name, text);
   }
   if (subject.source.empty()) reader.fail("the name of the file is empty");
-  if (std::error_code error; !subject.landmarks.empty() && !fs::is_regular_file(subject.landmarks, error))
+  if (std::error_code error; !subject.landmarks.empty() && !fs::is_regular_file(split_part(subject.landmarks).file, error))
     reader.fail("{}: there is no such file of landmarks", subject.landmarks);
   if (subject.id.empty()) subject.id = id_of_source(subject.source);
   subject.source = absolute_source(subject.source, folder);

@@ -22,7 +22,9 @@ constexpr std::pair<std::string_view, FileFormat> endings[] = {
     {".glb", FileFormat::gltf},  {".gltf", FileFormat::gltf}, {".dae", FileFormat::collada}, {".3mf", FileFormat::three_mf},
     {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
     {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".tif", FileFormat::tiff},   {".tiff", FileFormat::tiff},
-    {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points}};
+    {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points},
+    {".tps", FileFormat::tps},   {".roi", FileFormat::roi},   {".zip", FileFormat::roi_set}, {".geojson", FileFormat::geojson},
+    {".svg", FileFormat::svg}};
 
 // Of files alone: a pipe would wait.
 bool begins_as_freesurfer(const std::string& path) {
@@ -69,10 +71,19 @@ int dimension_of(FileFormat format) {
     case FileFormat::tiff:
     case FileFormat::jpeg:
     case FileFormat::bmp:
+    case FileFormat::tps:
+    case FileFormat::roi:
+    case FileFormat::roi_set:
+    case FileFormat::geojson:
+    case FileFormat::svg:
       return 2;
     default:
       return 0;
   }
+}
+
+bool is_picture(FileFormat format) {
+  return format == FileFormat::png || format == FileFormat::pgm || format == FileFormat::tiff || format == FileFormat::jpeg || format == FileFormat::bmp;
 }
 
 bool has_parts(FileFormat format) { return dimension_of(format) == 2 && format != FileFormat::table; }

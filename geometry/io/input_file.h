@@ -17,12 +17,16 @@ enum class FileFormat {
   table,               ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
   points,              ///< .xyz: points alone
   png, pgm, tiff, jpeg, bmp,  ///< masks
+  tps, roi, roi_set, geojson, svg,  ///< outlines that other programs drew
   unknown
 };
 FileFormat format_of(const std::string& path);
 
-/// Of the shapes in files of that format: 3 for meshes, 2 for tables and masks, 0 for what holds no shape.
+/// Of the shapes in files of that format: 3 for meshes, 2 for tables, masks and drawings, 0 for what holds no shape.
 int dimension_of(FileFormat format);
+
+/// Is it a mask?
+bool is_picture(FileFormat format);
 
 /// Can a part of such a file be chosen, as in "cells.png:3" (geometry/io/part_name.h)?
 bool has_parts(FileFormat format);

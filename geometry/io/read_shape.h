@@ -4,7 +4,8 @@
 ///
 /// In space: meshes .obj, .off, .ply, .stl, .vtk, .vtp, .gii, .glb, .gltf, .3mf, .dae, and surfaces of FreeSurfer's, which are known by their
 /// first bytes. In the plane: outlines .csv, .txt, .xy, .dat (two columns, rings
-/// separated by blank lines) and masks .png, .pgm, .tif, .jpg, .bmp (geometry/picture/picture_shape.h), of which "mask.png:3" chooses a label.
+/// separated by blank lines), drawings .tps, .roi, .zip of ROIs, .geojson, .svg (geometry/outline/drawing.h), of which "rois.zip:NAME" chooses an area,
+/// and masks .png, .pgm, .tif, .jpg, .bmp (geometry/picture/picture_shape.h), of which "mask.png:3" chooses a label.
 
 #include "geometry/repair/repair.h"
 #include "geometry/surface/surface.h"
@@ -22,7 +23,7 @@ using AnyShape = std::variant<Shape<2>, Shape<3>>;
 Shape<3> read_mesh(const std::string& path);
 
 /// Reads an outline or the border of a mask, whose coordinates are pixels with y upward
-/// (geometry/picture/read_mask.h). A last point that repeats the first of its ring is dropped. \throws InputError as
+/// (geometry/picture/read_mask.h), or a drawing's areas. A last point that repeats the first of its ring is dropped. \throws InputError as
 /// above.
 Shape<2> read_outline(const std::string& path);
 

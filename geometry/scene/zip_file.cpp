@@ -41,9 +41,10 @@ ZipFile::ZipFile(const std::string& path, std::string_view bytes) : path_(path),
         4) != central_mark) throw_input_error("{}: the directory of the archive is damaged", path);
     const std::size_t name_size = number(bytes, at + 28, 2), rest = number(bytes, at + 30, 2) + number(bytes, at + 32, 2);
     if (end - at - central_size < name_size + rest) throw_input_error("{}: the directory of the archive is damaged", path);
-    entries_.emplace(lower(bytes.substr(at + central_size, name_size)),
-                     Entry{number(bytes, at + 42, 4), number(bytes, at + 20, 4), number(bytes, at + 24, 4), number(bytes, at + 10, 2),
-                         (number(bytes, at + 8, 2) & 1) != 0});
+    const std::string_view name = bytes.substr(at + central_size, name_size);
+    const auto [entry, is_new] = entries_.emplace(lower(name), Entry{number(bytes, at + 42, 4), number(bytes, at + 20, 4), number(bytes, at + 24, 4),
+                                                                     number(bytes, at + 10, 2), (number(bytes, at + 8, 2) & 1) != 0});
+    if (is_new) names_.emplace_back(name);
     at += central_size + name_size + rest;
   }
 }
@@ -54,7 +55,7 @@ std::optional<std::string> ZipFile::part(std::string_view name) const {
   const Entry& entry = found->second;
   const auto damaged = [&](std::string_view why) { throw_input_error("{}: its part '{}' {}", path_, printable(name, 60), why); };
   if (entry.is_encrypted) damaged("is encrypted; save the file without a password");
-  if (entry.size == 0xffffffff || entry.packed == 0xffffffff) damaged("is larger than 4 GB; simplify the mesh");
+  if (entry.size == 0xffffffff || entry.packed == 0xffffffff) damaged("is larger than 4 GB; save less in it");
   if (entry.offset > bytes_.size() || bytes_.size() - entry.offset < local_size || bytes_.substr(entry.offset,
       4) != local_mark) damaged("is missing; the file is damaged");
   const std::size_t begin = entry.offset + local_size + number(bytes_, entry.offset + 26, 2) + number(bytes_, entry.offset + 28, 2);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shellmatch {
 
@@ -14,6 +15,9 @@ class ZipFile {
  public:
   /// Keeps both views. \throws InputError where the bytes are no archive
   ZipFile(const std::string& path, std::string_view bytes);
+
+  /// The names of its parts, in the order of its directory; parts that differ in upper and lower case alone are one, the first.
+  const std::vector<std::string>& names() const { return names_; }
 
   /// The part of that name, upper and lower case being the same; nothing where there is none. \throws InputError where it is damaged
   std::optional<std::string> part(std::string_view name) const;
@@ -27,6 +31,7 @@ class ZipFile {
   const std::string& path_;
   std::string_view bytes_;
   std::map<std::string, Entry> entries_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace shellmatch

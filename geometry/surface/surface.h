@@ -4,6 +4,7 @@
 /// from the file, in which results are returned.
 
 #include "base/types.h"
+#include "geometry/surface/plane_frame.h"
 #include "geometry/surface/space.h"
 
 #include <array>
@@ -41,6 +42,7 @@ struct OriginalShape {
   std::vector<VertexAttribute> attributes;
   std::shared_ptr<const MeshDetails> details = {};  ///< what else is in the file (geometry/surface/mesh_details.h)
   Space space = Space::unsaid;  ///< the frame of the coordinates, where the file names it
+  PlaneFrame frame = {};        ///< in the plane: how the file's coordinates became these
 };
 
 /// What of a closed surface is known to bound the body, and what is not.

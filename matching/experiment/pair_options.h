@@ -28,7 +28,7 @@ struct LandmarkOptions {
   UnpairedLandmarks unpaired = UnpairedLandmarks::are_refused;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("file", self.file, {.meaning = "CSV file of points of both shapes, or CSV, .fcsv or .mrk.json of those of the reference alone; relative to the YAML file (docs/landmarks.md)"});
+    visit("file", self.file, {.meaning = "CSV file of points of both shapes, or CSV, .fcsv, .mrk.json or .tps of those of the reference alone; relative to the YAML file (docs/landmarks.md)"});
     visit("template_file", self.template_file, {.meaning = "CSV, .fcsv or .mrk.json file of the points of the template, which have their names from `file`; empty: `file` holds both"});
     visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on all landmarks together, which weigh the reference's area (length) over nu at min_level, on all levels"});
     visit("loss", self.loss, {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so that wrong landmarks do little harm"});

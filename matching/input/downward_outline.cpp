@@ -37,8 +37,9 @@ double common_length(const std::vector<double>& a, const std::vector<double>& b)
   return sum;
 }
 
-void turn(std::vector<Vec<2>>& points, double height) {
-  for (Vec<2>& x : points) x.y() = height - x.y();
+// y -> factor y + height: the frame of pictures.
+void turn(std::vector<Vec<2>>& points, double factor, double height) {
+  for (Vec<2>& x : points) x.y() = factor * x.y() + height;
 }
 
 }  // namespace
@@ -60,15 +61,21 @@ double common_share(const Surface<2>& a, const Surface<2>& b) {
 
 std::string turn_downward_outline(Shape<2>& outline, const Shape<2>& picture, double height) {
   const double upward = common_share(outline.surface, picture.surface);
+  // Drawings in pixels are turned already, but about the top of the picture.
+  const bool is_turned = outline.original.frame.y_scale < 0;
+  const double factor = is_turned ? 1 : -1;
   Surface<2> turned = outline.surface;
-  turn(turned.vertices, height);
+  turn(turned.vertices, factor, height);
   const double downward = common_share(turned, picture.surface);
   if (downward < 0.6 || downward < upward + 0.1 || 1 - downward > (1 - upward) / 3) return "";
-  turn(outline.original.vertices, height);
+  turn(outline.original.vertices, factor, height);
+  outline.original.frame = outline.original.frame.then(factor, height);
+  std::string unit = std::move(outline.unit);
   outline = make_shape(std::move(outline.original), outline.source, std::move(outline.notes));
-  return fmt::format("{}: fits {} as it lies with y downward ({:.0f} % in common, {:.0f} % with y upward): used as y = {:g} - y, the frame of pictures; "
-                     "turn landmarks, and points that `apply` is to move, in the same way (docs/pictures.md)",
-                     outline.source, picture.source, 100 * downward, 100 * upward, height);
+  outline.unit = std::move(unit);
+  return fmt::format("{}: fits {} as it lies with y downward ({:.0f} % in common, {:.0f} % {}): used as y = {:g} - y, the frame of pictures, with its "
+                     "landmarks; give points that `apply` is to move in that frame (docs/pictures.md)",
+                     outline.source, picture.source, 100 * downward, 100 * upward, is_turned ? "otherwise" : "with y upward", height);
 }
 
 }  // namespace shellmatch

@@ -30,7 +30,8 @@ using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;
 
 template <int Dim>
 LandmarkSpaces landmark_spaces(const ShapePair<Dim>& shapes) {
-  return {shapes.reference_file_space, shapes.template_shape.original.space};
+  const OriginalShape<Dim>&reference = shapes.reference.original, &template_shape = shapes.template_shape.original;
+  return {shapes.reference_file_space, template_shape.space, reference.frame, template_shape.frame};
 }
 
 /// Brings the reference into the frame of the template, where both name one and it is not the same; a shape that names none is

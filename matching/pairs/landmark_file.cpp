@@ -2,6 +2,9 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "geometry/io/input_file.h"
+#include "geometry/io/part_name.h"
+#include "geometry/outline/tps_file.h"
 #include "matching/pairs/landmark_rows.h"
 #include "matching/pairs/slicer_points.h"
 
@@ -37,30 +40,59 @@ std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shape
   return points;
 }
 
+bool is_tps(const std::string& path) { return format_of(split_part(path).file) == FileFormat::tps; }
+
+// In y upward and the file's own scale, whatever the shape's file has.
+template <int Dim>
+std::vector<NamedPoint<Dim>> tps_landmarks(const std::string& path, Space file_space, Space shapes, std::vector<std::string>& notes,
+                                           std::set<std::string>& unplaced) {
+  const PartName name = split_part(path);
+  const std::vector<TpsSpecimen> specimens = parse_tps(name.file, InputFile(name.file).read());
+  const TpsSpecimen& specimen = chosen_specimen(specimens, name.file, name.part);
+  const std::vector<std::optional<Vec<Dim>>> positions = scaled_landmarks<Dim>(specimen, path);
+  std::vector<NamedPoint<Dim>> points;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const std::string number = fmt::format("{}", i + 1);
+    if (!positions[i]) {
+      unplaced.insert(number);
+      continue;
+    }
+    Vec<Dim> x = *positions[i];
+    if constexpr (Dim == 3) x = in_space(x, specimen.space == Space::unsaid ? file_space : specimen.space, shapes);
+    points.push_back({number, x, fmt::format("{}, landmark {}", path, number)});
+  }
+  if (points.empty()) throw_input_error("{}: none of its points has a position", path);
+  note_left_out(path, positions.size() - points.size(), notes);
+  if (const std::string note = scale_note(specimens, specimen); !note.empty()) notes.push_back(fmt::format("{}: {}", path, note));
+  return points;
+}
+
 }  // namespace
 
 template <int Dim>
 std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
-                                               Space shapes, std::vector<std::string>& notes, std::set<std::string>* unplaced) {
+                                               Space shapes, std::vector<std::string>& notes, std::set<std::string>* unplaced,
+                                               const PlaneFrame& frame) {
   std::set<std::string> none;
   std::set<std::string>& without = unplaced ? *unplaced : none;
   if (is_slicer_file(path)) {
     if constexpr (Dim == 3) return slicer_landmarks(path, shapes, notes, without);
     else throw_input_error("{}: holds points of space, but the shapes are of the plane; give a CSV file", path);
   }
+  if (is_tps(path)) return tps_landmarks<Dim>(path, file_space, shapes, notes, without);
   std::vector<NamedPoint<Dim>> points;
   for_each_landmark_row<Dim>(path, {""}, true, [&](const LandmarkRow& row, const std::string& name) {
     if (row.is_missing<Dim>("")) {
       without.insert(name);
       return;
     }
-    NamedPoint<Dim> point{name, row.point<Dim>("", vertices, file_space, shapes), row.place()};
+    NamedPoint<Dim> point{name, row.point<Dim>("", vertices, file_space, shapes, frame), row.place()};
     if (row.find("sd")) point.deviation = row.positive("sd");
     if (row.find("weight")) point.weight = row.positive("weight");
     points.push_back(std::move(point));
   });
   if (points.empty()) throw_input_error("{}: none of its points has a position", path);
-  if (!is_slicer_file(path)) note_left_out(path, without.size(), notes);
+  note_left_out(path, without.size(), notes);
   return points;
 }
 
@@ -77,12 +109,12 @@ struct FileLandmarks {
 template <int Dim>
 FileLandmarks<Dim> landmarks_of_both(const std::string& path, const std::vector<Vec<Dim>>& reference,
                                      const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces) {
-  if (is_slicer_file(path))
+  if (is_slicer_file(path) || is_tps(path))
     throw_input_error("{}: holds points of one shape; give those of the template, too (--template-landmarks)", path);
   FileLandmarks<Dim> read;
   for_each_landmark_row<Dim>(path, {"1", "2"}, false, [&](const LandmarkRow& row, const std::string& name) {
-    Landmark<Dim> landmark{name, row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes),
-                          row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes)};
+    Landmark<Dim> landmark{name, row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes, spaces.reference_frame),
+                          row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes, spaces.template_frame)};
     if (row.find("sd")) read.deviations[name] = row.positive("sd");
     if (row.find("weight")) landmark.weight = row.positive("weight");
     landmark.reference_origin = landmark.template_origin = row.place();
@@ -98,7 +130,7 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
   std::map<std::string, Landmark<Dim>*> landmark_of;
   std::set<std::string> unplaced_here, unplaced_there;
   const std::vector<NamedPoint<Dim>> here =
-      read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes, &unplaced_here);
+      read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes, &unplaced_here, spaces.reference_frame);
   FileLandmarks<Dim> read;
   std::vector<Landmark<Dim>>& landmarks = read.landmarks;
   landmarks.reserve(here.size());  // the map keeps addresses
@@ -107,7 +139,8 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
     landmarks.push_back({point.name, point.point, {}, point.weight.value_or(1), point.place, {}});
     landmark_of[point.name] = &landmarks.back();
   }
-  for (const NamedPoint<Dim>& point : read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes, &unplaced_there)) {
+  for (const NamedPoint<Dim>& point :
+       read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes, &unplaced_there, spaces.template_frame)) {
     const auto at = landmark_of.find(point.name);
     if (at == landmark_of.end()) {
       if (unplaced_here.contains(point.name) || options.unpaired == UnpairedLandmarks::are_left_out) continue;
@@ -163,7 +196,7 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
   template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,         \
                                                           const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*); \
   template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
-                                                               std::vector<std::string>&, std::set<std::string>*)
+                                                               std::vector<std::string>&, std::set<std::string>*, const PlaneFrame&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

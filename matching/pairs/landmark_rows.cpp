@@ -81,7 +81,8 @@ double LandmarkRow::positive(std::string_view column) const {
 }
 
 template <int Dim>
-Vec<Dim> LandmarkRow::point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to) const {
+Vec<Dim> LandmarkRow::point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to,
+                            const PlaneFrame& frame) const {
   const std::string vertex = "vertex" + suffix;
   if (const std::string* text = find(vertex)) {
     const auto index = to_integer(*text);
@@ -93,7 +94,7 @@ Vec<Dim> LandmarkRow::point(const std::string& suffix, const std::vector<Vec<Dim
   Vec<Dim> x;
   for (int k = 0; k < Dim; ++k) x[k] = number(axes[static_cast<std::size_t>(k)] + suffix);
   if constexpr (Dim == 3) return in_space(x, from, to);
-  return x;
+  return frame(x);
 }
 
 template <int Dim>
@@ -135,7 +136,7 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                                \
   template bool LandmarkRow::is_missing<Dim>(const std::string&) const;                                                            \
-  template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space) const;                 \
+  template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, const PlaneFrame&) const;                 \
   template void for_each_landmark_row<Dim>(const std::string&, const std::vector<std::string>&, bool,                              \
                                            const std::function<void(const LandmarkRow&, const std::string&)>&)
 SHELLMATCH_INSTANTIATE(2);

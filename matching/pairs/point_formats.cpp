@@ -3,11 +3,13 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
+#include "geometry/outline/tps_file.h"
 #include "matching/pairs/slicer_points.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
 
 namespace shellmatch {
 
@@ -45,10 +47,10 @@ template <int Dim>
 std::string tps_text(const std::vector<PointSet<Dim>>& sets, Space space) {
   std::string text;
   for (const PointSet<Dim>& set : sets) {
-    text += fmt::format("{}={}\n", Dim == 2 ? "LM" : "LM3", set.points.size());
-    for (const auto& x : set.points) append_coordinates<Dim>(text, x, " ");
-    text += fmt::format("ID={}\n", on_a_line(set.individual));
-    if (space != Space::unsaid) text += fmt::format("COMMENT=SPACE={}\n", space_name(space));
+    std::vector<double> coordinates;
+    for (const auto& x : set.points)
+      for (int k = 0; k < Dim; ++k) coordinates.push_back(x ? (*x)[k] : std::numeric_limits<double>::quiet_NaN());
+    append_tps_specimen(text, set.individual, coordinates, Dim, space);
   }
   return text;
 }

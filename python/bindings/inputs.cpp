@@ -83,7 +83,7 @@ Vec<Dim> point_of(const GivenPoints& points, std::size_t i, const OriginalShape<
   Vec<Dim> x;
   for (int k = 0; k < Dim; ++k) x[k] = points.positions[i * Dim + static_cast<std::size_t>(k)];
   if constexpr (Dim == 3) return in_space(x, own, shape.space);
-  return x;
+  return shape.frame(x);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ std::string RunInputs::of(const ExperimentOptions& options, const std::string& w
        {&options.input.reference, &options.input.template_file, &options.input.correspondence})
     text += "\n" + checksum_of_shape(*source, where);
   for (const std::string* file : {&options.landmarks.file, &options.landmarks.template_file})
-    if (!file->empty()) text += "\n" + checksum_of_file(*file, where);
+    if (!file->empty()) text += "\n" + checksum_of_file(files_of_shape(*file).front(), where);
   if (const std::string& map = options.start.map; !map.empty())
     text += "\n" + checksum_of_file(
                        std::filesystem::is_directory(map) ? map + "/" + deformation_file_name : map, where);

@@ -9,13 +9,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 # The sources of each target, whose coverage is reported.
-IO = "geometry/io/read_"
+IO, OUTLINE = "geometry/io/read_", "geometry/outline/"
 READERS = {
     "obj": [IO + "obj.cpp", IO + "mesh_formats.cpp", IO + "text.cpp"], "off": [IO + "off.cpp"],
     "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"],
     "gifti": ["geometry/scene/pugixml_gifti.cpp", "geometry/scene/pugixml_node.cpp", "geometry/scene/zlib_stream.cpp"],
     "freesurfer": ["geometry/scene/read_freesurfer.cpp"], "gltf": ["geometry/scene/tinygltf_gltf.cpp", "geometry/scene/scene_shape.cpp"],
     "collada": ["geometry/scene/pugixml_collada.cpp"], "three_mf": ["geometry/scene/pugixml_three_mf.cpp", "geometry/scene/zip_file.cpp"],
+    "tps": [OUTLINE + "tps_file.cpp", OUTLINE + "tps_outline.cpp"], "roi": [OUTLINE + "imagej_roi.cpp"],
+    "geojson": [OUTLINE + "json_geojson.cpp", OUTLINE + "drawing.cpp"],
+    "svg": [OUTLINE + "pugixml_svg.cpp", OUTLINE + "svg_text.cpp", OUTLINE + "drawn_path.cpp"],
     "vti": ["geometry/volume/vti_file.cpp"],
     "vtk": ["geometry/polydata/legacy_file.cpp", "geometry/polydata/legacy_scanner.cpp", "geometry/polydata/polydata.cpp"],
     "vtp": ["geometry/polydata/vtp_file.cpp", "geometry/vtk_xml/xml_file.cpp", "geometry/vtk_xml/xml_array.cpp", "geometry/vtk_xml/value_type.cpp"],

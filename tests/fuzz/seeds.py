@@ -5,6 +5,7 @@ import struct
 import zlib
 from pathlib import Path
 
+from outline_seeds import outline_seeds
 from volume_seeds import volume_seeds
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -289,7 +290,7 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
 
 
 def seeds_of_all():
-    seeds = {**mesh_seeds(), **surface_seeds(), **image_seeds(), **volume_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
+    seeds = {**mesh_seeds(), **outline_seeds(), **surface_seeds(), **image_seeds(), **volume_seeds(), **polydata_seeds(), **repair_seeds(), "map": map_seeds()}
     joined = lambda *parts: SEPARATOR.join(parts)
     seeds["points2"] = [b"x,y,\"a\"\n0,0,1\n1,0,2\n\n0;1;3\n# b\n1,1,4\n", b"\xef\xbb\xbf0 0\n1 0\n0 1\n0 0\n", b"z,x,y\n", b"a,x\n0,1\n"]
     seeds["points3"] = [b"x,y,z\n0,0,0\n1,0,nan\n", b"0 0 0\r\n1 1e5 -2\r\n", b"a y X z\n1 2 3 4\n",

@@ -1,6 +1,8 @@
 #include "geometry/picture/read_mask.h"
 #include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
+#include "geometry/outline/drawing.h"
+#include "geometry/outline/tps_file.h"
 #include "geometry/picture/picture_shape.h"
 #include "geometry/polydata/polydata.h"
 #include "geometry/repair/make_shape.h"
@@ -35,6 +37,13 @@ void check_image(const Picture& picture) {
   demand(picture.values.size() == image.values.size(), "a picture has a value for each pixel");
   std::vector<std::string> notes;
   if (image.values.size() < 100000) check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
+}
+
+// Whole, and one part of it, if its areas have names.
+void check_drawing(const Drawing& drawing, const std::string& part = "") {
+  check_original(outline_of_drawing(drawing, "input", part).shape);
+  for (const DrawnArea& area : drawing.areas)
+    if (!area.names.empty()) return check_original(outline_of_drawing(drawing, "input", area.names.back()).shape);
 }
 
 // What a mended shape is (geometry/repair/repair.h): closed, each edge run through once in each direction.
@@ -92,6 +101,25 @@ void read_collada_bytes(std::string_view bytes) { check_original(read_collada("i
 void read_three_mf_bytes(std::string_view bytes) { check_original(read_three_mf("input", bytes).shape); }
 void read_points_of_plane(std::string_view bytes) { check_original(read_points<2>("input", bytes, true)); }
 void read_points_of_space(std::string_view bytes) { check_original(read_points<3>("input", bytes, false)); }
+// The first part chooses, where there are two; a set of ROIs is told from one by its first bytes.
+void read_tps_bytes(std::string_view bytes) {
+  const std::size_t end = bytes.find(separator);
+  const std::string part(end == bytes.npos ? std::string_view() : bytes.substr(0, end));
+  const std::string_view text = end == bytes.npos ? bytes : bytes.substr(end + 1);
+  std::string again;
+  for (const TpsSpecimen& specimen : parse_tps("input", text)) {
+    std::vector<double> coordinates;
+    for (const auto& x : specimen.landmarks)
+      for (int k = 0; k < specimen.dimension; ++k) coordinates.push_back(x ? (*x)[k] : std::nan(""));
+    const std::size_t begin = again.size();
+    append_tps_specimen(again, specimen.id.value_or(""), coordinates, static_cast<std::size_t>(specimen.dimension), specimen.space);
+    demand(parse_tps("again", std::string_view(again).substr(begin)).front().landmarks == specimen.landmarks, "landmarks are read back");
+  }
+  check_drawing(read_tps_outline("input", text, part), part);
+}
+void read_roi_bytes(std::string_view bytes) { check_drawing(bytes.starts_with("Iout") ? read_roi("input.roi", bytes) : read_roi_set("input", bytes)); }
+void read_geojson_bytes(std::string_view bytes) { check_drawing(read_geojson("input", bytes)); }
+void read_svg_bytes(std::string_view bytes) { check_drawing(read_svg("input", bytes)); }
 void read_tiff_bytes(std::string_view bytes) { check_image(read_tiff("input", bytes)); }
 void read_jpeg_bytes(std::string_view bytes) { check_image(read_jpeg("input", bytes)); }
 void read_bmp_bytes(std::string_view bytes) { check_image(read_bmp("input", bytes)); }

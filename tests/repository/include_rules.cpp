@@ -31,7 +31,7 @@ const std::vector<Adapter>& adapter_table() {
       {"pybind11", {"pybind11/"}, {"python/bindings/*"}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
-      {"nlohmann json", {"nlohmann/"}, {"matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp", "cohorts/*/json_*.cpp"}},
+      {"nlohmann json", {"nlohmann/"}, {"geometry/outline/json_*.cpp", "matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp", "cohorts/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
       {"libpng", {"png.h"}, {"geometry/picture/png_*.cpp"}},
       {"libtiff", {"tiff"}, {"geometry/picture/tiff_*.cpp"}},
@@ -40,7 +40,7 @@ const std::vector<Adapter>& adapter_table() {
       {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp", "geometry/scene/zlib_*.cpp"}},
       {"assimp", {"assimp/"}, {}},
       {"tinygltf", {"tiny_gltf.h"}, {"geometry/scene/tinygltf_*.cpp"}},
-      {"pugixml", {"pugixml"}, {"geometry/scene/pugixml_*"}},
+      {"pugixml", {"pugixml"}, {"geometry/scene/pugixml_*", "geometry/outline/pugixml_*"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
       {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
       {"libwebp", {"webp/"}, {"render/canvas/webp_*.cpp"}},
@@ -58,7 +58,7 @@ const std::vector<Adapter>& adapter_table() {
 
 // Headers that the sources of one adapter share among themselves. They do show the library's types.
 bool is_private_header(std::string_view file) {
-  return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/scene/pugixml_*.h") || matches(file, "matching/*/json_*.h") ||
+  return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/*/pugixml_*.h") || matches(file, "matching/*/json_*.h") ||
          matches(file, "studies/*/json_*.h") || matches(file, "cohorts/*/json_*.h");
 }
 

@@ -40,6 +40,23 @@ TEST(DownwardOutline, IsTurnedIntoThePicturesFrame) {
   EXPECT_EQ(drawn.original.vertices, picture.original.vertices);
 }
 
+TEST(DownwardOutline, ADrawingThatIsTurnedAlreadyIsMoved) {
+  const Shape<2> picture = outline(letter, true);
+  std::vector<Vec<2>> points = letter;
+  for (Vec<2>& x : points) x.y() = -x.y();
+  Shape<2> drawn = outline(points);
+  drawn.original.frame.y_scale = -1;
+  drawn.unit = "mm";
+  EXPECT_NE(turn_downward_outline(drawn, picture, height).find("used as y = 120 - y"), std::string::npos);
+  EXPECT_EQ(drawn.original.vertices, picture.original.vertices);
+  EXPECT_EQ(drawn.original.frame(Vec<2>(3, 20)), Vec<2>(3, 100));
+  EXPECT_EQ(drawn.unit, "mm");
+  // The same of one that is turned now.
+  Shape<2> table = outline(letter);
+  turn_downward_outline(table, picture, height);
+  EXPECT_EQ(table.original.frame(Vec<2>(3, 20)), Vec<2>(3, 100));
+}
+
 TEST(DownwardOutline, StaysWhereItFitsAsItIsOrNowhere) {
   const Shape<2> picture = outline(letter, true);
   Shape<2> same = outline(letter, true), elsewhere = outline({{200, 0}, {300, 0}, {300, 50}});
