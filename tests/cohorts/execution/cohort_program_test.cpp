@@ -166,6 +166,24 @@ TEST_F(CohortProgram, LandmarksAreCarriedBothWays) {
   EXPECT_TRUE(has(returned, "e2,elsewhere,")) << returned;
 }
 
+TEST_F(CohortProgram, LandmarksOfDrawingsAreTurnedWithThem) {
+  write_cohort(2, "{}");
+  write("e1.svg", "<svg><ellipse cx='5' cy='3' rx='1.02' ry='.86'/></svg>");
+  write("e2.svg", "<svg><ellipse cx='5' cy='3' rx='1.04' ry='.82'/></svg>");
+  write("p1.csv", "name,x,y\nright,6.02,3\nbelow,5,3.86\n");
+  write("p2.csv", "name,x,y\nright,6.04,3\nbelow,5,3.82\n");
+  write("table.csv", "file,landmarks\ne1.svg,p1.csv\ne2.svg,p2.csv\n");
+  const ProgramResult result = cohort({"cohort.yaml", "-o", "out", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set", "landmarks=compare"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string carried = text_of("out/landmarks.csv");
+  EXPECT_TRUE(has(carried, ",5,-3.82,")) << carried;
+  std::istringstream lines(carried);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("e2,")) {
+      EXPECT_LT(std::stod(line.substr(line.rfind(',') + 1)), 0.02) << line;
+    }
+}
+
 TEST_F(CohortProgram, LandmarksPullTheMatchingsUnlessTheyAreToBeCompared) {
   write_cohort(2, "{}");
   // e2's 'right' lies 0.2 radians further round than e1's.
