@@ -105,6 +105,16 @@ class CommandLine(WithFolder):
         unequal = shellmatch.register(self.ball, self.egg, (chosen, on_egg, np.arange(1, 8)), **options)
         self.assertFalse(np.array_equal(unequal.vertices, expected))
 
+    def test_a_drawing_turns_with_its_landmarks(self):
+        a, b, chosen = shapes.ellipse(90), shapes.ellipse(110, 1.3, 0.7, 0.2), [0, 20, 55]
+        points = " ".join(f"{x!r},{-y!r}" for x, y in a.tolist())
+        (self.folder / "a.svg").write_text(f'<svg><polygon points="{points}"/></svg>')
+        on_b = a[chosen] * (1.3, 0.7)
+        options = {"levels": (3, 4), "align": "none", "landmarks.max_distance": 0.2}
+        expected = shellmatch.register(a, b, (a[chosen], on_b), **options).vertices
+        drawn = shellmatch.register(self.folder / "a.svg", b, (a[chosen] * (1, -1), on_b), **options).vertices
+        self.assertTrue(np.array_equal(drawn, expected))
+
     def test_volumes(self):
         i, j, k = np.meshgrid(*map(np.arange, (24, 22, 20)), indexing="ij")
         values = np.where((i - 12) ** 2 + (j - 11) ** 2 + 1.6 * (k - 10) ** 2 < 64, 3, 0) + np.where(i > 20, 1, 0)
