@@ -47,7 +47,7 @@ def tps_seeds():
     return [two, b"a" + SEPARATOR + two, b"C:\\a.jpg" + SEPARATOR + two, b"c" + SEPARATOR + two, curves, b"OUTLINES=1\n" + square + b"ID=a\nOUTLINES=1\n" + square + b"ID=a",
             b"a" + SEPARATOR + b"ID=a\nID=a\n", b"IMAGE=a\nIMAGE=b\nSCALE=1\nSCALE=2\nCURVES=0\nCURVES=0", b"LM=1\n", b"LM=x", b"1 2", b"LM=1\n1 2\n3 4", b"LM=1\n1 2 3",
             b"LM=1\n1 NA", b"LM=1\n1 a", b"SCALE=0", square, b"CURVES=2\n" + square, b"OUTLINES=1\nPOINTS=1\nNA NA", b"\n", b"CURVES=1\nPOINTS=0\n", b"b" + SEPARATOR + two,
-            b"a" + SEPARATOR + b"LM=0\n", b"CURVES=2\n" + square + square, b"LM=0\nLM=0\n", b"CURVES=3\nPOINTS=2\n9 0\n9 9\nPOINTS=2\n0 0\n9 0\nPOINTS=2\n5 5\n9 9\n"]
+            b"a" + SEPARATOR + b"LM=0\n", b"CURVES=2\n" + square + square, b"LM=0\nLM=0\n", b"LM=1\n1e300 1\nSCALE=1e300\n", b"LM3=1\n1 2 3\nSCALE=2\n", b"CURVES=3\nPOINTS=2\n9 0\n9 9\nPOINTS=2\n0 0\n9 0\nPOINTS=2\n5 5\n9 9\n"]
 
 
 def geojson_seeds():

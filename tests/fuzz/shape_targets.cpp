@@ -114,6 +114,9 @@ void read_tps_bytes(std::string_view bytes) {
     const std::size_t begin = again.size();
     append_tps_specimen(again, specimen.id.value_or(""), coordinates, static_cast<std::size_t>(specimen.dimension), specimen.space);
     demand(parse_tps("again", std::string_view(again).substr(begin)).front().landmarks == specimen.landmarks, "landmarks are read back");
+    if (specimen.landmarks.empty()) continue;
+    if (specimen.dimension == 2) scaled_landmarks<2>(specimen, "input");
+    else scaled_landmarks<3>(specimen, "input");
   }
   check_drawing(read_tps_outline("input", text, part), part);
 }
