@@ -23,7 +23,7 @@ constexpr std::pair<std::string_view, FileFormat> endings[] = {
     {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
     {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".tif", FileFormat::tiff},   {".tiff", FileFormat::tiff},
     {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points},
-    {".tps", FileFormat::tps},   {".roi", FileFormat::roi},   {".zip", FileFormat::roi_set}, {".geojson", FileFormat::geojson},
+    {".tps", FileFormat::tps},   {".roi", FileFormat::roi},   {".zip", FileFormat::roi_set}, {".geojson", FileFormat::geojson}, {".json", FileFormat::geojson},
     {".svg", FileFormat::svg}};
 
 // Of files alone: a pipe would wait.
@@ -46,6 +46,8 @@ std::string file_extension(const std::string& path) {
 
 FileFormat format_of(const std::string& path) {
   const std::string extension = file_extension(path);
+  // Points of 3D Slicer.
+  if (extension == ".json" && file_extension(path.substr(0, path.size() - 5)) == ".mrk") return FileFormat::unknown;
   for (const auto& [ending, format] : endings)
     if (ending == extension) return format;
   return begins_as_freesurfer(path) ? FileFormat::freesurfer : FileFormat::unknown;

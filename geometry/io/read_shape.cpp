@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp .gii .glb .gltf .3mf .dae and FreeSurfer's surfaces";
 constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
-constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat .tps .roi .zip .geojson .svg, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
+constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat .tps .roi .zip .geojson .json .svg, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
 
 [[noreturn]] void unsupported(const InputFile& file) {
   const std::string extension = file_extension(file.path());

@@ -127,7 +127,6 @@ class RoiReader {
     std::size_t n = static_cast<std::size_t>(byte(at::n_points) << 8 | byte(at::n_points + 1));
     if (n == 0) n = word(at::floats);
     if (n < 3) throw_input_error("{}: {} of {} has no area", place_, kind(), counted(n, "point", "points"));
-    if (n > bytes_.size() / 4) cut_off();
     const bool is_exact = is_sub_pixel();
     const std::size_t first = at::coordinates + (is_exact ? 4 * n : 0), size = is_exact ? 4 : 2;
     if (bytes_.size() < first + 2 * n * size) cut_off();

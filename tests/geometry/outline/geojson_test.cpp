@@ -33,6 +33,11 @@ TEST_F(GeoJson, YPointsUpUnlessQuPathWroteIt) {
   }
 }
 
+TEST_F(GeoJson, MayEndInJsonButForPointsOfSlicer) {
+  EXPECT_DOUBLE_EQ(area(read_outline(folder_.write("a.json", polygon_of(outer_ring))).surface), 81);
+  EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder_.write("a.mrk.json", "{}")); }), "the format '.json' is not supported"));
+}
+
 TEST_F(GeoJson, PolygonsHaveHolesAndParts) {
   EXPECT_DOUBLE_EQ(area(read(polygon_of(outer_ring + "," + inner_ring)).surface), 72);
   const Shape<2> parts = read(R"({"type":"GeometryCollection","geometries":[{"type":"MultiPolygon","coordinates":[[)" + outer_ring + "," + inner_ring + "],[" + ring_apart +

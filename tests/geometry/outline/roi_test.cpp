@@ -100,6 +100,21 @@ TEST_F(RoiFile, AreasThatCrossAreToBeChosen) {
   EXPECT_TRUE(contains(text, "choose one, as in \"" + path + ":NAME\", of 'a', 'b'"));
 }
 
+TEST_F(RoiFile, AnArchiveWhosePartsLieOnEachOtherIsRefused) {
+  const std::string one = zip_bytes({{"0000.roi", polygon().bytes() + std::string(200000, ' ')}});
+  const std::size_t begin = one.rfind("PK\1\2"), end = one.rfind("PK\5\6");
+  std::string bomb = one.substr(0, begin), tail = one.substr(end);
+  constexpr int n = 2500;
+  for (int k = 0; k < n; ++k) {
+    std::string entry = one.substr(begin, end - begin);
+    entry.replace(entry.size() - 8, 4, fmt::format("{:04}", k));
+    bomb += entry;
+  }
+  tail.replace(8, 4, {static_cast<char>(n & 255), static_cast<char>(n >> 8), static_cast<char>(n & 255), static_cast<char>(n >> 8)});
+  const std::string path = folder_.write("bomb.zip", bomb + tail);
+  EXPECT_TRUE(contains(input_error_of([&] { read_outline(path); }), "its parts are larger than it can hold"));
+}
+
 TEST_F(RoiFile, SplinesAreSaid) {
   Roi roi = polygon();
   roi.options = 1;

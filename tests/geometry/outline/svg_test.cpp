@@ -77,6 +77,7 @@ TEST_F(Svg, ShapesAreTheirAreas) {
   EXPECT_DOUBLE_EQ(area_of("<polygon points='0,0 4,0 4,3'/>"), 6);
   EXPECT_DOUBLE_EQ(area_of("<polyline points='0 0 4 0 4 3'/><circle r='0'/><rect width='5'/><polygon points=''/>"), 6);
   EXPECT_DOUBLE_EQ(area_of("<rect x='1mm' width='1in' height='1cm'/>"), 96 * 96 / 2.54);
+  EXPECT_DOUBLE_EQ(area_of("<rect width='72pt' height='6pc' y='101.6Q'/>"), 96 * 96);
 }
 
 TEST_F(Svg, TransformationsAreAppliedFromTheInside) {
@@ -104,6 +105,7 @@ TEST_F(Svg, MillimetresWhereTheDrawingSaysThem) {
   EXPECT_TRUE(has_note(page, "in millimetres: a unit of the drawing has 0.5"));
   EXPECT_NEAR(area(side("width='4in'").surface), 100 * (25.4 / 96) * (25.4 / 96), 1e-12);
   EXPECT_DOUBLE_EQ(area(side("width='100mm' height='100mm' viewBox='0 0 100 200'").surface), 25) << "it fits into both";
+  EXPECT_DOUBLE_EQ(area(side("width='50mm' height='200mm' viewBox='0 0 100 100'").surface), 25);
   for (const char* head : {"", "width='300' height='200px'", "width='100%' viewBox='0 0 10 10'"}) {
     const Shape<2> plain = side(head);
     EXPECT_DOUBLE_EQ(area(plain.surface), 100) << head;
@@ -125,11 +127,12 @@ TEST_F(Svg, FillRulesSayWhatIsAHole) {
 }
 
 TEST_F(Svg, IdsLabelsAndLayersChoose) {
-  const std::string body = "<g id='layer1' xmlns:inkscape='i' inkscape:label='Leaves'><path id='a' d='M0 0h2v2h-2z'/><g><path id='b' d='M5 0h3v3h-3z'/></g></g>"
+  const std::string body = "<g id='layer1' xmlns:inkscape='i' inkscape:label='Leaves'><path id='a' d='M0 0h2v2h-2z'/><g id='inner'><path id='b' d='M5 0h3v3h-3z'/></g></g>"
                            "<circle id='c' cx='50' r='1'/>";
   const auto chosen = [&](const std::string& name) { return area(read(body, "", ":" + name).surface); };
   EXPECT_DOUBLE_EQ(chosen("a"), 4);
   EXPECT_DOUBLE_EQ(chosen("b"), 9);
+  EXPECT_DOUBLE_EQ(chosen("inner"), 9);
   EXPECT_DOUBLE_EQ(chosen("layer1"), 13);
   EXPECT_DOUBLE_EQ(chosen("Leaves"), 13);
   EXPECT_TRUE(has_note(read(body), "3 areas taken together: 'a', 'b', 'c'; FILE:NAME chooses"));

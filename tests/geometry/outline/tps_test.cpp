@@ -51,6 +51,7 @@ TEST_F(TpsFile, SpecimensWithoutLandmarksBeginWhereAWordComesAgain) {
   const std::string two = "OUTLINES=1\n" + square_points + "ID=a\nOUTLINES=1\n" + square_points + "SCALE=2\nID=b\n";
   EXPECT_DOUBLE_EQ(area(read(two, ":a").surface), 100);
   EXPECT_DOUBLE_EQ(area(read(two, ":b").surface), 400);
+  EXPECT_EQ(parse_tps("a", "ID=a\nIMAGE=b\nID=c").size(), 2u);
   EXPECT_EQ(parse_tps("a", "IMAGE=a\nIMAGE=b\nLM=0\nRADII=2\n1\n2\nCURVES=0\nOUTLINES=0\nCOMMENT=b").size(), 3u);
 }
 
@@ -72,6 +73,7 @@ TEST_F(TpsFile, WhatIsWrittenIsReadBack) {
   const std::vector<TpsSpecimen> read = parse_tps("a.tps", text);
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(read[0].id, "first one");
+  EXPECT_TRUE(contains(text, "\nNA NA\n")) << "as geomorph reads it";
   const auto plane = scaled_landmarks<2>(read[0], "a");
   EXPECT_EQ(plane[0], Vec<2>(1e-17, -2.5));
   EXPECT_FALSE(plane[1]);
