@@ -4,6 +4,7 @@
 #include "geometry/io/picture_height.h"
 #include "matching/input/shape_source.h"
 #include "matching/pairs/slicer_points.h"
+#include "matching/pairs/tps_specimens.h"
 #include "matching/shape_report/inspection.h"
 
 #include <fmt/format.h>
@@ -24,6 +25,10 @@ void inspect_points(const InspectCommand& command) {
 
 void execute(const InspectCommand& command) {
   if (is_slicer_file(command.file)) return inspect_points(command);
+  if (const auto specimens = listed_specimens(command.file)) {
+    std::cout << (command.json ? specimens_json(command.file, *specimens) : specimens_text(command.file, *specimens));
+    return;
+  }
   const AnyShape shape = open_shape(command.file, Closing::automatic);
   const Inspection inspection = std::visit([](const auto& s) { return inspect_shape(s); }, shape);
   std::cout << (command.json ? inspection_json(inspection) : inspection_text(inspection));

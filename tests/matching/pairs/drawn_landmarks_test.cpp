@@ -3,6 +3,7 @@
 #include "matching/input/shape_pair.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/pairs/point_formats.h"
+#include "matching/pairs/tps_specimens.h"
 #include "tests/matching/output/temporary_folder.h"
 #include "tests/support/expect_input_error.h"
 
@@ -118,6 +119,22 @@ TEST_F(DrawnLandmarks, OfTpsFilesAreNamedByTheirNumbers) {
   expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps", "l.csv"); }, {"a.tps: 2 specimens in it; choose one by its ID"});
   expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps:left", ""); }, {"holds points of one shape"});
   expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps:middle", "l.csv"); }, {"no specimen has the ID 'middle'"});
+}
+
+TEST_F(DrawnLandmarks, InspectionListsSpecimens) {
+  const std::string file = folder / "a.tps";
+  put(file, "LM=2\n10 10\nNA NA\nID=left\nLM=3\n5 5\n1 1\n10 20\nOUTLINES=1\nPOINTS=3\n0 0\n1 0\n0 1\nIMAGE=b.jpg\nSCALE=2\n");
+  const auto all = listed_specimens(file), left = listed_specimens(file + ":left");
+  ASSERT_TRUE(all && left);
+  EXPECT_FALSE(listed_specimens(file + ":b")) << "is an outline";
+  EXPECT_FALSE(listed_specimens("b.csv"));
+  const std::string text = specimens_text(file, *all);
+  for (const char* part : {"a.tps: 2 specimens of TPS\n", "landmarks             2 to 3 of the plane, of which 0 to 1 without position\n", "outlines and curves   0 to 1\n",
+                           "with SCALE=           1\n", "names                 'left', 'b.jpg'\n"})
+    EXPECT_NE(text.find(part), text.npos) << part << text;
+  EXPECT_NE(specimens_text(file, *left).find("1 specimen of TPS"), text.npos);
+  const std::string json = specimens_json(file, *all);
+  for (const char* part : {"\"name\": \"left\"", "null", "20.0", "\"curves\": 1"}) EXPECT_NE(json.find(part), json.npos) << part << json;
 }
 
 TEST_F(DrawnLandmarks, WhatIsWrittenAsTpsIsReadBack) {
