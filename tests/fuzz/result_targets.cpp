@@ -153,9 +153,9 @@ void read_result_of_run(std::string_view bytes) {
 
 namespace {
 
-// CSV, or what 3D Slicer's files begin with.
+// CSV, or what files of 3D Slicer's and of TPS begin with.
 std::string_view ending_of_landmarks(std::string_view bytes) {
-  return bytes.starts_with("# Markups") ? ".fcsv" : bytes.starts_with("{") ? ".mrk.json" : ".csv";
+  return bytes.starts_with("# Markups") ? ".fcsv" : bytes.starts_with("{") ? ".mrk.json" : bytes.starts_with("LM") ? ".tps" : ".csv";
 }
 
 }  // namespace

@@ -358,7 +358,9 @@ def seeds_of_all():
                            joined(markups.replace(b"defined", b"undefined"), markups), joined(markups.replace(b'"a"', b'""'), markups),
                            joined(markups.replace(point, point + b"," + point), markups), joined(b"{}", b"{}"),
                            joined(b"name,x,y,z\na,,NA,nan\nb,1,2,3\n", b"name,vertex\na,0\nb,0\n"), joined(placed, b"name,vertex\nb,0\n"),
-                           joined(b"name,x,y\na,,\n", b"name,vertex\na,0\n")]
+                           joined(b"name,x,y\na,,\n", b"name,vertex\na,0\n"),
+                           joined(b"LM=2\n1 2\nNA NA\nSCALE=2\n", b"name,vertex\n1,0\n2,0\n"), joined(b"name,vertex\n1,0\n", b"LM3=1\n1 2 3\nCOMMENT=SPACE=LPS"),
+                           b"LM=1\n1 2\n", joined(b"LM=1\nNA NA\n", b"LM=0\n"), joined(b"LM=0\n", b"LM=0\nID=a\nLM=0\nID=b\n")]
     seeds["correspondence"] = [b"# a\n0 0.5 0.5 0.5\n8 1 2 3\n", b"0 1 2\n", b"9 1 2 3\n", b"#\n"]
     seeds["files"] = [b'{"format": 1, "files": [{"name": "a/b", "bytes": 3, "checksum": "00"}]}', b'{"format": 2, "files": []}', b"{"]
     two, three = (struct.pack(f"<{2 * n}d", *range(2 * n)) for n in (2, 3))
