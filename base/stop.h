@@ -1,8 +1,11 @@
 #pragma once
 /// \file
-/// Cancellation of long computations. The parallel loops (base/parallel.h), which all long computations use,
+/// Cancellation of long computations, and what they do meanwhile. The parallel loops (base/parallel.h) and the longer of the serial ones
 /// ask a question and throw an exception once the answer is a cause to stop.
 
+#include <chrono>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -31,5 +34,43 @@ void stop_loops_when(StopCause (*question)());
 
 /// Throws Stopped if there is a cause to stop. Its text says that nothing was written.
 void stop_if_wanted();
+
+/// Asks at the first and then at every 1024th call, for what takes less than a millisecond and is done millions of times.
+class StopCheck {
+ public:
+  void operator()() {
+    if (n_calls_++ % 1024 == 0) stop_if_wanted();
+  }
+
+ private:
+  unsigned n_calls_ = 0;
+};
+
+/// Says what a long computation does, from its construction to its end, to those who show it (apps/terminal/progress.h).
+class Activity {
+ public:
+  /// Asks whether to stop. \param name in words for the user, a literal \param n_steps of work, where they can be counted
+  explicit Activity(const char* name, std::size_t n_steps = 0);
+  ~Activity();
+  Activity(const Activity&) = delete;
+  Activity& operator=(const Activity&) = delete;
+
+  /// `n` steps are done since the beginning. Asks whether to stop.
+  void done(std::size_t n);
+
+ private:
+  std::size_t n_steps_;
+  std::size_t id_;
+};
+
+/// An activity as it is at the moment.
+struct ActivityState {
+  std::string name;
+  double share = 0;  ///< of the steps that are done; 0 where they are not counted
+  std::chrono::steady_clock::time_point begin;
+};
+
+/// The one that was begun last, of all threads; nothing where there is none.
+std::optional<ActivityState> last_activity();
 
 }  // namespace shellmatch

@@ -104,6 +104,7 @@ template <int Dim>
 void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
                         Observer& observer) {
   if (options.pictures != Pictures::none) write_pictures(result, folder, observer);
+  const Activity writing("files");
   if constexpr (Dim == 3) {
     write_ply(folder.path_of("deformed.ply"), result.deformed);
     write_ply(folder.path_of("template.ply"), result.template_shape);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "statistics/leave_one_out.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ void summarise(const Eigen::MatrixXd& distances, std::vector<double>& mean, std:
   mean.clear();
   error.clear();
   for (Eigen::Index k = 0; k < distances.cols(); ++k) {
+    stop_if_wanted();
     double sum = 0, squares = 0;
     for (const double d : distances.col(k)) sum += d;
     mean.push_back(sum / n);

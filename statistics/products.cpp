@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 
 #include <algorithm>
 #include <utility>
@@ -50,6 +51,7 @@ Eigen::MatrixXd products(const Shapes& a, const Shapes& b, const Eigen::VectorXd
         const auto& [left, right] = tiles[t];
         Eigen::MatrixXd from_a, from_b, sum = Eigen::MatrixXd::Zero(left.size, right.size);
         for (Eigen::Index row = 0; row < n_rows; row += rows_at_once) {
+          stop_if_wanted();
           const Range rows{row, std::min(rows_at_once, n_rows - row)};
           load(a, rows, left, from_a);
           load(b, rows, right, from_b);

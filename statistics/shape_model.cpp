@@ -1,6 +1,7 @@
 #include "statistics/shape_model.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "statistics/gram_eigen.h"
 #include "statistics/products.h"
 #include "statistics/random.h"
@@ -55,7 +56,8 @@ Eigen::MatrixXd normal_scores(const Eigen::VectorXd& variances, int n, std::uint
   if (n < 0) throw_input_error("{} random shapes; the number is not negative", n);
   Random random(seed);
   Eigen::MatrixXd drawn(n, variances.size());
-  for (Eigen::Index i = 0; i < n; ++i)
+  StopCheck stop_check;
+  for (Eigen::Index i = 0; i < n; ++i, stop_check())
     for (Eigen::Index k = 0; k < variances.size(); ++k) drawn(i, k) = std::sqrt(variances[k]) * random.normal();
   return drawn;
 }

@@ -87,7 +87,7 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   score.pose = std::sqrt((rotation_between(from, to) * from - to).squaredNorm() / n);
   if (pair.landmarks.empty()) return score;
   score.landmarks = quantile(landmark_distances(pair, matches), 0.5);
-  score.landmark_noise = quantile(landmark_noise(pair, matches), 0.5);
+  score.landmark_noise = landmark_noise(pair, matches);
   return score;
 }
 

@@ -14,7 +14,7 @@ struct MapScore {
   double pose = 0;         ///< root mean square distance after a proper rotation, in roots of the area
   double spin = 0;         ///< mean square difference of spin images, at most 2
   double landmarks = 0;    ///< median of landmark_distances(), 0 without landmarks; no part of the total
-  double landmark_noise = 0;   ///< median of landmark_noise(); no part of the total
+  double landmark_noise = 0;   ///< landmark_noise(); no part of the total
 
   double total() const { return functions + signature + orientation + pose; }
   /// What tells right from wrong among maps of the same two surfaces. Where limbs point does not count: poses do not tell front from back.

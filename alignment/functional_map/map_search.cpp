@@ -2,9 +2,11 @@
 
 #include "alignment/functional_map/starts.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace shellmatch {
@@ -150,6 +152,25 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
   }
 }
 
+/// How far the search is, in hundredths of the time that its stages take.
+class SearchProgress {
+ public:
+  /// Calls body(i) for the candidates of one stage, at whose end `end` of the search are done.
+  template <class Body>
+  void stage(std::size_t end, std::size_t n, const Body& body) {
+    std::atomic<std::size_t> n_done = 0;
+    parallel_for(n, [&](std::size_t i) {
+      body(i);
+      activity_.done(begin_ + (end - begin_) * ++n_done / n);
+    }, 1);
+    begin_ = end;
+  }
+
+ private:
+  Activity activity_{"comparing maps", 100};
+  std::size_t begin_ = 0;
+};
+
 /// The best distinct ones by their coarse scores.
 void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
@@ -162,6 +183,7 @@ void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candid
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b) { return has_no_axes(a.values) || has_no_axes(b.values); }
 
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
+  SearchProgress progress;
   std::vector<Eigen::MatrixXd> starts;
   if (!are_ambiguous(*pair.shapes[0], *pair.shapes[1]))
     starts = start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
@@ -169,7 +191,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   std::vector<MapCandidate> candidates(1 + starts.size() + by_landmarks);
   candidates.back().is_by_landmarks = by_landmarks;
   candidates[0].is_identity = true;
-  parallel_for(candidates.size(), [&](std::size_t i) {
+  progress.stage(14, candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     if (candidate.is_identity) return start_rotated(pair, Mat<3>::Identity(), candidate);
     if (candidate.is_by_landmarks) return start_by_landmarks(pair, candidate);
@@ -177,40 +199,40 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     std::vector<int> steps;
     for (int k = static_cast<int>(candidate.c.rows()); k <= n_merged; ++k) steps.push_back(k);
     upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
-  }, 1);
+  });
   candidates = distinct(pair, std::move(candidates));
   const int n_smoothed = std::min(n_smooth, pair.n_functions);
-  parallel_for(candidates.size(), [&](std::size_t i) {
+  progress.stage(50, candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     refine_rotated(pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
                    candidate);
-  }, 1);
+  });
   choose_best(pair, candidates, std::max(n_promising, options.refined));
-  parallel_for(candidates.size(), [&](std::size_t i) { refine_coarsely(pair, last_steps, candidates[i]); }, 1);
+  progress.stage(56, candidates.size(), [&](std::size_t i) { refine_coarsely(pair, last_steps, candidates[i]); });
   choose_best(pair, candidates, options.refined);
   // What the surfaces suggest as they lie is often better than what any signs of eigenfunctions lead to. Turned surfaces suggest
   // the same once they are turned back.
   const std::size_t n_first = candidates.size();
   candidates.resize(2 * n_first);
-  parallel_for(n_first, [&](std::size_t i) {
+  progress.stage(58, n_first, [&](std::size_t i) {
     const Mat<3> rotation = proper_rotation(pair, candidates[i].matches, n_smoothed);
     start_rotated(pair, rotation, candidates[n_first + i]);
     refine_rotated(pair, rotation, candidates[n_first + i]);
     refine_coarsely(pair, last_steps, candidates[n_first + i]);
-  }, 1);
+  });
   choose_best(pair, candidates, options.refined);
-  parallel_for(candidates.size(), [&](std::size_t i) {
+  progress.stage(by_landmarks ? 80 : 100, candidates.size(), [&](std::size_t i) {
     refine_densely(pair, 0, candidates[i]);
     candidates[i].score = score_map(pair, candidates[i].matches, candidates[i].c);
-  }, 1);
+  });
   sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
   if (pair.landmarks.empty()) return candidates;
   // Scores, whose limits are known, are those of maps by spectra alone. How exact landmarks are, the best map tells.
   const double trust = landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise);
-  parallel_for(candidates.size(), [&](std::size_t i) {
+  progress.stage(100, candidates.size(), [&](std::size_t i) {
     candidates[i].landmark_trust = trust;
     refine_densely(pair, trust, candidates[i]);
-  }, 1);
+  });
   return candidates;
 }
 

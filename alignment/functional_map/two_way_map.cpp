@@ -103,30 +103,44 @@ std::vector<double> landmark_distances(const ShapePairSpectra& pair, const Verte
   return distances;
 }
 
-std::vector<double> landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches) {
+namespace {
+
+/// Two landmarks near each other.
+struct Neighbours {
+  double distance2;    ///< square of their distance on surface 1
+  double difference2;  ///< half the square by which the map's errors at them differ
+};
+
+double median_of(std::span<const Neighbours> some, double Neighbours::*member) {
+  std::vector<double> values;
+  for (const Neighbours& n : some) values.push_back(n.*member);
+  return quantile(std::move(values), 0.5);
+}
+
+}  // namespace
+
+double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches) {
   const std::size_t n = pair.landmarks.size(), n_neighbours = std::min<std::size_t>(5, n - 1);
   const auto place = [&](std::size_t j) { return pair.shapes[0]->surface.vertices[pair.landmarks[j].first]; };
   const auto error = [&](std::size_t j) -> Vec<3> {
     return pair.shapes[1]->surface.vertices[pair.landmarks[j].second] - pair.shapes[1]->surface.vertices[matches.to[0][j]];
   };
-  std::vector<double> noise(n);
+  const auto by_distance = [](const Neighbours& a, const Neighbours& b) { return a.distance2 < b.distance2; };
+  std::vector<Neighbours> all;
   for (std::size_t j = 0; j < n; ++j) {
-    std::vector<std::size_t> others;
+    std::vector<Neighbours> others;
     for (std::size_t i = 0; i < n; ++i)
-      if (i != j) others.push_back(i);
-    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours), others.end(), [&](std::size_t a, std::size_t b) {
-      return (place(a) - place(j)).squaredNorm() < (place(b) - place(j)).squaredNorm();
-    });
-    Vec<3> shared;
-    for (int k = 0; k < 3; ++k) {
-      std::vector<double> components;
-      for (std::size_t i = 0; i < n_neighbours; ++i) components.push_back(error(others[i])[k]);
-      shared[k] = quantile(std::move(components), 0.5);
-    }
-    // The variance of a median of n normal values is about pi / (2 n) of theirs.
-    noise[j] = (error(j) - shared).norm() / std::sqrt(1 + M_PI / (2 * static_cast<double>(n_neighbours)));
+      if (i != j) others.push_back({(place(i) - place(j)).squaredNorm(), 0.5 * (error(i) - error(j)).squaredNorm()});
+    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours), others.end(), by_distance);
+    all.insert(all.end(), others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours));
   }
-  return noise;
+  std::stable_sort(all.begin(), all.end(), by_distance);
+  // As the nugget of a variogram: a straight line through the medians of the nearest third and of the farthest, back to no distance.
+  const std::span<const Neighbours> near = std::span(all).first((all.size() + 2) / 3), far = std::span(all).last((all.size() + 2) / 3);
+  const double near_distance = median_of(near, &Neighbours::distance2), near_difference = median_of(near, &Neighbours::difference2);
+  const double gap = median_of(far, &Neighbours::distance2) - near_distance;
+  const double rise = gap > 0 ? std::max(0.0, median_of(far, &Neighbours::difference2) - near_difference) / gap : 0;
+  return std::sqrt(std::max(0.0, near_difference - rise * near_distance));
 }
 
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k,

@@ -70,10 +70,10 @@ Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches
 /// roots of the area. \pre `matches` are those of a set of `pair`, from its beginning
 std::vector<double> landmark_distances(const ShapePairSpectra& pair, const VertexMatches& matches);
 
-/// How much each landmark's vector on surface 2, from where the map takes it to where it belongs, differs from the median of those of
-/// the five nearest, by components, in roots of the area: errors of maps are shared by neighbours, those of landmarks are not. Where all
-/// is noise, the mean square is that of the noise. \pre as landmark_distances(); there are landmarks
-std::vector<double> landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches);
+/// The part of the landmarks' distances from where the map takes them that even near ones do not share, in the median, in roots of the area:
+/// errors of maps grow apart with distance, those of landmarks do not. Half the square by which they differ is extrapolated from pairs of
+/// near landmarks to no distance, so that few landmarks far from each other tell as well. \pre as landmark_distances(); two at least
+double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches);
 
 /// Vectors that nearly agree at corresponding points, a column for each vertex of a set on either surface.
 struct Embedding {

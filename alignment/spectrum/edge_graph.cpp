@@ -66,28 +66,6 @@ std::vector<double> EdgeGraph::distances_from(Index source) const {
   return distances;
 }
 
-std::vector<Index> EdgeGraph::components() const {
-  std::vector<Index> component(n_vertices(), no_index);
-  std::vector<Index> open;
-  Index n = 0;
-  for (std::size_t first = 0; first < component.size(); ++first) {
-    if (component[first] != no_index) continue;
-    component[first] = n;
-    open.push_back(static_cast<Index>(first));
-    while (!open.empty()) {
-      const Index v = open.back();
-      open.pop_back();
-      for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e)
-        if (component[edges_[e].to] == no_index) {
-          component[edges_[e].to] = n;
-          open.push_back(edges_[e].to);
-        }
-    }
-    ++n;
-  }
-  return component;
-}
-
 std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n) {
   std::vector<Index> samples;
   std::vector<double> distances(graph.n_vertices(), std::numeric_limits<double>::infinity());

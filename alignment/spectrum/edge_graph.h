@@ -24,9 +24,6 @@ class EdgeGraph {
   /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are shorter.
   void lower_distances(Index source, std::vector<double>& distances) const;
 
-  /// The connected component of every vertex, numbered in the order of their first vertices.
-  std::vector<Index> components() const;
-
  private:
   void lower_distances_up_to(Index goal, Index source, std::vector<double>& distances) const;
 

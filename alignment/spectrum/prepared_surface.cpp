@@ -1,8 +1,9 @@
 #include "alignment/spectrum/prepared_surface.h"
 
-#include "alignment/spectrum/edge_graph.h"
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/repair/simplify.h"
 #include "geometry/surface/subdivision.h"
@@ -23,8 +24,24 @@ struct Components {
   std::vector<double> areas;
 };
 
+/// Counted in the order of their first vertices.
+std::vector<Index> numbered_components(const Surface<3>& surface) {
+  DisjointSets sets(surface.vertices.size());
+  StopCheck stop_check;
+  for (const auto& [a, b, c] : surface.facets) {
+    stop_check();
+    sets.join(a, b);
+    sets.join(b, c);
+  }
+  std::vector<Index> component(surface.vertices.size());
+  Index n = 0;
+  // A set's first vertex stands for it.
+  for (Index v = 0; v < static_cast<Index>(component.size()); ++v) component[v] = sets.find(v) == v ? n++ : component[sets.find(v)];
+  return component;
+}
+
 Components components_of(const Surface<3>& surface) {
-  Components components{EdgeGraph(surface).components(), {}};
+  Components components{numbered_components(surface), {}};
   std::vector<bool> has_facet(surface.vertices.size(), false);
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     const auto c = static_cast<std::size_t>(components.of_vertex[surface.facets[f][0]]);

@@ -1,5 +1,7 @@
 #include "alignment/spectrum/spectral_shape.h"
 
+#include "base/stop.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,7 @@ SpectralShape mirrored_shape(SpectralShape shape) {
 }
 
 SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& options) {
+  const Activity activity("spectra");
   SurfaceLaplacian laplacian = surface_laplacian(surface, options.mollification);
   const double area = laplacian.mass.sum();
   Vec<3> centre = Vec<3>::Zero();

@@ -6,7 +6,8 @@
 namespace shellmatch {
 
 /// Installs handlers that record these signals instead of ending the program. One that is ignored when the program
-/// starts, as by nohup or for a shell's background jobs, stays ignored.
+/// starts, as by nohup or for a shell's background jobs, stays ignored. Where nothing asks for the signal in nearly two seconds, as in a
+/// library's function that takes long, the program ends as by a second signal: what it had begun to write has no name yet.
 void catch_interrupts();
 
 /// Whether a signal has been received.

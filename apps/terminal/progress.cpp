@@ -21,6 +21,13 @@ std::string place(const LevelStart& start, int max_level) {
   return text;
 }
 
+// The rest of an activity of which a tenth is done, with a comma before it, or nothing.
+std::string left_of(const std::optional<ActivityState>& activity) {
+  if (!activity || activity->share < 0.1) return "";
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - activity->begin;
+  return ", " + time_left_text(elapsed.count() * (1 / activity->share - 1));
+}
+
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
@@ -75,12 +82,15 @@ std::string Progress::left() const {
   return seconds ? ", " + time_left_text(*seconds) : "";
 }
 
-// What takes long without a word says how long.
+// What takes long without a word says how long, and what of it is done (base/stop.h).
 void Progress::beat() {
   const std::lock_guard lock(mutex_);
   if (doing_.empty() || now() - last_rewrite_ < 0.9) return;
+  const std::optional<ActivityState> activity = last_activity();
+  const std::string part = activity && activity->name != doing_ ? ", " + activity->name : "";
   const double here = now() - doing_since_;
-  rewrite(fmt::format("{}: {:.0f} s{}{}", doing_, here, now() - here >= 1 ? fmt::format(" of {:.0f} s so far", now()) : "", left()));
+  rewrite(fmt::format("{}{}: {:.0f} s{}{}", doing_, part, here, now() - here >= 1 ? fmt::format(" of {:.0f} s so far", now()) : "",
+                      has_estimate_ ? left() : left_of(activity)));
 }
 
 void Progress::warn(const std::string& text) {

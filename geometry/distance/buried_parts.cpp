@@ -4,10 +4,10 @@
 #include "base/parallel.h"
 #include "geometry/distance/crossing_number.h"
 #include "geometry/distance/facet_tree.h"
+#include "geometry/surface/facet_edges.h"
 #include "geometry/surface/facet_point.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -27,12 +27,14 @@ std::vector<Index> judges(const Surface<3>& s, const std::vector<Index>& crossin
   std::vector<bool> crosses(s.facets.size());
   for (const Index f : crossing) crosses[f] = true;
   DisjointSets sets(s.facets.size());
-  std::map<std::pair<Index, Index>, Index> facet_at;
-  for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
-    for (int k = 0; k < 3 && !crosses[f]; ++k) {
-      const auto [edge, is_new] = facet_at.try_emplace(std::minmax({s.facets[f][k], s.facets[f][(k + 1) % 3]}), f);
-      if (!is_new) sets.join(f, edge->second);
+  for_each_edge(sorted_edges(s.facets, s.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
+    Index first = no_index;
+    for (const FacetEdge* e = begin; e != end; ++e) {
+      if (crosses[e->facet]) continue;
+      if (first == no_index) first = e->facet;
+      else sets.join(first, e->facet);
     }
+  });
   std::vector<Index> judge(s.facets.size(), no_index);
   std::vector<double> area(s.facets.size());
   for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
@@ -62,10 +64,11 @@ std::vector<char> is_buried(const Surface<3>& s, const std::vector<Index>& cross
 
 /// For each buried facet how deep it reaches below the others; 0 for those, and for all where there are none.
 std::vector<double> depths_of(const Surface<3>& s, const std::vector<char>& buried) {
+  std::vector<double> depths(buried.size());
+  if (std::ranges::find(buried, 1) == buried.end()) return depths;
   Surface<3> others{s.vertices, {}};
   for (std::size_t f = 0; f < buried.size(); ++f)
     if (!buried[f]) others.facets.push_back(s.facets[f]);
-  std::vector<double> depths(buried.size());
   if (others.facets.empty()) return depths;
   const FacetTree<3> tree(others);
   const auto below = [&](const Vec<3>& x) { return (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm(); };

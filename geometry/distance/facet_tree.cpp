@@ -1,5 +1,6 @@
 #include "geometry/distance/facet_tree.h"
 
+#include "base/stop.h"
 #include "geometry/surface/facet_point.h"
 
 #include <Eigen/Geometry>
@@ -82,6 +83,7 @@ struct FacetTree<Dim>::Builder {
 
   Index add(Range facets) {
     if (facets.size() <= width && !tree.nodes_.empty()) return add_leaf(facets);
+    if (facets.size() > 4096) stop_if_wanted();
     const auto index = static_cast<Index>(tree.nodes_.size());
     tree.nodes_.emplace_back();
     std::vector<Range> parts{facets};
@@ -115,7 +117,9 @@ template <int Dim>
 FacetTree<Dim>::FacetTree(const Surface<Dim>& surface) {
   Builder builder{surface, *this, std::vector<Index>(surface.facets.size())};
   std::iota(builder.order.begin(), builder.order.end(), 0);
+  StopCheck stop_check;
   for (Index& f : builder.order) {
+    stop_check();
     const Box<Dim> box = builder.box({&f, 1});
     builder.centre.push_back(box.min + box.max);
   }

@@ -1,6 +1,7 @@
 #include "geometry/io/input_file.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "geometry/scene/brain_surface.h"
 
 #include <algorithm>
@@ -111,8 +112,11 @@ std::string InputFile::read() const {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path_, error), most = 1 << 20;
   std::string piece(error ? most : std::clamp<std::uintmax_t>(size + 1, 4096, most), '\0');
-  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+  Activity reading("reading", error ? 0 : size);
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0) {
     bytes.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+    reading.done(bytes.size());
+  }
   if (stream.bad()) throw_input_error("{}: cannot be read to its end ({})", path_, std::strerror(errno));
   if (bytes.empty()) throw_input_error("{}: the file is empty (0 bytes)", path_);
   return bytes;

@@ -22,6 +22,7 @@ class PlyBody {
   void begin_item(const PlyElement& element, std::size_t item) {
     element_ = &element;
     item_ = item;
+    stop_check_();
     if (form_ != PlyForm::text) return;
     if (!lines_.next()) ends_early();
     rest_ = lines_.line();
@@ -108,6 +109,7 @@ class PlyBody {
   std::string_view bytes_, rest_;
   const PlyElement* element_ = nullptr;
   std::size_t item_ = 0;
+  StopCheck stop_check_;
 };
 
 void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {

@@ -28,6 +28,7 @@ class Welder {
  public:
   explicit Welder(OriginalShape<3>& shape) : shape_(shape) {}
   Index vertex(const FilePosition& place, Vec<3> x) {
+    stop_check_();
     x.array() += 0.0;  // maps -0 to 0
     const auto [entry, is_new] =
         vertices_.try_emplace({x.x(), x.y(), x.z()}, static_cast<Index>(shape_.vertices.size()));
@@ -37,6 +38,7 @@ class Welder {
 
  private:
   OriginalShape<3>& shape_;
+  StopCheck stop_check_;
   std::unordered_map<std::array<double, 3>, Index, BitHash> vertices_;
 };
 

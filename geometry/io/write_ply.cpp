@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "base/replace_file.h"
+#include "base/stop.h"
 #include "geometry/io/read_ply_header.h"
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/io/write_shape.h"
@@ -128,11 +129,14 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
   }
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) + 4 * (n_corners + shape.polygons.size()));
+  StopCheck stop_check;
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
+    stop_check();
     for (int k = 0; k < 3; ++k) append(bytes, shape.vertices[v][k]);
     for (std::size_t a = 0; a < types.size(); ++a) append_value(bytes, types[a], columns[a]->values[v]);
   }
   for (std::size_t f = 0; f < shape.polygons.size(); ++f) {
+    stop_check();
     append_value(bytes, count_type, static_cast<double>(shape.polygons[f].size()));
     for (const Index v : shape.polygons[f]) append(bytes, static_cast<std::int32_t>(v));
     append_item(bytes, details.ply_faces, f);

@@ -107,6 +107,7 @@ bool LineReader::next() {
 }
 
 bool LineReader::next_line() {
+  stop_check_();
   line_ = {};
   only_comment_ = false;
   if (position_ >= text_.size()) return false;

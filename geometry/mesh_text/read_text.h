@@ -4,6 +4,7 @@
 /// where they are.
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "base/text.h"
 
 #include <cstddef>
@@ -70,6 +71,7 @@ class LineReader {
   std::size_t position_ = 0, number_ = 0;
   char comment_;
   bool only_comment_ = false;
+  StopCheck stop_check_;
 };
 
 }  // namespace shellmatch

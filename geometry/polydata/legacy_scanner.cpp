@@ -1,6 +1,7 @@
 #include "geometry/polydata/legacy_scanner.h"
 
 #include "base/printable.h"
+#include "base/stop.h"
 
 #include <algorithm>
 #include <charconv>
@@ -105,7 +106,9 @@ std::vector<double> LegacyScanner::values(ValueType type, std::size_t n, std::st
   if (n > left().size() / 2 + 1) fail("cut off: {} {} do not fit into the {} bytes that are left", n, what, left().size());
   std::vector<double> values;
   values.reserve(n);
+  StopCheck stop_check;
   while (values.size() < n) {
+    stop_check();
     const std::string_view text = word();
     if (text.empty()) fail("cut off: {} of {} {} are there", values.size(), n, what);
     const std::optional<double> value = number_in(text);

@@ -1,6 +1,7 @@
 // Consistent orientation through CGAL's Polygon Mesh Processing.
 #include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/repair_steps.h"
+#include "geometry/surface/facet_edges.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
@@ -22,6 +23,7 @@ bool same_turn(const std::array<Index, 3>& before, const std::array<std::size_t,
 }  // namespace
 
 Orientation orient_consistently(Surface<3>& surface) {
+  if (is_oriented_manifold(surface.facets, surface.vertices.size())) return {};
   auto [points, triangles] = CgalSoup(surface);
   CGAL::Polygon_mesh_processing::orient_polygon_soup(points, triangles);
   Orientation result;

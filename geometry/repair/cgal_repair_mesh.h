@@ -2,6 +2,7 @@
 /// \file
 /// Our triangles as CGAL's mesh, for the cgal_*.cpp files alone.
 
+#include "base/stop.h"
 #include "geometry/surface/surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,7 +20,9 @@ using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
 inline CgalMesh cgal_mesh(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& facets) {
   CgalMesh mesh;
   std::vector<CgalMesh::Vertex_index> vertex(surface.vertices.size(), CgalMesh::null_vertex());
+  StopCheck stop_check;
   for (const std::array<Index, 3>& facet : facets) {
+    stop_check();
     std::array<CgalMesh::Vertex_index, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto i = static_cast<std::size_t>(facet[k]);

@@ -48,7 +48,9 @@ using Side = CGAL::Side_of_triangle_mesh<CgalMesh, CgalKernel>;
 bool is_inside(const Part& part, const Surface<3>& surface, const Side& side_of_other) {
   const auto side = [&](const Vec<3>& x) { return side_of_other({x.x(), x.y(), x.z()}); };
   std::vector<Index> free;  // vertices that do not touch
+  StopCheck stop_check;
   for (const Index v : part.vertices) {
+    stop_check();
     const CGAL::Bounded_side where = side(surface.vertices[v]);
     if (where == CGAL::ON_UNBOUNDED_SIDE) return false;
     if (where == CGAL::ON_BOUNDED_SIDE) free.push_back(v);
@@ -70,6 +72,7 @@ std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<st
   std::vector<Part> all;
   for (const std::vector<Index>& facets : parts) all.push_back(part_of(surface, facets));
   for (std::size_t outer = 0; outer < all.size(); ++outer) {
+    stop_if_wanted();
     std::vector<std::size_t> candidates;
     for (std::size_t inner = 0; inner < all.size(); ++inner)
       if (inner != outer && within(all[inner].box, all[outer].box)) candidates.push_back(inner);

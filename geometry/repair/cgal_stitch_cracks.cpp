@@ -1,6 +1,7 @@
 // Which vertices lie on which border edges is found by CGAL's intersection of boxes.
 #include "base/disjoint_sets.h"
 #include "geometry/repair/stitch_cracks.h"
+#include "geometry/surface/facet_edges.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
@@ -22,14 +23,10 @@ Edge edge_of(const Facet& facet, int k) { return std::minmax({facet[k], facet[(k
 
 // Edges with an odd number of triangles: those that the surface leaves open.
 std::vector<Edge> border(const Surface<3>& surface) {
-  std::vector<Edge> edges, odd;
-  for (const Facet& facet : surface.facets)
-    for (int k = 0; k < 3; ++k) edges.push_back(edge_of(facet, k));
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-    while (j < edges.size() && edges[j] == edges[i]) ++j;
-    if ((j - i) % 2 == 1) odd.push_back(edges[i]);
-  }
+  std::vector<Edge> odd;
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* e, const FacetEdge* end) {
+    if ((end - e) % 2 == 1) odd.emplace_back(e->low, e->high);
+  });
   return odd;
 }
 

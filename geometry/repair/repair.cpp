@@ -1,6 +1,7 @@
 #include "geometry/repair/repair.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "base/text.h"
 #include "geometry/surface/self_intersections.h"
 #include "geometry/repair/close_surface.h"
@@ -90,6 +91,7 @@ void orient_outward(Surface<3>& surface, const std::string& source, Notes& notes
 
 // What to say of coordinates in single precision so far from the origin that its steps are about as long as the edges; empty otherwise.
 std::string used_up_precision(const OriginalShape<3>& original) {
+  if (original.vertices.empty()) return "";
   const auto is_single = [](double a) { return static_cast<double>(static_cast<float>(a)) == a; };
   const auto in_single = [&](const Vec<3>& x) { return is_single(x.x()) && is_single(x.y()) && is_single(x.z()); };
   if (!std::ranges::all_of(original.vertices, in_single)) return "";
@@ -111,6 +113,7 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   if (original.polygons.empty())
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
+  Activity mending("mending");
   Notes notes(note_list);
   std::size_t n_given_up = 0;
   Surface<3> surface{original.vertices, triangulate(original, nullptr, &n_given_up)};
@@ -120,6 +123,7 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   notes.add(n_given_up, "polygon", "polygons", "with too many crossings of the edges split into triangles that overlap");
   notes.add(remove_unused_vertices(surface), "unused vertex", "unused vertices", "left out");
   notes.add(weld_seams(surface), "duplicate vertex", "duplicate vertices", "welded");
+  stop_if_wanted();
   const auto [n_collapsed, n_copies] = remove_repetitions(surface);
   notes.add(n_collapsed, "triangle", "triangles", "with a repeated corner removed");
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
@@ -128,6 +132,7 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   const double negligible = negligible_length(surface.vertices);
   const bool automatic = closing == Closing::automatic;
   if (!automatic) check_closed(surface, source);
+  stop_if_wanted();
   std::size_t n_flat = dissolve_flat_triangles(surface, negligible);
   Closure closure;
   if (automatic) {
@@ -148,8 +153,10 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   notes.add(orientation.n_split, "vertex", "vertices", "added where the surface touches itself");
   if (flat_triangles(surface, 0).size() == surface.facets.size())
     throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
+  stop_if_wanted();
   n_flat += dissolve_flat_triangles(surface, negligible);
   notes.add(n_flat, "triangle", "triangles", "without area removed");
+  stop_if_wanted();
   orient_outward(surface, source, notes);
   remove_unused_vertices(surface);
   std::vector<Index> crossing;

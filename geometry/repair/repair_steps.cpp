@@ -3,45 +3,15 @@
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "geometry/surface/facet_edges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 namespace shellmatch {
 namespace {
-
-struct Edge {
-  Index a, b;  // a < b
-  Index facet;
-  bool same_ends(const Edge& other) const { return a == other.a && b == other.b; }
-  bool operator<(const Edge& other) const {
-    return std::tie(a, b, facet) < std::tie(other.a, other.b, other.facet);
-  }
-};
-
-std::vector<Edge> sorted_edges(const Surface<3>& surface) {
-  std::vector<Edge> edges;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = surface.facets[f][k], b = surface.facets[f][(k + 1) % 3];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(f)});
-    }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-// Calls visit(first edge of the group, number of its triangles) for every edge of the surface.
-template <class Visit>
-void for_each_edge(const Surface<3>& surface, Visit&& visit) {
-  const std::vector<Edge> edges = sorted_edges(surface);
-  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-    while (j < edges.size() && edges[j].same_ends(edges[i])) ++j;
-    visit(edges[i], j - i);
-  }
-}
 
 // Six digits of the shape's size, however far from the origin it lies.
 int digits_for(const std::vector<Vec<3>>& vertices) {
@@ -58,8 +28,8 @@ std::string position(const Vec<3>& x, int digits) {
 
 std::size_t weld_seams(Surface<3>& surface) {
   std::vector<bool> on_boundary(surface.vertices.size(), false);
-  for_each_edge(surface, [&](const Edge& e, std::size_t n) {
-    if (n == 1) on_boundary[e.a] = on_boundary[e.b] = true;
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* e, const FacetEdge* end) {
+    if (end - e == 1) on_boundary[e->low] = on_boundary[e->high] = true;
   });
   std::vector<Index> order;
   for (std::size_t v = 0; v < on_boundary.size(); ++v)
@@ -88,17 +58,20 @@ std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface) {
   for (const auto& [a, b, c] : surface.facets)
     if (a != b && b != c && c != a) proper.push_back({a, b, c});
   const std::size_t n_collapsed = surface.facets.size() - proper.size();
-  // Rotated to start with their smallest corner and sorted, copies are adjacent; the first one is kept.
-  std::vector<std::pair<std::array<Index, 3>, std::size_t>> turned;
-  for (std::size_t t = 0; t < proper.size(); ++t) {
-    std::array<Index, 3> corners = proper[t];
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    turned.emplace_back(corners, t);
-  }
-  std::sort(turned.begin(), turned.end());
+  // Copies run from the same smallest corner to the same next one and to the same third; the first one is kept.
   std::vector<bool> copy(proper.size(), false);
-  for (std::size_t i = 1; i < turned.size(); ++i)
-    copy[turned[i].second] = turned[i].first == turned[i - 1].first;
+  std::vector<std::pair<Index, Index>> thirds;  // and their facets
+  for_each_edge(sorted_edges(proper, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
+    thirds.clear();
+    for (const FacetEdge* e = begin; e != end; ++e) {
+      const std::array<Index, 3>& t = proper[e->facet];
+      const Index third = t[(e->begin + 2) % 3];
+      if (t[e->begin] == e->low && third > e->low) thirds.emplace_back(third, e->facet);
+    }
+    std::sort(thirds.begin(), thirds.end());
+    for (std::size_t i = 1; i < thirds.size(); ++i)
+      if (thirds[i].first == thirds[i - 1].first) copy[thirds[i].second] = true;
+  });
   surface.facets.clear();
   for (std::size_t t = 0; t < proper.size(); ++t)
     if (!copy[t]) surface.facets.push_back(proper[t]);
@@ -107,20 +80,20 @@ std::pair<std::size_t, std::size_t> remove_repetitions(Surface<3>& surface) {
 
 void check_closed(const Surface<3>& surface, const std::string& source) {
   DisjointSets loops(surface.vertices.size());
-  std::vector<Edge> open, crowded;
-  for_each_edge(surface, [&](const Edge& e, std::size_t n) {
-    if (n == 1) {
-      open.push_back(e);
-      loops.join(e.a, e.b);
-    } else if (n > 2) {
-      crowded.push_back(e);
+  std::vector<FacetEdge> open, crowded;
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* e, const FacetEdge* end) {
+    if (end - e == 1) {
+      open.push_back(*e);
+      loops.join(e->low, e->high);
+    } else if (end - e > 2) {
+      crowded.push_back(*e);
     }
   });
   std::set<Index> loop_names;
-  for (const Edge& e : open) loop_names.insert(loops.find(e.a));
+  for (const FacetEdge& e : open) loop_names.insert(loops.find(e.low));
   const int digits = digits_for(surface.vertices);
-  const auto place = [&](const Edge& e) {
-    return position(surface.vertices[e.a], digits) + " to " + position(surface.vertices[e.b], digits);
+  const auto place = [&](const FacetEdge& e) {
+    return position(surface.vertices[e.low], digits) + " to " + position(surface.vertices[e.high], digits);
   };
   const std::string boundary =
       open.empty()

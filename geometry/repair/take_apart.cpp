@@ -1,35 +1,16 @@
 // Edges with more than two triangles (geometry/repair/flat_triangles.h).
 #include "base/disjoint_sets.h"
 #include "geometry/repair/flat_triangles.h"
+#include "geometry/surface/facet_edges.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace shellmatch {
 
 namespace {
-
-struct Side {
-  Index low, high;
-  Index facet;
-  int begin;     // the edge runs from this corner of the facet to the next
-  bool forward;  // from low to high
-  bool operator<(const Side& other) const { return std::tie(low, high, facet) < std::tie(other.low, other.high, other.facet); }
-};
-
-std::vector<Side> sorted_sides(const Surface<3>& surface) {
-  std::vector<Side> sides;
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const Index a = surface.facets[f][k], b = surface.facets[f][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(f), k, a < b});
-    }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
 
 // Corner k of facet f as one number.
 Index corner(Index f, int k) { return 3 * f + k; }
@@ -38,39 +19,40 @@ class Joints {
  public:
   explicit Joints(const Surface<3>& surface) : surface_(surface), sets_(3 * surface.facets.size()) {}
 
-  void join(const Side& one, const Side& two) {
+  void join(const FacetEdge& one, const FacetEdge& two) {
     const int one_end = (one.begin + 1) % 3, two_end = (two.begin + 1) % 3;
-    const bool opposite = one.forward != two.forward;
+    const bool opposite = is_forward(one) != is_forward(two);
     sets_.join(corner(one.facet, one.begin), corner(two.facet, opposite ? two_end : two.begin));
     sets_.join(corner(one.facet, one_end), corner(two.facet, opposite ? two.begin : two_end));
   }
 
   // Around the edge, by angle: the inside lies counter-clockwise of a facet that runs backward and clockwise of one that runs forward. Like
   // brackets, each that opens a wedge is joined to the one that closes it; going round twice finds those beyond the angle 0.
-  void join_wedges(const Side* begin, const Side* end) {
+  void join_wedges(const FacetEdge* begin, const FacetEdge* end) {
     const Vec<3>& origin = surface_.vertices[begin->low];
     const Vec<3> axis = surface_.vertices[begin->high] - origin;
     Vec<3> u = axis.unitOrthogonal();
     const Vec<3> v = axis.cross(u).normalized();
     struct Ray {
       double angle;
-      const Side* side;
+      bool is_forward;
+      const FacetEdge* side;
     };
     std::vector<Ray> rays;
-    for (const Side* s = begin; s != end; ++s) {
+    for (const FacetEdge* s = begin; s != end; ++s) {
       const Vec<3> r = surface_.vertices[surface_.facets[s->facet][(s->begin + 2) % 3]] - origin;
-      rays.push_back({std::atan2(r.dot(v), r.dot(u)), s});
+      rays.push_back({std::atan2(r.dot(v), r.dot(u)), is_forward(*s), s});
     }
     // At equal angles, wedges of no width open before they close.
     std::stable_sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
-      return std::make_pair(a.angle, a.side->forward) < std::make_pair(b.angle, b.side->forward);
+      return std::make_pair(a.angle, a.is_forward) < std::make_pair(b.angle, b.is_forward);
     });
     std::vector<std::size_t> open;
     std::vector<bool> done(rays.size(), false);
     for (std::size_t i = 0; i < 2 * rays.size(); ++i) {
       const std::size_t k = i % rays.size();
       if (done[k]) continue;
-      if (!rays[k].side->forward) {
+      if (!rays[k].is_forward) {
         if (i < rays.size()) open.push_back(k);
       } else if (!open.empty()) {
         join(*rays[open.back()].side, *rays[k].side);
@@ -102,6 +84,9 @@ class Joints {
   }
 
  private:
+  // Does the side run from its lower end to the higher?
+  bool is_forward(const FacetEdge& side) const { return surface_.facets[side.facet][side.begin] == side.low; }
+
   const Surface<3>& surface_;
   DisjointSets sets_;
 };
@@ -109,16 +94,14 @@ class Joints {
 }  // namespace
 
 std::size_t take_apart(Surface<3>& surface) {
-  const std::vector<Side> sides = sorted_sides(surface);
   Joints joints(surface);
   std::size_t n_crowded = 0;
-  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
-    while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) ++j;
-    if (j - i == 2) joints.join(sides[i], sides[i + 1]);
-    if (j - i <= 2) continue;
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
+    if (end - begin == 2) joints.join(begin[0], begin[1]);
+    if (end - begin <= 2) return;
     ++n_crowded;
-    joints.join_wedges(&sides[i], &sides[i] + (j - i));
-  }
+    joints.join_wedges(begin, end);
+  });
   if (n_crowded > 0) joints.divide(surface);
   return n_crowded;
 }

@@ -29,6 +29,7 @@ void SceneShape::add(const Affine& place, const std::vector<Vec<3>>& vertices, c
   if (first + vertices.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw_input_error("{}: more than {} vertices in the scene; export a part of it", path_, std::numeric_limits<Index>::max());
   if (!place.linear.isIdentity(0) || !place.offset.isZero(0)) ++n_moved_;
+  stop_if_wanted();
   for (const Vec<3>& x : vertices) add_vertex({path_, "mesh", n_meshes_}, place(x), mesh_.shape);
   const bool is_mirrored = place.linear.determinant() < 0;
   for (const std::vector<Index>& polygon : polygons) {

@@ -1,7 +1,7 @@
+#include "geometry/surface/overlapping_boxes.h"
 #include "geometry/surface/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <utility>
@@ -81,19 +81,19 @@ bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
 
 template <int Dim>
 std::vector<Index> find(const Surface<Dim>& surface) {
-  using FacetBox = CGAL::Box_intersection_d::Box_with_info_d<double, Dim, Index>;
-  std::vector<FacetBox> boxes;
+  std::vector<Box<Dim>> boxes;
+  std::vector<Index> facet_of;
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     if (is_flat(surface, surface.facets[f])) continue;
-    Box<Dim> box;
+    facet_of.push_back(static_cast<Index>(f));
+    Box<Dim>& box = boxes.emplace_back();
     for (const Index v : surface.facets[f]) box.add(surface.vertices[v]);
-    boxes.emplace_back(box.min.data(), box.max.data(), static_cast<Index>(f));
   }
   std::vector<bool> found(surface.facets.size(), false);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const FacetBox& a, const FacetBox& b) {
-    if (found[a.info()] && found[b.info()]) return;
-    if (meet(surface, surface.facets[a.info()], surface.facets[b.info()]))
-      found[a.info()] = found[b.info()] = true;
+  for_overlapping_boxes(boxes, [&](std::size_t a, std::size_t b) {
+    const Index f = facet_of[a], g = facet_of[b];
+    if (found[f] && found[g]) return;
+    if (meet(surface, surface.facets[f], surface.facets[g])) found[f] = found[g] = true;
   });
   std::vector<Index> facets;
   for (std::size_t f = 0; f < found.size(); ++f)

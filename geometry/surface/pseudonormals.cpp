@@ -1,10 +1,14 @@
 #include "geometry/surface/pseudonormals.h"
 
+#include "base/stop.h"
+#include "geometry/surface/facet_edges.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 namespace shellmatch {
 
@@ -29,28 +33,21 @@ double corner_angle(const Surface<3>& surface, Index f, int i) {
 
 /// Numbers the edges of all facets, each given by its two vertices; returns the number of edges.
 std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index, 3>>& edges_of_facet) {
-  struct Side {
-    std::uint64_t key;
-    Index facet;
-    int edge;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.facets.size());
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-    for (int e = 0; e < 3; ++e) {
-      const auto [low, high] = std::minmax(surface.facets[f][e], surface.facets[f][(e + 1) % 3]);
-      sides.push_back({static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high),
-                       static_cast<Index>(f), e});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.key != b.key ? a.key < b.key : a.facet != b.facet ? a.facet < b.facet : a.edge < b.edge;
-  });
-  edges_of_facet.resize(surface.facets.size());
+  edges_of_facet.assign(surface.facets.size(), {no_index, no_index, no_index});
   std::size_t n_edges = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i == 0 || sides[i].key != sides[i - 1].key) ++n_edges;
-    edges_of_facet[sides[i].facet][sides[i].edge] = static_cast<Index>(n_edges - 1);
-  }
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
+    for (const FacetEdge* e = begin; e != end; ++e) edges_of_facet[e->facet][e->begin] = static_cast<Index>(n_edges);
+    ++n_edges;
+  });
+  // Sides between equal corners belong together by these.
+  std::map<Index, Index> loops;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+    for (int e = 0; e < 3; ++e)
+      if (edges_of_facet[f][e] == no_index) {
+        const auto [loop, is_new] = loops.try_emplace(surface.facets[f][e], static_cast<Index>(n_edges));
+        n_edges += is_new ? 1 : 0;
+        edges_of_facet[f][e] = loop->second;
+      }
   return n_edges;
 }
 
@@ -138,7 +135,8 @@ Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
     fill_degenerate(surface, edges_of_facet_, n_edges, degenerate, facets_);
     edges_ = edge_normals(surface, edges_of_facet_, n_edges, degenerate, facets_);
   }
-  for (std::size_t f = 0; f < facets_.size(); ++f)
+  StopCheck stop_check;
+  for (std::size_t f = 0; f < facets_.size(); ++f, stop_check())
     for (int i = 0; i < Dim; ++i)
       vertices_[surface.facets[f][i]] += corner_angle(surface, static_cast<Index>(f), i) * facets_[f];
   for (Vec<Dim>& n : vertices_) n = unit_or_zero<Dim>(n);

@@ -1,9 +1,8 @@
 #include "geometry/surface/topology.h"
 
 #include "base/disjoint_sets.h"
+#include "geometry/surface/facet_edges.h"
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -11,12 +10,9 @@ namespace shellmatch {
 namespace {
 
 std::size_t count_edges(const Surface<3>& s) {
-  std::vector<std::pair<Index, Index>> edges;
-  edges.reserve(3 * s.facets.size());
-  for (const auto& facet : s.facets)
-    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({facet[k], facet[(k + 1) % 3]}));
-  std::ranges::sort(edges);
-  return static_cast<std::size_t>(std::ranges::unique(edges).begin() - edges.begin());
+  std::size_t n = 0;
+  for_each_edge(sorted_edges(s.facets, s.vertices.size()), [&](const FacetEdge*, const FacetEdge*) { ++n; });
+  return n;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
+#include "base/stop.h"
 #include "geometry/vtk_xml/inflate.h"
 
 #include <algorithm>
@@ -56,7 +57,9 @@ class XmlValues {
     constexpr std::string_view blanks = " \t\r\n";
     if (n_ > rest.size() / 2 + 1) damaged(fmt::format("{} values do not fit into it", n_));
     values.reserve(n_);
+    StopCheck stop_check;
     for (;;) {
+      stop_check();
       rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
       if (rest.empty()) break;
       const std::string_view text = rest.substr(0, rest.find_first_of(blanks));
@@ -121,6 +124,7 @@ class XmlValues {
     if (n_bytes / max_expansion > packed.size()) damaged("cut off");
     std::string values(n_bytes, '\0');
     for (std::size_t i = 0, done = 0; i < n_blocks; ++i) {
+      stop_if_wanted();
       const std::size_t size = word(bytes, 3 + i), n = std::min(full, n_bytes - done);
       if (size > packed.size()) damaged("cut off");
       if (!inflate_exactly(packed.substr(0, size), values.data() + done, n)) damaged("a block cannot be expanded");

@@ -2,12 +2,14 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "render/surfaces/corner_normals.h"
 #include "render/surfaces/ray_scene.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -80,6 +82,8 @@ void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
   const std::vector<Vec<3>> normals = vertex_normals(s);
   const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 10000 ? 64 : 160);
   std::vector<float> raw(s.vertices.size(), 1);
+  Activity shading("shading", raw.size());
+  std::atomic<std::size_t> n_shaded = 0;
   parallel_for(
       raw.size(),
       [&](std::size_t i) {
@@ -92,6 +96,7 @@ void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
           if (!scene.is_blocked({start, d}, 0, reach)) open += weight;
         }
         raw[i] = all > 0 ? static_cast<float>(open / all) : 1;
+        if (const std::size_t n = ++n_shaded; n % 4096 == 0) shading.done(n);
       },
       256);
   openness_.assign(raw.size(), 0);

@@ -28,6 +28,19 @@ TEST(Signals, ASecondOneOfAnyKindEndsTheProgram) {
   EXPECT_EXIT(after(SIGHUP, SIGHUP), ::testing::KilledBySignal(SIGHUP), "");
 }
 
+TEST(Signals, OneThatNothingAsksForEndsTheProgramWithinTwoSeconds) {
+  const auto ended_by_itself = [](bool is_heard) {
+    catch_interrupts();
+    std::raise(SIGTERM);
+    if (is_heard) EXPECT_TRUE(interrupt_requested());
+    for (int second = 0; second < 3; ++second)
+      for (unsigned left = 1; left > 0;) left = sleep(left);  // a signal cuts it short
+    _exit(7);
+  };
+  EXPECT_EXIT(ended_by_itself(false), ::testing::ExitedWithCode(128 + SIGTERM), "stopped at once");
+  EXPECT_EXIT(ended_by_itself(true), ::testing::ExitedWithCode(7), "");
+}
+
 TEST(Signals, OneThatIsIgnoredStaysIgnored) {
   const auto ignored = [](int signal) {
     std::signal(signal, SIG_IGN);

@@ -40,6 +40,7 @@ TEST(Versions, AreThoseOfTheLinkedLibraries) {
   EXPECT_EQ(verbose.exit_code, 0) << verbose.err;
   EXPECT_EQ(run_program({"-v", "--version"}).out, verbose.out);
   EXPECT_EQ(plain.out.find('\n'), plain.out.size() - 1) << "one line, as ever";
+  EXPECT_TRUE(has(verbose.out, "\nlicence: GPL-3.0-or-later\n"));
   EXPECT_GE(linked_libraries().size(), 24u);
   for (const LinkedLibrary& library : linked_libraries()) {
     EXPECT_TRUE(has(verbose.out, library.name) && has(verbose.out, library.version) && has(verbose.out, library.licence)) << library.name;

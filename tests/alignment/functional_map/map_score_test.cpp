@@ -150,6 +150,25 @@ TEST_F(KnownMap, LandmarksTellTheMedianOfTheirDistances) {
   EXPECT_GT(score_map(pair, matches, c).landmarks, 0.05) << "on either surface";
 }
 
+TEST_F(KnownMap, NoiseOfFewLandmarksIsThatAtNoDistance) {
+  std::vector<std::pair<Index, Index>> landmarks;
+  const auto step = static_cast<Index>(shape_1_->n_vertices() / 16);
+  for (Index k = 0; k < 16; ++k) landmarks.emplace_back(step * k, step * k);
+  const ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, landmarks);
+  VertexMatches matches;
+  for (int s = 0; s < 2; ++s) matches.from[s] = matches.to[s] = pair.dense[s].vertices;
+  // A map that is turned: its errors differ from one landmark to the next, the more the farther they are.
+  const auto& vertices = shape_2_->surface.vertices;
+  const Mat<3> turn = Eigen::AngleAxisd(0.4, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
+  for (std::size_t j = 0; j < 16; ++j) {
+    const Vec<3> x = turn * vertices[pair.landmarks[j].second];
+    matches.to[0][j] = static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) - vertices.begin());
+  }
+  const MapScore turned = score_map(pair, matches, functional_map(pair, matches, 40));
+  EXPECT_GT(turned.landmarks, 0.05);
+  EXPECT_LT(turned.landmark_noise, 0.2 * turned.landmarks);
+}
+
 TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
   std::vector<std::pair<Index, Index>> landmarks;
   const auto step = static_cast<Index>(shape_1_->n_vertices() / 60);

@@ -216,7 +216,8 @@ TEST(MeshFiles, StlIsWeldedAndItsSizeChecked) {
   EXPECT_NEAR(volume(shape.surface), 1, 1e-15);
   EXPECT_TRUE(contains(message(folder, "a.stl", text.substr(0, text.rfind("endsolid"))), "cut off"));
   EXPECT_TRUE(contains(message(folder, "a.stl", text.substr(0, text.size() / 2)), "line"));
-  EXPECT_TRUE(contains(message(folder, "a.stl", "solid a\nendsolid a\n"), "no faces"));
+  const std::string of_empty = message(folder, "a.stl", "solid a\nendsolid a\n");
+  EXPECT_TRUE(contains(of_empty, "no faces") && !contains(of_empty, "precision")) << of_empty;
   // Binary files may start with 'solid'.
   std::string binary = "solid" + std::string(75, ' ') + bytes_of(std::uint32_t{12}, false);
   const OriginalShape<3> box = cube();
