@@ -81,8 +81,12 @@ struct FacetTree<Dim>::Builder {
     return ~index;
   }
 
-  Index add(Range facets) {
-    if (facets.size() <= width && !tree.nodes_.empty()) return add_leaf(facets);
+  /// \param bounds takes the box of the facets
+  Index add(Range facets, Box<Dim>& bounds) {
+    if (facets.size() <= width && !tree.nodes_.empty()) {
+      bounds = box(facets);
+      return add_leaf(facets);
+    }
     if (facets.size() > 4096) stop_if_wanted();
     const auto index = static_cast<Index>(tree.nodes_.size());
     tree.nodes_.emplace_back();
@@ -100,8 +104,12 @@ struct FacetTree<Dim>::Builder {
     }
     for (int i = 0; i < width; ++i) {
       const bool filled = static_cast<std::size_t>(i) < parts.size();
-      const Index child = filled ? add(parts[i]) : 0;
-      const Box<Dim> b = filled ? box(parts[i]) : Box<Dim>{};
+      Box<Dim> b;
+      const Index child = filled ? add(parts[i], b) : 0;
+      if (filled) {
+        bounds.add(b.min);
+        bounds.add(b.max);
+      }
       Node& node = tree.nodes_[index];  // not earlier: add() may reallocate the nodes
       node.child[i] = child;
       for (int k = 0; k < Dim; ++k) {
@@ -117,6 +125,8 @@ template <int Dim>
 FacetTree<Dim>::FacetTree(const Surface<Dim>& surface) {
   Builder builder{surface, *this, std::vector<Index>(surface.facets.size())};
   std::iota(builder.order.begin(), builder.order.end(), 0);
+  builder.centre.reserve(builder.order.size());
+  leaves_.reserve((builder.order.size() + width - 1) / width);
   StopCheck stop_check;
   for (Index& f : builder.order) {
     stop_check();
@@ -125,7 +135,8 @@ FacetTree<Dim>::FacetTree(const Surface<Dim>& surface) {
   }
   const Box<Dim> all = builder.box(builder.order);
   builder.scale = (all.max - all.min).maxCoeff();
-  builder.add(builder.order);
+  Box<Dim> bounds;
+  builder.add(builder.order, bounds);
 }
 
 template FacetTree<2>::FacetTree(const Surface<2>&);

@@ -1,45 +1,53 @@
 // Stereolithography files, text and binary. Both list separate triangles.
 #include "geometry/mesh_text/read_mesh_formats.h"
 
-#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
-#include <unordered_map>
+#include <vector>
 
 namespace shellmatch {
 namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
 
-struct BitHash {
-  std::size_t operator()(const std::array<double, 3>& x) const {
-    std::uint64_t hash = 0;
-    for (const double v : x) {
-      std::uint64_t bits;
-      std::memcpy(&bits, &v, sizeof bits);
-      hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 29;
-    }
-    return hash;
-  }
-};
-
-// Merges corners with equal coordinates.
+// Merges corners with equal coordinates: a table of vertices, at most half full, in which those of equal places follow each other.
 class Welder {
  public:
-  explicit Welder(OriginalShape<3>& shape) : shape_(shape) {}
+  explicit Welder(OriginalShape<3>& shape) : shape_(shape), table_(1024, no_index) {}
   Index vertex(const FilePosition& place, Vec<3> x) {
     stop_check_();
     x.array() += 0.0;  // maps -0 to 0
-    const auto [entry, is_new] =
-        vertices_.try_emplace({x.x(), x.y(), x.z()}, static_cast<Index>(shape_.vertices.size()));
-    if (is_new) add_vertex(place, x, shape_);
-    return entry->second;
+    const std::size_t at = slot_of(x);
+    if (table_[at] != no_index) return table_[at];
+    const auto number = static_cast<Index>(shape_.vertices.size());
+    add_vertex(place, x, shape_);
+    table_[at] = number;
+    if (2 * shape_.vertices.size() > table_.size()) grow();
+    return number;
   }
 
  private:
+  // Where the vertex is, or has its free place.
+  std::size_t slot_of(const Vec<3>& x) const {
+    std::uint64_t hash = 0;
+    for (const double v : x) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 29;
+    }
+    std::size_t at = hash & (table_.size() - 1);
+    while (table_[at] != no_index && shape_.vertices[table_[at]] != x) at = (at + 1) & (table_.size() - 1);
+    return at;
+  }
+
+  void grow() {
+    table_.assign(2 * table_.size(), no_index);
+    for (std::size_t v = 0; v < shape_.vertices.size(); ++v) table_[slot_of(shape_.vertices[v])] = static_cast<Index>(v);
+  }
+
   OriginalShape<3>& shape_;
+  std::vector<Index> table_;  // its size is a power of two
   StopCheck stop_check_;
-  std::unordered_map<std::array<double, 3>, Index, BitHash> vertices_;
 };
 
 std::uint32_t declared_triangles(std::string_view bytes) {

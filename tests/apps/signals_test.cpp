@@ -32,7 +32,7 @@ TEST(Signals, OneThatNothingAsksForEndsTheProgramWithinTwoSeconds) {
   const auto ended_by_itself = [](bool is_heard) {
     catch_interrupts();
     std::raise(SIGTERM);
-    if (is_heard) EXPECT_TRUE(interrupt_requested());
+    if (is_heard && !interrupt_requested()) _exit(1);
     for (int second = 0; second < 3; ++second)
       for (unsigned left = 1; left > 0;) left = sleep(left);  // a signal cuts it short
     _exit(7);
