@@ -80,7 +80,8 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
 void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
   const Surface<3>& s = *look_.surface;
   const std::vector<Vec<3>> normals = vertex_normals(s);
-  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 10000 ? 64 : 160);
+  // The more vertices a pixel has, the fewer directions each needs: their mean is seen.
+  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 200000 ? 16 : s.vertices.size() > 10000 ? 64 : 160);
   std::vector<float> raw(s.vertices.size(), 1);
   Activity shading("shading", raw.size());
   std::atomic<std::size_t> n_shaded = 0;
