@@ -2,7 +2,33 @@
 
 #include "matching/alignment/correct_pairs.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 namespace shellmatch {
+
+namespace {
+
+// In diagonals of the template. Where no part of either shape is farther from the other no limb begins elsewhere, and pairs that do are wrong.
+constexpr double most_apart = 0.05;
+constexpr std::size_t most_looked_at = 5000;  // vertices of each
+
+template <int Dim>
+bool lie_near(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape) {
+  const double within = most_apart * bounding_box(template_shape.surface().vertices).diagonal();
+  const auto lies_near = [&](const SignedDistance<Dim>& one, const SignedDistance<Dim>& other) {
+    const std::vector<std::array<Index, Dim>>& facets = one.surface().facets;
+    const std::size_t step = std::max<std::size_t>(1, facets.size() / most_looked_at);
+    for (std::size_t f = 0; f < facets.size(); f += step)
+      if (!(std::abs(other(one.surface().vertices[facets[f][0]])) <= within)) return false;
+    return true;
+  };
+  return lies_near(reference, template_shape) && lies_near(template_shape, reference);
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmarks, const Alignment<Dim>& alignment,
@@ -19,8 +45,10 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   add("landmarks", landmarks, known);
   LandmarkOptions found;
   found.weight = options.align.weight;
-  // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
-  found.loss = RobustLoss::trivial;
+  // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones. Where none does, it finds
+  // these: patches of maps between surfaces with many handles are wrong.
+  found.loss = Dim == 3 && !alignment.pairs.empty() && lie_near(reference, template_shape) ? RobustLoss::cauchy : RobustLoss::trivial;
+  found.scale = 2 * options.align.tolerance;
   add("alignment", alignment.pairs, found);
   if (alignment.pairs.empty()) return sets;
   // Pairs of nearly isometric shapes are as exact as landmarks set by hand, whose errors would spoil them.

@@ -102,5 +102,21 @@ TEST_F(CorrectPairs, AreThoseOfShapesFarFromIsometric) {
   EXPECT_EQ(error_with(2), mean_error(pairs_));
 }
 
+// A sphere alone, and beside another one: only where nothing lies far apart are pairs that begin far taken for wrong.
+TEST_F(CorrectPairs, CountLessWhereTheyBeginFarAndTheShapesDoNot) {
+  Alignment<3> alignment;
+  for (const PointPair<3>& pair : pairs_) alignment.pairs.push_back({"", pair.p, pair.y});
+  Surface<3> two = sphere_.surface();
+  const double diagonal = bounding_box(two.vertices).diagonal();
+  const auto n = static_cast<Index>(two.vertices.size());
+  for (Index v = 0; v < n; ++v) two.vertices.push_back(two.vertices[v] + Vec<3>(diagonal, 0, 0));
+  for (const auto& [a, b, c] : sphere_.surface().facets) two.facets.push_back({a + n, b + n, c + n});
+  const SignedDistance<3> elsewhere(two);
+  const PointPairs<3> near = known_pairs<3>({}, alignment, ExperimentOptions(), {}, sphere_, sphere_).back().pairs,
+                      far = known_pairs<3>({}, alignment, ExperimentOptions(), {}, sphere_, elsewhere).back().pairs;
+  EXPECT_EQ(near.loss, RobustLoss::cauchy);
+  EXPECT_EQ(far.loss, RobustLoss::trivial);
+}
+
 }  // namespace
 }  // namespace shellmatch
