@@ -1,14 +1,15 @@
 // Automatic pairs of two meshes, and how far they are from a known correspondence.
 //
 //   spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] [--threads N] [--functions N]
-//                [--mirror]
+//                [--mirror] [--partial]
 //
 // Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other. Printed for every candidate:
 // mean and share beyond 10 of the error, the distance along edges of the template between where a vertex ends and where it
 // belongs, over the square root of the template's area, times 100; score; the pairs kept, with their share beyond 10.
-// --rotations turns the template N times at random and says in how many the pose from the pairs is the turn.
+// --partial searches the reference as a part of the template. --rotations turns the template N times at random and says in how many the pose from the pairs is the turn.
 
 #include "alignment/pairs/find_pairs.h"
+#include "alignment/partial/find_partial_pairs.h"
 #include "alignment/pose/fit_pose.h"
 #include "alignment/spectrum/edge_graph.h"
 #include "base/parallel.h"
@@ -35,6 +36,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> files, ids;
   int n_rotations = 0, n_landmarks = 0;
+  bool is_partial = false;
   AlignmentOptions options;
 };
 
@@ -55,6 +57,8 @@ Arguments parse(const std::vector<std::string>& words) {
       arguments.n_landmarks = std::atoi(next().c_str());
     } else if (words[i] == "--refined") {
       arguments.options.refined = std::atoi(next().c_str());
+    } else if (words[i] == "--partial") {
+      arguments.is_partial = true;
     } else if (words[i] == "--mirror") {
       arguments.options.mirror = true;
     } else {
@@ -176,6 +180,19 @@ void print(const AutomaticPairs& found, TrueCorrespondence& truth) {
   }
 }
 
+AutomaticPairs as_automatic(PartialPairs partial) {
+  AutomaticPairs found{std::move(partial.part), std::move(partial.whole), {}};
+  found.margin = partial.margin;
+  for (PartialCandidate& c : partial.candidates) {
+    PairCandidate& candidate = found.candidates.emplace_back();
+    candidate.score = c.score;
+    candidate.order = c.order;
+    candidate.pairs = std::move(c.pairs);
+    candidate.map = std::move(c.map);
+  }
+  return found;
+}
+
 Mat<3> random_rotation(std::mt19937& random) {
   const auto number = [&] { return random() / 4294967296.0 - 0.5; };
   Eigen::Quaterniond q(number(), number(), number(), number());
@@ -215,7 +232,7 @@ int main(int argc, char** argv) try {
   const Arguments arguments = parse({argv + 1, argv + argc});
   if (arguments.files.size() != 2) {
     fmt::print(stderr, "usage: spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] "
-                       "[--threads N] [--functions N] [--mirror]\n");
+                       "[--threads N] [--functions N] [--mirror] [--partial]\n");
     return 2;
   }
   const Surface<3> reference = read_triangles(arguments.files[0]), template_surface = read_triangles(arguments.files[1]);
@@ -226,7 +243,9 @@ int main(int argc, char** argv) try {
   }
   const double start = seconds();
   const std::clock_t cpu_start = std::clock();
-  const AutomaticPairs found = find_pairs(reference, template_surface, arguments.options, truth.landmarks(arguments.n_landmarks));
+  const std::vector<CorrespondingPoints> landmarks = truth.landmarks(arguments.n_landmarks);
+  const AutomaticPairs found = arguments.is_partial ? as_automatic(find_partial_pairs(reference, template_surface, arguments.options, landmarks))
+                                                    : find_pairs(reference, template_surface, arguments.options, landmarks);
   const double took = seconds() - start, cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   const ErrorFigures dense = figures_of(truth.dense_errors(found, found.candidates[0]));
   fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s, CPU {:.2f} s\n", dense.mean, dense.beyond,

@@ -54,7 +54,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
   Outcome<Dim> outcome = choice_among(search_starts(shapes, landmarks, options), options, trials);
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
-    if (outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
+    if (!has_large_gaps(shapes) && outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
       Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
       if (!poses.choice.is_doubtful) return poses;
     }
@@ -93,7 +93,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   Start<Dim>& best = outcome.best();
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
-    if (!options.search.mirror && options.mode == AlignMode::automatic && is_worth_mirroring(best, choice))
+    if (!options.search.mirror && options.mode == AlignMode::automatic && !has_large_gaps(shapes) && is_worth_mirroring(best, choice))
       fits_mirrored = fits_far_better_mirrored(shapes, options, best);
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;
@@ -133,15 +133,6 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   return result;
 }
 
-// Spectra are those of whole surfaces: with more of one of them made up, maps that look right are not. On three pairs of which a third
-// had been cut away, pairs found in spite of that made the errors six times as large as none at all (docs/closing.md).
-constexpr double most_invented = 0.02;
-
-template <int Dim>
-bool has_large_gaps(const ShapePair<Dim>& shapes) {
-  return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > most_invented;
-}
-
 template <int Dim>
 Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::string_view moved) {
   observer.note(fmt::format("alignment: not searched, as {}; {}. Landmarks can tell a pose (--align landmarks)", why, pose_text(Similarity<Dim>{}, moved)));
@@ -154,11 +145,6 @@ Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::strin
 template <int Dim>
 Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
                                   Observer& observer, std::string_view moved) {
-  if (has_large_gaps(shapes)) {
-    const bool of_template = shapes.template_shape.invented_share > shapes.reference.invented_share;
-    const Shape<Dim>& shape = of_template ? shapes.template_shape : shapes.reference;
-    return as_it_lies<Dim>(fmt::format("{:.2g} % of {} had to be made up", 100 * shape.invented_share, shape.source), observer, moved);
-  }
   try {
     return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
   } catch (const InputError& error) {

@@ -23,7 +23,7 @@ template <int Dim>
 class Choosing {
  public:
   Choosing(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials)
-      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), is_ambiguous_(search.is_ambiguous), options_(options), try_(trials), trials_(starts_.size()) {
+      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), is_ambiguous_(search.is_ambiguous), is_of_part_(search.is_of_part), options_(options), try_(trials), trials_(starts_.size()) {
     for (std::size_t i = 0; i < starts_.size(); ++i)
       if (starts_[i].is_usable()) usable_.push_back(i);
   }
@@ -40,7 +40,8 @@ class Choosing {
     choice.is_doubtful = is_doubtful(best, choice.margin);
     // What landmarks contradict, and what any rotation may replace, is no start.
     choice.is_usable = !is_ambiguous_ && !landmarks_contradict(best);
-    const bool is_clear = !choice.is_doubtful && (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
+    const bool is_clear = is_of_part_ ? best.score <= options_.doubtful_score
+                                      : !choice.is_doubtful && (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
     if (options_.mode == AlignMode::automatic && choice.is_usable && !is_clear)
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
@@ -101,7 +102,7 @@ class Choosing {
   }
 
   const std::vector<Start<Dim>>& starts_;
-  const bool landmarks_are_spread_, is_ambiguous_;
+  const bool landmarks_are_spread_, is_ambiguous_, is_of_part_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
   std::vector<std::optional<Trial>> trials_;

@@ -162,18 +162,29 @@ TEST_F(Partial, ColumnsOfAnEarlierMatchingGo) {
   EXPECT_EQ(column(r.template_shape, "deformed_observed"), nullptr);
 }
 
-TEST_F(Partial, PosesAreNotSearchedWithLargeGaps) {
+// Either shape may be the part, and a turn of either is found.
+TEST_F(Partial, ThePoseOfAPartIsSearched) {
   struct Notes final : Observer {
     void note(const std::string& text) override { all += text + "\n"; }
     std::string all;
-  } notes;
+  };
   ExperimentOptions o = options();
   o.align.mode = AlignMode::automatic;
+  o.align.search.max_vertices = 2000;
+  o.align.search.pairs = 300;
   o.cascade.max_level = 3;
-  const MatchResult<3> r = match_shapes(*reference, cut(*other, down, 1.0 / 3).shape, o, notes);
-  EXPECT_NE(notes.all.find("alignment: not searched"), std::string::npos) << notes.all;
-  EXPECT_FALSE(r.summary.alignment->doubtful);
-  EXPECT_EQ(r.summary.alignment->n_pairs, 0);
+  OriginalShape<3> turned = reference->original;
+  for (Vec<3>& x : turned.vertices) x = Vec<3>(-x[1], x[0], x[2]);
+  const Shape<3> sideways = make_shape(std::move(turned), "sideways");
+  const Shape<3> part = cut(*other, down, 1.0 / 3).shape;
+  Notes notes, back;
+  const MatchResult<3> onto_part = match_shapes(sideways, part, o, notes), onto_whole = match_shapes(part, sideways, o, back);
+  EXPECT_NE(notes.all.find("searched as a part"), std::string::npos) << notes.all;
+  EXPECT_NEAR(onto_part.summary.alignment->angle, 90, 10) << notes.all;
+  EXPECT_NEAR(onto_whole.summary.alignment->angle, 90, 10) << back.all;
+  EXPECT_EQ(onto_part.summary.alignment->scale, 1);
+  EXPECT_GT(onto_part.summary.alignment->n_pairs, 100);
+  EXPECT_EQ(onto_part.summary.alignment->n_pairs, onto_whole.summary.alignment->n_pairs);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+#include "alignment/partial/partial_map.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shellmatch {
+
+namespace {
+
+constexpr int steps[] = {12, 16, 20, 25, 32, 40, 50, 64, 80, 100};  // functions of the whole
+constexpr int n_least_functions = 4;                                // of the part
+// Where a function has mean square 1.
+constexpr float normal_weight = 2, spin_weight = 5;
+constexpr double spin_radius = 0.08;  // nearer borders, spin images lack what was cut away
+
+Features columns(const Features& features, const std::vector<Index>& at) {
+  Features some(features.rows(), static_cast<Eigen::Index>(at.size()));
+  for (std::size_t i = 0; i < at.size(); ++i) some.col(static_cast<Eigen::Index>(i)) = features.col(at[i]);
+  return some;
+}
+
+/// Functions, normals and spin images of a surface, one below the other.
+Features features_of(const PartialShape& shape, const Eigen::MatrixXd& functions, const Rows3& coordinates) {
+  Features features(functions.cols() + 3 + shape.spin.rows(), functions.rows());
+  features.topRows(functions.cols()) = functions.transpose().cast<float>();
+  features.middleRows(functions.cols(), 3) = normal_weight * vertex_normals(shape.surface.facets, coordinates).transpose().cast<float>();
+  features.bottomRows(shape.spin.rows()) = spin_weight * shape.spin;
+  return features;
+}
+
+/// With the first k functions of the whole.
+void embed(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries, const std::vector<Index>& images, Eigen::Index k,
+           PartialMap& map) {
+  const Eigen::VectorXd& values = part.spectrum.values;
+  const auto below = std::upper_bound(values.begin(), values.end(), whole.spectrum.values[k - 1]) - values.begin();
+  const Eigen::Index n_part = std::min<Eigen::Index>(std::max<Eigen::Index>(below, n_least_functions), values.size());
+  const auto n = static_cast<Eigen::Index>(queries.size());
+  Eigen::MatrixXd of_part(n, n_part), of_whole(n, k);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    of_part.row(i) = part.spectrum.functions.row(queries[static_cast<std::size_t>(i)]).head(n_part);
+    of_whole.row(i) = whole.spectrum.functions.row(images[static_cast<std::size_t>(i)]).head(k);
+  }
+  // Functions have mean square 1 over the area; the ridge keeps maps that collapse many points into one solvable.
+  const double ridge = 1e-4 * static_cast<double>(n) / part.mass.sum();
+  const Eigen::MatrixXd gram = of_part.transpose() * of_part + ridge * Eigen::MatrixXd::Identity(n_part, n_part);
+  const Eigen::MatrixXd c = gram.llt().solve(of_part.transpose() * of_whole);
+  const Eigen::MatrixXd carried = part.spectrum.functions.leftCols(n_part) * c, own = whole.spectrum.functions.leftCols(k);
+  map.on_part = features_of(part, carried, carried * whole.coefficients.topRows(k));
+  map.on_whole = features_of(whole, own, own * whole.coefficients.topRows(k));
+}
+
+void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, PartialMap& map) {
+  Rows3 mapped(static_cast<Eigen::Index>(part.n_vertices()), 3), coordinates(static_cast<Eigen::Index>(whole.n_vertices()), 3);
+  for (std::size_t v = 0; v < part.n_vertices(); ++v) mapped.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[map.images[v]];
+  for (std::size_t v = 0; v < whole.n_vertices(); ++v) coordinates.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[v];
+  const Rows3 through = vertex_normals(part.surface.facets, mapped), normals = vertex_normals(whole.surface.facets, coordinates);
+  double difference = 0, squares = 0, weights = 0;
+  for (std::size_t v = 0; v < part.n_vertices(); ++v) {
+    const auto at = static_cast<Eigen::Index>(v);
+    const Index image = map.images[v];
+    const double weight = part.mass[at] * std::clamp(part.to_border[v] / spin_radius, 0.125, 1.0);
+    weights += weight;
+    difference += weight * (map.on_part.col(at).head(k) - map.on_whole.col(image).head(k)).squaredNorm();
+    squares += weight * map.on_whole.col(image).head(k).squaredNorm();
+    map.spin += weight * (part.spin.col(at) - whole.spin.col(image)).squaredNorm();
+    map.orientation += weight * (1 - through.row(at).dot(normals.row(image))) / 2;
+  }
+  map.functions = std::sqrt(difference / squares);
+  map.spin /= weights;
+  map.orientation /= weights;
+}
+
+}  // namespace
+
+PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+                              std::vector<Index> images, const std::vector<Index>& samples) {
+  PartialMap map;
+  const auto n_functions = static_cast<int>(whole.spectrum.values.size());
+  for (const int step : steps) {
+    embed(part, whole, queries, images, std::min(step, n_functions), map);
+    const std::vector<Index> nearest = nearest_features(columns(map.on_whole, samples), columns(map.on_part, queries));
+    for (std::size_t i = 0; i < images.size(); ++i) images[i] = samples[nearest[i]];
+  }
+  embed(part, whole, queries, images, n_functions, map);
+  map.images = nearest_features(map.on_whole, map.on_part);
+  score(part, whole, n_functions, map);
+  return map;
+}
+
+}  // namespace shellmatch
