@@ -1,6 +1,7 @@
 #include "alignment/functional_map/map_search.h"
 
 #include "alignment/functional_map/starts.h"
+#include "alignment/functional_map/tip_starts.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 
 namespace shellmatch {
 
@@ -22,6 +24,7 @@ constexpr int n_scored = 40;     // functions at which candidates are compared
 // Candidates that go on from the first steps to the last. With 12 to 64 of them, after three to five steps, eighteen pairs of animals
 // and people end alike.
 constexpr int n_promising = 16;
+constexpr std::size_t n_tip_starts = 24;
 const std::vector<int> first_steps = {9, 11, 13}, last_steps = {16, 20, 25, 32, n_scored};
 constexpr double least_landmark_scale = 0.05;  // distance at which a landmark has half its weight at least, in roots of the area
 
@@ -92,13 +95,6 @@ void sort_by(std::vector<MapCandidate>& candidates, const Key& key) {
                    [&](const MapCandidate& a, const MapCandidate& b) { return key(a) < key(b); });
 }
 
-/// Keeps the first n, and that of the surfaces as they lie wherever it stands: callers judge it by more than its score.
-void keep_best(std::vector<MapCandidate>& candidates, std::size_t n) {
-  for (std::size_t i = n; i < candidates.size(); ++i)
-    if (candidates[i].is_identity) std::swap(candidates[n++], candidates[i]);
-  candidates.resize(std::min(candidates.size(), n));
-}
-
 /// The first map that landmarks suggest.
 void start_by_landmarks(const ShapePairSpectra& pair, MapCandidate& candidate) {
   for (const auto& [p, q] : pair.landmarks) {
@@ -121,6 +117,12 @@ void refine_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCan
   candidate.matches = match_rotated(pair, candidate.c, rotation);
   candidate.c.resize(0, 0);
   refine_coarsely(pair, first_steps, candidate);
+}
+
+/// The first map that ends of limbs suggest.
+void start_by_tips(const ShapePairSpectra& pair, const TipAssignment& tips, MapCandidate& candidate) {
+  candidate.matches = match_by_tips(pair, tips, n_queries);
+  upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
 }
 
 /// The first map that the surfaces suggest after a rotation, by their smoothed coordinates alone.
@@ -171,11 +173,18 @@ class SearchProgress {
   std::size_t begin_ = 0;
 };
 
-/// The best distinct ones by their coarse scores.
+/// The n best distinct ones by their coarse scores, of the others the n best by what tells maps apart in the end, and that of the surfaces
+/// as they lie, which callers judge by more than its score.
 void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
   candidates = distinct(pair, std::move(candidates));
-  keep_best(candidates, static_cast<std::size_t>(n));
+  const auto n_by_score = std::min(static_cast<std::size_t>(n), candidates.size());
+  std::vector<MapCandidate> others(std::make_move_iterator(candidates.begin() + static_cast<std::ptrdiff_t>(n_by_score)),
+                                   std::make_move_iterator(candidates.end()));
+  candidates.resize(n_by_score);
+  sort_by(others, [](const MapCandidate& c) { return c.coarse_score.distinction(); });
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (i < static_cast<std::size_t>(n) || others[i].is_identity) candidates.push_back(std::move(others[i]));
 }
 
 }  // namespace
@@ -187,14 +196,17 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   std::vector<Eigen::MatrixXd> starts;
   if (!are_ambiguous(*pair.shapes[0], *pair.shapes[1]))
     starts = start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);
+  std::vector<TipAssignment> tips;
+  if (!starts.empty()) tips = assign_tips(pair.shapes[0]->tips, pair.shapes[1]->tips, n_tip_starts);
   const bool by_landmarks = !pair.landmarks.empty();
-  std::vector<MapCandidate> candidates(1 + starts.size() + by_landmarks);
+  std::vector<MapCandidate> candidates(1 + starts.size() + tips.size() + by_landmarks);
   candidates.back().is_by_landmarks = by_landmarks;
   candidates[0].is_identity = true;
   progress.stage(14, candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     if (candidate.is_identity) return start_rotated(pair, Mat<3>::Identity(), candidate);
     if (candidate.is_by_landmarks) return start_by_landmarks(pair, candidate);
+    if (i > starts.size()) return start_by_tips(pair, tips[i - 1 - starts.size()], candidate);
     candidate.c = starts[i - 1];
     std::vector<int> steps;
     for (int k = static_cast<int>(candidate.c.rows()); k <= n_merged; ++k) steps.push_back(k);

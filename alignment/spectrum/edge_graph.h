@@ -16,6 +16,12 @@ class EdgeGraph {
   std::size_t n_vertices() const { return begin_.size() - 1; }
   double mean_edge_length() const;
 
+  /// Calls f(w) for every vertex w that an edge joins to v.
+  template <class F>
+  void for_each_neighbour(Index v, F&& f) const {
+    for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e) f(edges_[e].to);
+  }
+
   /// Length of the shortest path along edges from `source` to every vertex; infinite where there is none. Paths along
   /// edges are some per cent longer than those across facets.
   std::vector<double> distances_from(Index source) const;

@@ -6,6 +6,7 @@
 #include "alignment/spectrum/edge_graph.h"
 #include "alignment/spectrum/eigenpairs.h"
 #include "alignment/spectrum/spin_images.h"
+#include "alignment/spectrum/surface_tips.h"
 #include "alignment/spectrum/vertex_normals.h"
 
 namespace shellmatch {
@@ -22,6 +23,7 @@ struct SpectralShape {
   Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
   Eigen::MatrixXf spin;        ///< 96 x n, spin_images()
   std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
+  std::vector<SurfaceTip> tips;  ///< ends of limbs
   Vec<3> centre;               ///< of the input
   double root_area;            ///< of the input
   double handedness = 1;       ///< -1 where it is the mirrored input

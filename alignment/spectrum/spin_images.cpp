@@ -15,7 +15,6 @@ namespace shellmatch {
 namespace {
 
 constexpr double smoothing_time = 6e-4;  // heat flow over about 0.05 roots of the area
-constexpr double radius = 0.08;
 constexpr int n_radii = 3, n_heights = 4, n_angles = 8;
 
 /// After a step of implicit heat flow, of unit length.
@@ -39,7 +38,7 @@ std::vector<Index> order_along_x(const Rows3& coordinates) {
 
 }  // namespace
 
-Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian) {
+Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius) {
   Rows3 coordinates(static_cast<Eigen::Index>(surface.vertices.size()), 3);
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
   const Rows3 normals = smoothed(vertex_normals(surface.facets, coordinates), laplacian);

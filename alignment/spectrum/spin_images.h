@@ -7,10 +7,11 @@
 
 namespace shellmatch {
 
-/// Spin images of all vertices, columns of unit length (96 x n): histograms of the surface within 0.08 over distance, height along the
+/// Spin images of all vertices, columns of unit length (96 x n): histograms of the surface within a radius over distance, height along the
 /// smoothed normal and angle of the smoothed normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries are roots, so that
 /// differences are Hellinger's.
 /// \param surface, laplacian of area 1, whose root is the unit of length
-Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian);
+/// \param radius above 0; the larger, the more a whole limb is seen, and the farther from a border something is missing
+Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius);
 
 }  // namespace shellmatch

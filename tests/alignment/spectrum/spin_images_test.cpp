@@ -12,7 +12,7 @@
 namespace shellmatch {
 namespace {
 
-Eigen::MatrixXf images_of(const Surface<3>& surface) { return spin_images(surface, surface_laplacian(surface, 2e-3)); }
+Eigen::MatrixXf images_of(const Surface<3>& surface) { return spin_images(surface, surface_laplacian(surface, 2e-3), 0.08); }
 
 Surface<3> sphere_of_area_one(int n) {
   const double radius = std::sqrt(surface_measure(test::unit_sphere(n)));
