@@ -14,7 +14,6 @@ constexpr int steps[] = {12, 16, 20, 25, 32, 40, 50, 64, 80, 100};  // functions
 constexpr int n_least_functions = 4;                                // of the part
 // Where a function has mean square 1.
 constexpr float normal_weight = 2, spin_weight = 5;
-constexpr double spin_radius = 0.08;  // nearer borders, spin images lack what was cut away
 
 Features columns(const Features& features, const std::vector<Index>& at) {
   Features some(features.rows(), static_cast<Eigen::Index>(at.size()));
@@ -61,7 +60,7 @@ void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, 
   for (std::size_t v = 0; v < part.n_vertices(); ++v) {
     const auto at = static_cast<Eigen::Index>(v);
     const Index image = map.images[v];
-    const double weight = part.mass[at] * std::clamp(part.to_border[v] / spin_radius, 0.125, 1.0);
+    const double weight = part.mass[at] * std::clamp(part.to_border[v] / part_spin_radius, 0.125, 1.0);
     weights += weight;
     difference += weight * (map.on_part.col(at).head(k) - map.on_whole.col(image).head(k)).squaredNorm();
     squares += weight * map.on_whole.col(image).head(k).squaredNorm();

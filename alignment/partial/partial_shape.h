@@ -11,6 +11,9 @@
 
 namespace shellmatch {
 
+/// Radius of the spin images; nearer borders they lack what was cut away, so that it is less than that of whole surfaces.
+inline constexpr double part_spin_radius = 0.08;
+
 /// Lengths are in a unit that part and whole share: the root of the area of the whole. n vertices, k eigenpairs.
 struct PartialShape {
   Surface<3> surface;
