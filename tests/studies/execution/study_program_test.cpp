@@ -174,7 +174,7 @@ TEST_F(StudyProgram, ARunThatWasEndedBeginsAtItsFirstLevelAgain) {
 set:
   resume: {min_seconds: 0}
   input: {reference: generate:leaf/deep, template: generate:leaf/shallow, placement: as-is}
-  cascade: {min_level: 3, max_level: 11}
+  cascade: {min_level: 3, max_level: 13}
 problems: {leaf: {set: {threads: 1}}}
 solvers: [newton]
 )");
@@ -191,7 +191,7 @@ solvers: [newton]
     std::ifstream log(run / "log.txt");
     std::string first;
     std::getline(log, first);
-    EXPECT_TRUE(first.starts_with("level 3/11")) << first;
+    EXPECT_TRUE(first.starts_with("level 3/13")) << first;
   }
 }
 
