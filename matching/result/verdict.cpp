@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 
@@ -26,6 +27,7 @@ constexpr Limits turned_limbs{40, 48};
 constexpr double nearly_isometric = 0.6, clear_margin = 1.15;
 constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
 constexpr double much_invented = 0.5;         // share of a shape's area
+constexpr double of_part = 0.02;              // share made up from which on a shape may be a part of the other
 constexpr double apart = 0.25;                // mean distance in diagonals, before a run
 // Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
@@ -70,6 +72,12 @@ class Reasons {
   std::vector<VerdictReason> look_, fail_;
 };
 
+// What a part lacks cannot reach the other shape: worth a look, and no failure.
+Limits limits_beside(const ShapeSummary& shape, Limits limits) {
+  if (shape.invented.value_or(0) > of_part) limits.fail = std::numeric_limits<double>::infinity();
+  return limits;
+}
+
 void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   if (!summary.distance) return;
   const auto& [there, back, uncovered] = *summary.distance;
@@ -85,13 +93,13 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
               {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)), whole, "template",
                places.template_shape});
   if (uncovered)
-    reasons.add(*uncovered, unreached,
+    reasons.add(*uncovered, limits_beside(summary.reference, unreached),
                 {percent_text(*uncovered) + " of the template is not reached",
                  pose_advice(summary) + " can tell where to go", "template", places.template_shape});
-  reasons.add(there.max, largest_distance,
+  reasons.add(there.max, limits_beside(summary.template_shape, largest_distance),
               {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
                "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
-  reasons.add(back.max, largest_distance,
+  reasons.add(back.max, limits_beside(summary.reference, largest_distance),
               {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
                "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }

@@ -158,6 +158,24 @@ TEST(Verdict, WhatWasMadeUpWeighsNothingAndIsNoReason) {
   EXPECT_NE(lines.at(0).find("from the template where both have data: mean"), std::string::npos) << lines[0];
 }
 
+TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
+  const auto outcome = [](auto&& set) {
+    MatchSummary s = good_summary();
+    set(s);
+    return judge(s, places).outcome;
+  };
+  const auto unreached = [](MatchSummary& s) { s.distance->uncovered = 0.4, s.distance->template_to_deformed.max = 0.5; };
+  const auto beyond = [](MatchSummary& s) { s.distance->deformed_to_template.max = 0.5; };
+  EXPECT_EQ(outcome(unreached), "not-matched");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { unreached(s), s.reference.invented = 0.2; }), "look-here");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { unreached(s), s.template_shape.invented = 0.2; }), "not-matched");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { unreached(s), s.reference.invented = 0.01; }), "not-matched");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.template_shape.invented = 0.2; }), "look-here");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.reference.invented = 0.2; }), "not-matched");
+  // Distances on average are of what both have.
+  EXPECT_EQ(outcome([&](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05, s.reference.invented = 0.2; }), "not-matched");
+}
+
 TEST(Verdict, NothingInCommonIsNoMatch) {
   MatchSummary s = good_summary();
   s.distance->deformed_to_template.mean = std::numeric_limits<double>::quiet_NaN();
