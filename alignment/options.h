@@ -39,8 +39,8 @@ struct AlignmentOptions {
                       "eigenvalues is smaller"});
     visit("refined", self.refined,
           {.unit = "maps", .min = 1, .max = 20,
-           .meaning = "maps that are refined to all eigenfunctions and returned: so many by their score, as many of the others by what orders maps "
-                      "in the end, and the one that begins with the surfaces as they lie"});
+           .meaning = "maps that are refined to all eigenfunctions and returned: so many by their score, where they leave doubt as many of the others by "
+                      "what orders maps in the end, and the one that begins with the surfaces as they lie"});
     visit("pairs", self.pairs,
           {.unit = "pairs", .min = 10, .max = 5000,
            .meaning = "farthest point samples of the reference from which pairs are made"});

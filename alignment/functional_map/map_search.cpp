@@ -173,18 +173,26 @@ class SearchProgress {
   std::size_t begin_ = 0;
 };
 
-/// The n best distinct ones by their coarse scores, of the others the n best by what tells maps apart in the end, and that of the surfaces
-/// as they lie, which callers judge by more than its score.
-void choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
+/// The n best distinct ones by their coarse scores, that of the surfaces as they lie, which callers judge by more than its score, and of the
+/// others the n best by what tells maps apart in the end. \return the number of those before the others
+std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
   candidates = distinct(pair, std::move(candidates));
   const auto n_by_score = std::min(static_cast<std::size_t>(n), candidates.size());
   std::vector<MapCandidate> others(std::make_move_iterator(candidates.begin() + static_cast<std::ptrdiff_t>(n_by_score)),
                                    std::make_move_iterator(candidates.end()));
   candidates.resize(n_by_score);
-  sort_by(others, [](const MapCandidate& c) { return c.coarse_score.distinction(); });
-  for (std::size_t i = 0; i < others.size(); ++i)
-    if (i < static_cast<std::size_t>(n) || others[i].is_identity) candidates.push_back(std::move(others[i]));
+  sort_by(others, [](const MapCandidate& c) { return c.is_identity ? -1 : c.coarse_score.distinction(); });
+  const bool has_identity = !others.empty() && others[0].is_identity;
+  others.resize(std::min(others.size(), static_cast<std::size_t>(n) + has_identity));
+  std::ranges::move(others, std::back_inserter(candidates));
+  return n_by_score + has_identity;
+}
+
+/// Whether the first, ascending by their order, is nearly isometric and clearly better than all others.
+bool is_sure(const std::vector<MapCandidate>& candidates) {
+  constexpr double clear_margin = 1.15;
+  return error_growth(candidates[0].total()) == 1 && (candidates.size() == 1 || candidates[1].order() > clear_margin * candidates[0].order());
 }
 
 }  // namespace
@@ -232,12 +240,23 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     refine_rotated(pair, rotation, candidates[n_first + i]);
     refine_coarsely(pair, last_steps, candidates[n_first + i]);
   });
-  choose_best(pair, candidates, options.refined);
-  progress.stage(by_landmarks ? 80 : 100, candidates.size(), [&](std::size_t i) {
-    refine_densely(pair, 0, candidates[i]);
-    candidates[i].score = score_map(pair, candidates[i].matches, candidates[i].c);
-  });
+  const std::size_t n_by_score = choose_best(pair, candidates, options.refined);
+  std::vector<MapCandidate> others(std::make_move_iterator(candidates.begin() + static_cast<std::ptrdiff_t>(n_by_score)),
+                                   std::make_move_iterator(candidates.end()));
+  candidates.resize(n_by_score);
+  const auto refine_all = [&](std::size_t end, std::vector<MapCandidate>& all) {
+    progress.stage(end, all.size(), [&](std::size_t i) {
+      refine_densely(pair, 0, all[i]);
+      all[i].score = score_map(pair, all[i].matches, all[i].c);
+    });
+  };
+  refine_all(by_landmarks ? 70 : 80, candidates);
   sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
+  if (!is_sure(candidates)) {
+    refine_all(by_landmarks ? 80 : 100, others);
+    std::ranges::move(others, std::back_inserter(candidates));
+    sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
+  }
   if (pair.landmarks.empty()) return candidates;
   // Scores, whose limits are known, are those of maps by spectra alone. How exact landmarks are, the best map tells.
   const double trust = landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise);
