@@ -173,15 +173,21 @@ class SearchProgress {
   std::size_t begin_ = 0;
 };
 
+/// The candidates from the n-th on, which are taken out.
+std::vector<MapCandidate> taken_from(std::vector<MapCandidate>& candidates, std::size_t n) {
+  const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(n);
+  std::vector<MapCandidate> taken(std::make_move_iterator(first), std::make_move_iterator(candidates.end()));
+  candidates.resize(n);
+  return taken;
+}
+
 /// The n best distinct ones by their coarse scores, that of the surfaces as they lie, which callers judge by more than its score, and of the
 /// others the n best by what tells maps apart in the end. \return the number of those before the others
 std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
   candidates = distinct(pair, std::move(candidates));
   const auto n_by_score = std::min(static_cast<std::size_t>(n), candidates.size());
-  std::vector<MapCandidate> others(std::make_move_iterator(candidates.begin() + static_cast<std::ptrdiff_t>(n_by_score)),
-                                   std::make_move_iterator(candidates.end()));
-  candidates.resize(n_by_score);
+  std::vector<MapCandidate> others = taken_from(candidates, n_by_score);
   sort_by(others, [](const MapCandidate& c) { return c.is_identity ? -1 : c.coarse_score.distinction(); });
   const bool has_identity = !others.empty() && others[0].is_identity;
   others.resize(std::min(others.size(), static_cast<std::size_t>(n) + has_identity));
@@ -240,10 +246,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     refine_rotated(pair, rotation, candidates[n_first + i]);
     refine_coarsely(pair, last_steps, candidates[n_first + i]);
   });
-  const std::size_t n_by_score = choose_best(pair, candidates, options.refined);
-  std::vector<MapCandidate> others(std::make_move_iterator(candidates.begin() + static_cast<std::ptrdiff_t>(n_by_score)),
-                                   std::make_move_iterator(candidates.end()));
-  candidates.resize(n_by_score);
+  std::vector<MapCandidate> others = taken_from(candidates, choose_best(pair, candidates, options.refined));
   const auto refine_all = [&](std::size_t end, std::vector<MapCandidate>& all) {
     progress.stage(end, all.size(), [&](std::size_t i) {
       refine_densely(pair, 0, all[i]);
