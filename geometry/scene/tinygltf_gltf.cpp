@@ -44,6 +44,7 @@ class GltfReader {
     const bool is_read = bytes.starts_with("glTF")
         ? loader.LoadBinaryFromMemory(&model_, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), n, folder)
         : loader.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), n, folder);
+    while (error.ends_with('\n')) error.pop_back();
     if (!is_read) throw_input_error("{}: cannot be read as glTF ({}); export it again as .glb", path, printable(error, 200));
     for (const std::string& name : model_.extensionsRequired)
       if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression")
