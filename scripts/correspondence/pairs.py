@@ -2,6 +2,7 @@
 
 import dataclasses
 import pathlib
+import random
 import re
 import shlex
 
@@ -40,7 +41,7 @@ def make_pair(reference, template, vts, place):
 
 
 def read_list(path, data):
-    """Lines `REFERENCE TEMPLATE [REFERENCE.vts TEMPLATE.vts]`, relative to the list or to the folder of the data; # comments."""
+    """Lines `REFERENCE TEMPLATE [REFERENCE.vts TEMPLATE.vts [words]]`, relative to the list or to the folder of the data; # comments."""
     def find(word, number):
         for folder in filter(None, (path.parent, data)):
             if (pathlib.Path(folder) / word).is_file():
@@ -54,10 +55,10 @@ def read_list(path, data):
             words = shlex.split(line, comments=True)
         except ValueError as error:
             raise BenchmarkError(f"{path}, line {number}: {error}") from error
-        if len(words) not in (0, 2, 4):
-            raise BenchmarkError(f"{path}, line {number}: {len(words)} words; expected REFERENCE TEMPLATE [REFERENCE.vts TEMPLATE.vts]")
+        if len(words) in (1, 3):
+            raise BenchmarkError(f"{path}, line {number}: {len(words)} words; expected REFERENCE TEMPLATE [REFERENCE.vts TEMPLATE.vts [words]]")
         if words:
-            files = [find(word, number) for word in words]
+            files = [find(word, number) for word in words[:4]]
             pairs.append(make_pair(files[0], files[1], tuple(files[2:]), f"{path}, line {number}: "))
     return pairs
 
@@ -70,6 +71,13 @@ def read_folder(path, all_pairs):
     """Both directions of all pairs of one kind: names that differ in their last digits alone."""
     meshes = sorted(file for file in path.iterdir() if file.suffix in endings)
     return [make_pair(a, b, (), "") for a in meshes for b in meshes if a != b and (all_pairs or kind_of(a) == kind_of(b))]
+
+
+def draw(pairs, n, seed):
+    """Names of n of the pairs. The same for the same seed and names, whatever their order."""
+    if n > len(pairs):
+        raise BenchmarkError(f"--draw {n}: there are {len(pairs)} pairs")
+    return set(random.Random(seed).sample(sorted(pair.name for pair in pairs), n))
 
 
 def read_pairs(path, data="", all_pairs=False, only=()):

@@ -9,15 +9,15 @@ import statistics
 
 from plotting import draw
 
-columns = ("metric", "pair", "method", "before", "mean", "p95", "max", "beyond", "unreachable", "dt_mean", "dt_max", "td_mean", "td_max",
+columns = ("metric", "part", "pair", "method", "before", "mean", "p95", "max", "beyond", "unreachable", "dt_mean", "dt_max", "td_mean", "td_max",
            "folded_cells", "uncertified_cells", "alignment_score", "alignment_margin", "alignment", "seconds", "cpu_seconds")
 units = {"geodesic": "geodesic error, 100 = root of the template's area", "euclidean": "distance from where it belongs, diagonals"}
 
 
-def row_of(method, pair, record):
+def row_of(method, pair, record, part=""):
     error = record["error"]
     row = dict.fromkeys(columns, "") | {key: value for key, value in record["summary"].items() if value is not None}
-    return row | {"metric": pair.metric, "pair": pair.name, "method": method.name, "before": record["before"]["mean"],
+    return row | {"metric": pair.metric, "part": part, "pair": pair.name, "method": method.name, "before": record["before"]["mean"],
                   "seconds": record["seconds"], "cpu_seconds": record["cpu_seconds"]} | {
                       key: error[key] for key in ("mean", "p95", "max", "beyond", "unreachable")}
 
@@ -53,10 +53,10 @@ def cells(row):
             f"{row['cpu_seconds']:.0f}"]
 
 
-def mean_row(method, rows):
+def mean_row(method, part, rows):
     """Means of what every row has; the greatest of the largest errors."""
-    row = dict(rows[0]) | {"pair": f"**mean of {len(rows)}**", "method": method, "alignment": ""}
-    for key in columns[3:]:
+    row = dict(rows[0]) | {"pair": f"**mean of {len(rows)}{' ' if part else ''}{part}**", "method": method, "alignment": ""}
+    for key in columns[4:]:
         values = [r[key] for r in rows]
         if key.startswith("alignment") or "" in values:
             row[key] = ""
@@ -80,8 +80,12 @@ def markdown(rows, failed):
         head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "d->t mean / max", "t->d mean / max", "folds",
                 "alignment", "s", "CPU s"]
         methods = list(dict.fromkeys(row["method"] for row in chosen))
-        means = [mean_row(method, [row for row in chosen if row["method"] == method]) for method in methods]
-        lines = [cells(row) for row in (chosen + means if len(chosen) > len(methods) else chosen)]
+        parts_of_list = list(dict.fromkeys(row["part"] for row in chosen))
+        lines = []
+        for part in sorted(parts_of_list):
+            of_part = [row for row in chosen if row["part"] == part]
+            means = [mean_row(method, part, of_method) for method in methods if (of_method := [row for row in of_part if row["method"] == method])]
+            lines += [cells(row) for row in (of_part + means if len(of_part) > len(means) else of_part)]
         keep = [k for k in range(len(head)) if any(line[k] for line in lines)]
         table = [[head[k] for k in keep], ["---"] * len(keep)] + [[line[k] for k in keep] for line in lines]
         parts.append(f"Unit: {unit}.\n\n" + "\n".join("| " + " | ".join(line) + " |" for line in table) + "\n")

@@ -20,6 +20,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(root / "scripts"), str(root / "bench"), str(root / "tests/support")]
 
 from correspondence import tables  # noqa: E402
+from correspondence.pairs import draw, read_pairs  # noqa: E402
 from script_test import ScriptTest, path_option  # noqa: E402
 
 build = None  # the build tree under test
@@ -221,6 +222,32 @@ class Benchmark(ScriptTest):
         for kind, message in (("few", "is for 3 vertices; the reference has 25"), ("nothing", "it wrote nothing to {out}")):
             self.assertIn(message, self.run_script(shapes, *self.other(kind), "--only", "a0-a1").stdout)
         self.assertIn("stopped after 1 s", self.run_script(shapes, *self.other("sleep"), "--only", "a0-a1", "--limit", 1).stdout)
+
+    def test_pairs_drawn_by_seed_are_reported_apart(self):
+        shapes = self.squares()
+        for name in ("a2", "a3"):
+            (shapes / f"{name}.off").write_text(off(square, triangles))
+            (shapes / f"{name}.vts").write_text("".join(f"{v}\n" for v in range(len(square), 0, -1)))
+        words = [shapes, *self.other("shift"), "--draw", 4, "--seed", 7]
+        self.call(*words, "--part", "others")
+        others = set(self.rows())
+        self.assertEqual((len(others), {row["part"] for row in self.rows().values()}), (8, {"others"}))
+        self.assertIn("**mean of 8 others**", (self.folder / "out/table.md").read_text())
+        self.call(*words, "--part", "drawn")
+        self.assertEqual({key for key, row in self.rows().items() if row["part"] == "others"}, others)
+        table = (self.folder / "out/table.md").read_text()
+        self.assertTrue("**mean of 8 others**" in table and "**mean of 4 drawn**" in table, table)
+        pairs = read_pairs(shapes)
+        self.assertEqual(draw(pairs, 4, 7), draw(pairs[::-1], 4, 7))
+        self.assertNotEqual(draw(pairs, 4, 7), draw(pairs, 4, 8))
+        self.refused([shapes, "--draw", 13], "--draw 13: there are 12 pairs")
+        self.refused([shapes, "--part", "drawn"], "--part and --seed: are for --draw N")
+
+    def test_words_behind_four_files_are_remarks(self):
+        shapes = self.squares()
+        (self.folder / "list.txt").write_text("shapes/a0.off shapes/a1.off shapes/a0.vts shapes/a1.vts pose easy\n")
+        self.call(self.folder / "list.txt", *self.other("shift"))
+        self.assertEqual(set(self.rows()), {("tool", "a0-a1")})
 
     def test_results_go_between_the_marks_of_a_page(self):
         shapes = self.squares()
