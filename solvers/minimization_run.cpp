@@ -52,13 +52,14 @@ std::string MinimizationRun::explained(std::string message, std::span<const doub
   return what.empty() ? message : message + ": " + what;
 }
 
-bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms, bool restrained) {
+bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened, bool restrained) {
   IterationRecord record;
   record.iteration = ++summary_.iterations;
   record.value = summary_.final_value = at.value;
   record.gradient_norm = summary_.final_gradient_norm = at.gradient_norm;
   record.l2_gradient_norm = at.l2_gradient_norm;
   record.step = step;
+  record.shortened = shortened;
   record.restrained = restrained;
   record.terms = std::move(terms);
   return report(std::move(record));

@@ -38,8 +38,8 @@ class MinimizationRun {
   /// Weighted terms at the point evaluated last.
   std::vector<double> term_values() const { return objective_.term_values(); }
 
-  /// Records an accepted step; `step` is its norm, `restrained` as in IterationRecord. Returns false if the run is over.
-  bool accept(const Evaluation& at, double step, std::vector<double> terms, bool restrained = false);
+  /// Records an accepted step; `step` is its norm, `shortened` and `restrained` as in IterationRecord. Returns false if the run is over.
+  bool accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened = false, bool restrained = false);
   bool accept(const Evaluation& at, double step) { return accept(at, step, term_values()); }
 
   /// True once there is a reason to stop. Long inner loops check out_of_time() as well.

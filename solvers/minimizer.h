@@ -48,6 +48,7 @@ struct IterationRecord {
   long gradient_evaluations = 0;   ///< so far
   double seconds = 0;              ///< since the start of this minimisation
   std::string solver;              ///< name of the method (solvers/methods/fallback.h)
+  bool shortened = false;          ///< did the line search of a method whose natural step is 1 take less?
   bool restrained = false;         ///< did the step lead beyond the model in all its systems (StepRegularisation::is_restrained)?
 };
 

@@ -6,6 +6,12 @@
 
 namespace shellmatch {
 
+namespace {
+
+constexpr int most_shortened = 3;  // steps in a row with little gain
+
+}  // namespace
+
 StopMonitor::StopMonitor(const StopOptions& options)
     : options_(options),
       start_(std::chrono::steady_clock::now()),
@@ -25,7 +31,9 @@ std::optional<StopReason> StopMonitor::check(const IterationRecord& record) {
   if (k + 1 >= window_.size()) {
     const double earlier = window_[(k + 1) % window_.size()];
     decrease_ = options_.relative_decrease * (record.restrained ? options_.restrained_factor : 1);
-    if (earlier - record.value < decrease_ * std::abs(earlier)) return StopReason::relative_decrease;
+    n_small_ = earlier - record.value < decrease_ * std::abs(earlier) ? n_small_ + 1 : 0;
+    // A step that is cut off, as where a cell would fold, gains little wherever the minimum is.
+    if (n_small_ >= (record.shortened ? most_shortened : 1)) return StopReason::relative_decrease;
   }
   if (record.iteration >= options_.max_iterations) return StopReason::max_iterations;
   if (out_of_time()) return StopReason::max_seconds;

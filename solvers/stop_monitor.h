@@ -31,6 +31,7 @@ class StopMonitor {
   StopOptions options_;
   std::chrono::steady_clock::time_point start_;
   double first_gradient_norm_ = 0;
+  int n_small_ = 0;             ///< decreases in a row that are less than asked for
   double decrease_;             ///< the relative decrease that was asked for last
   std::vector<double> window_;  ///< the last decrease_window + 1 values, a ring buffer
 };

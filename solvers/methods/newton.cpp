@@ -154,7 +154,8 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     expected_gain = has_own_model && is_as_predicted ? gain * ratio * ratio : unknown;
     value = found.point.value;
     gradient_norm = found.point.gradient_norm;
-    run.accept(found.point.evaluation(), found.point.alpha * size.length, run.term_values(), regularisation.is_restrained());
+    run.accept(found.point.evaluation(), found.point.alpha * size.length, run.term_values(), found.point.alpha < 1,
+               regularisation.is_restrained());
   }
   MinimizerSummary summary = run.summary();
   summary.linear_iterations = linear.n_iterations();

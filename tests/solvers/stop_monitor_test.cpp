@@ -43,6 +43,26 @@ TEST(StopMonitor, AsksMoreOfRestrainedSteps) {
   }
 }
 
+// Three small gains in a row end it, or one of a whole step.
+TEST(StopMonitor, TakesNoShortenedStepForTheEnd) {
+  const StopOptions rules{.relative_decrease = 0.01, .decrease_window = 1, .gradient_norm = 0};
+  const auto checked = [&](std::vector<std::pair<double, bool>> steps) {
+    StopMonitor monitor(rules);
+    std::optional<StopReason> reason = monitor.check(record(0, 100, 1));
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      EXPECT_EQ(reason, std::nullopt) << k;
+      IterationRecord next = record(static_cast<int>(k) + 1, steps[k].first, 1);
+      next.shortened = steps[k].second;
+      reason = monitor.check(next);
+    }
+    return reason;
+  };
+  EXPECT_EQ(checked({{99.9, false}}), StopReason::relative_decrease);
+  EXPECT_EQ(checked({{99.9, true}, {99.8, true}}), std::nullopt);
+  EXPECT_EQ(checked({{99.9, true}, {99.8, true}, {99.7, true}}), StopReason::relative_decrease);
+  EXPECT_EQ(checked({{99.9, true}, {99.8, true}, {90, true}, {89.9, true}, {89.8, true}}), std::nullopt);
+}
+
 TEST(StopMonitor, IsNotFooledByASlowStartOfTheWindow) {
   StopMonitor monitor(
       {.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});
