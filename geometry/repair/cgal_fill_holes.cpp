@@ -2,6 +2,8 @@
 #include "base/stop.h"
 #include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/close_surface.h"
+#include "geometry/surface/border_loops.h"
+#include "geometry/surface/facet_edges.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -10,6 +12,8 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <iterator>
+#include <utility>
+#include <vector>
 
 namespace shellmatch {
 
@@ -18,8 +22,17 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 // The search for the best triangles takes the third power of a hole's edges where the one among Delaunay triangles fails: that one alone is
-// used beyond `most_searched`. Larger holes, and more edges in all, are not small ones.
-constexpr std::size_t most_searched = 200, most_edges = 1200, most_edges_of_all = 20'000;
+// used beyond `most_searched`. It takes seconds for some thousand edges.
+constexpr std::size_t most_searched = 200, most_edges = 10'000, most_edges_of_all = 100'000;
+
+// Counts the edges of holes, and says whether they can be filled.
+class EdgeBudget {
+ public:
+  bool allows(std::size_t length) { return length <= most_edges && (n_ += length) <= most_edges_of_all; }
+
+ private:
+  std::size_t n_ = 0;
+};
 
 CgalMesh oriented_mesh(const Surface<3>& open) {
   CgalSoup soup(open);
@@ -38,33 +51,68 @@ std::size_t length_of(CgalMesh::Halfedge_index begin, const CgalMesh& mesh) {
   return n;
 }
 
-}  // namespace
+FilledHoles with_share(FilledHoles filled) {
+  const std::size_t n_before = filled.surface.facets.size() - filled.n_new;
+  double area = 0;
+  for (std::size_t f = 0; f < filled.surface.facets.size(); ++f) {
+    const double measure = facet_measure(filled.surface, static_cast<Index>(f));
+    area += measure;
+    if (f >= n_before) filled.new_share += measure;
+  }
+  if (area > 0) filled.new_share /= area;
+  return filled;
+}
 
-std::optional<FilledHoles> fill_holes(const Surface<3>& open) try {
+// By the loops alone, without a mesh of CGAL's: patches may then have an edge that is there, so that the result is not closed.
+std::optional<FilledHoles> fill_loops(const Surface<3>& open) {
+  const std::optional<std::vector<BorderLoop>> loops = border_loops(open);
+  if (!loops || loops->empty()) return std::nullopt;
+  FilledHoles filled{open, loops->size()};
+  EdgeBudget budget;
+  const auto points = [&](const std::vector<Index>& vertices) {
+    std::vector<CgalKernel::Point_3> result;
+    for (const Index v : vertices) result.emplace_back(open.vertices[v].x(), open.vertices[v].y(), open.vertices[v].z());
+    return result;
+  };
+  for (const BorderLoop& loop : *loops) {
+    const std::size_t length = loop.vertices.size();
+    if (!budget.allows(length)) return std::nullopt;
+    stop_if_wanted();
+    std::vector<CGAL::Triple<int, int, int>> patch;
+    PMP::triangulate_hole_polyline(points(loop.vertices), points(loop.opposite), std::back_inserter(patch),
+                                   CGAL::parameters::do_not_use_cubic_algorithm(length > most_searched));
+    if (patch.empty()) return std::nullopt;
+    for (const auto& t : patch) filled.surface.facets.push_back({loop.vertices[t.first], loop.vertices[t.second], loop.vertices[t.third]});
+  }
+  filled.n_new = filled.surface.facets.size() - open.facets.size();
+  if (!is_oriented_manifold(filled.surface.facets, filled.surface.vertices.size())) return std::nullopt;
+  return with_share(std::move(filled));
+}
+
+std::optional<FilledHoles> fill_mesh(const Surface<3>& open) {
   CgalMesh mesh = oriented_mesh(open);
   const std::size_t n_before = mesh.number_of_faces();
   if (n_before == 0) return std::nullopt;
   std::vector<CgalMesh::Halfedge_index> holes;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
-  std::size_t n_edges = 0;
+  EdgeBudget budget;
   for (const CgalMesh::Halfedge_index hole : holes) {
     const std::size_t length = length_of(hole, mesh);
-    if (length > most_edges || (n_edges += length) > most_edges_of_all) return std::nullopt;
+    if (!budget.allows(length)) return std::nullopt;
     stop_if_wanted();
     std::vector<CgalMesh::Face_index> patch;
     PMP::triangulate_hole(mesh, hole, std::back_inserter(patch), CGAL::parameters::do_not_use_cubic_algorithm(length > most_searched));
     if (patch.empty()) return std::nullopt;
   }
   if (!CGAL::is_closed(mesh)) return std::nullopt;
-  FilledHoles filled{surface_of(mesh), holes.size(), mesh.number_of_faces() - n_before};
-  double area = 0;
-  for (std::size_t f = 0; f < filled.surface.facets.size(); ++f) {
-    const double share = facet_measure(filled.surface, static_cast<Index>(f));
-    area += share;
-    if (f >= n_before) filled.new_share += share;
-  }
-  if (area > 0) filled.new_share /= area;
-  return filled;
+  return with_share({surface_of(mesh), holes.size(), mesh.number_of_faces() - n_before});
+}
+
+}  // namespace
+
+std::optional<FilledHoles> fill_holes(const Surface<3>& open) try {
+  if (std::optional<FilledHoles> filled = fill_loops(open)) return filled;
+  return fill_mesh(open);
 } catch (const CGAL::Failure_exception&) {  // what CGAL checks in every build
   return std::nullopt;
 }

@@ -8,16 +8,22 @@
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/facet_point.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace shellmatch {
 
 namespace {
 
-// More than half of a surface is not made up: a flat sheet has nothing else.
+// Of the area: where fillings are no more, nothing but them is tried. Half of what closes a flat sheet is filled.
 constexpr double most_filled = 0.45;
-// Of the diagonal of the bounding box: gaps up to a fiftieth are closed, and the wrap lies a fiftieth of that outside.
-constexpr double gap = 0.02, distance = 0.02 * gap;
+// Of the diagonal of the bounding box: gaps up to a fiftieth are closed, wider ones where nothing else encloses anything.
+constexpr double gaps[] = {0.02, 0.04, 0.08, 0.16};
+// Of the gaps: how far outside the wrap lies.
+constexpr double distance = 0.02;
+// Of the diagonal: volume over area of what bounds something. A ball has a tenth, limbs a fiftieth, flat sheets nothing.
+constexpr double least_thickness = 0.005;
 
 // What check_closed() says; empty for a closed surface.
 std::string why_open(const Surface<3>& surface, const std::string& source) {
@@ -29,10 +35,7 @@ std::string why_open(const Surface<3>& surface, const std::string& source) {
   }
 }
 
-// A sheet has two sides at twice the wrap's distance: half of its area times that.
-bool encloses_next_to_nothing(const Surface<3>& wrap, double offset) {
-  return enclosed_measure(wrap) < 3 * offset * surface_measure(wrap);
-}
+double thickness(const Surface<3>& closed) { return std::abs(enclosed_measure(closed)) / surface_measure(closed); }
 
 // Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there is nothing else.
 std::size_t drop_loose_triangles(Surface<3>& surface) {
@@ -78,23 +81,47 @@ Closure closure_by(const FilledHoles& filled, Surface<3> observed) {
   return {{std::move(observed), std::move(patches)}, filled.new_share};
 }
 
+struct Wrap {
+  Surface<3> surface;
+  double gap;  // that it bridges
+  double offset() const { return distance * gap; }
+};
+
+// None where it encloses next to nothing: around a sheet it has two sides at twice its distance.
+std::optional<Wrap> wrap_around(const Surface<3>& surface, double gap) {
+  const double diagonal = bounding_box(surface.vertices).diagonal();
+  if (!(diagonal > 0)) return std::nullopt;
+  Wrap wrap{{}, gap * diagonal};
+  wrap.surface = wrapped(surface, wrap.gap, wrap.offset());
+  const double least = std::max(3 * wrap.offset(), gap > gaps[0] ? least_thickness * diagonal : 0);
+  if (wrap.surface.facets.empty() || thickness(wrap.surface) < least) return std::nullopt;
+  return wrap;
+}
+
+Closure put_wrap(Surface<3>& surface, Wrap wrap, std::string_view state, std::vector<std::string>& notes) {
+  Closure closure{{surface, bridges(wrap.surface, surface, wrap.offset())}, 0};
+  closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap.surface);
+  notes.push_back(fmt::format("{}, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
+                              "{:.2g} % of its area is made up, and weighs nothing",
+                              state, wrap.offset(), wrap.gap, 100 * closure.invented_share));
+  if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
+  surface = std::move(wrap.surface);
+  return closure;
+}
+
+// Around what is open more widely than it bridges a wrap goes on both sides, so that it encloses less than fillings do.
+bool encloses_more(const Surface<3>& filled, const std::optional<Wrap>& wrap) {
+  const double volume = std::abs(enclosed_measure(filled));
+  return thickness(filled) >= least_thickness * bounding_box(filled.vertices).diagonal() && (!wrap || enclosed_measure(wrap->surface) < 0.5 * volume);
+}
+
 }  // namespace
 
 Closure wrap_surface(Surface<3>& surface, std::string_view state, const std::string& why, std::vector<std::string>& notes) {
-  const double diagonal = bounding_box(surface.vertices).diagonal();
-  if (!(diagonal > 0)) throw InputError(why);
-  Surface<3> wrap = wrapped(surface, gap * diagonal, distance * diagonal);
-  if (wrap.facets.empty()) throw_input_error("{} (and no wrap could be made)", why);
-  if (encloses_next_to_nothing(wrap, distance * diagonal))
-    throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why, gap * diagonal);
-  Closure closure{{surface, bridges(wrap, surface, distance * diagonal)}, 0};
-  closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap);
-  notes.push_back(fmt::format("{}, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
-                              "{:.2g} % of its area is made up, and weighs nothing",
-                              state, distance * diagonal, gap * diagonal, 100 * closure.invented_share));
-  if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
-  surface = std::move(wrap);
-  return closure;
+  for (const double gap : gaps)
+    if (std::optional<Wrap> wrap = wrap_around(surface, gap)) return put_wrap(surface, std::move(*wrap), state, notes);
+  throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why,
+                    std::ranges::max(gaps) * bounding_box(surface.vertices).diagonal());
 }
 
 Closure close_surface(Surface<3>& surface, const std::string& source, std::vector<std::string>& notes) {
@@ -118,7 +145,11 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
     return {};
   }
   std::optional<FilledHoles> filled = fill_holes(bodies);
-  if (filled && filled->new_share <= most_filled && why_open(filled->surface, source).empty()) {
+  if (filled && !why_open(filled->surface, source).empty()) filled.reset();
+  const bool is_mostly_there = filled && filled->new_share <= most_filled;
+  std::optional<Wrap> wrap;
+  if (!is_mostly_there) wrap = wrap_around(surface, gaps[0]);
+  if (is_mostly_there || (filled && encloses_more(filled->surface, wrap))) {
     note_loose();
     Closure closure;
     if (filled->n_holes == 0) {
@@ -131,7 +162,7 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
     surface = std::move(filled->surface);
     return closure;
   }
-  return wrap_surface(surface, "not closed", why, notes);
+  return wrap ? put_wrap(surface, std::move(*wrap), "not closed", notes) : wrap_surface(surface, "not closed", why, notes);
 }
 
 }  // namespace shellmatch

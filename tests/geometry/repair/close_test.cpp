@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace shellmatch {
 namespace {
@@ -131,6 +132,68 @@ TEST(CloseSurface, WhatAWrapBridgesIsInvented) {
   // Triangles have an inscribed radius of 0.0217, and the wrap counts as theirs up to 0.0042 beside them: 1 - (0.6 + 0.19)^2.
   EXPECT_NEAR(wrap.invented_share, 0.38, 0.08);
   EXPECT_NEAR(area_of(wrap.evidence.unobserved) / area_of(wrap.surface), wrap.invented_share, 1e-12);
+}
+
+// Three bands around the unit sphere, each as wide as twice `half`: eight holes.
+Surface<3> banded_sphere(double half) {
+  Surface<3> surface = unit_sphere(4);
+  std::erase_if(surface.facets, [&](const std::array<Index, 3>& f) {
+    const Vec<3> centre = (surface.vertices[f[0]] + surface.vertices[f[1]] + surface.vertices[f[2]]) / 3;
+    return centre.cwiseAbs().minCoeff() > half;
+  });
+  return surface;
+}
+
+TEST(CloseSurface, OfALaceMostIsMadeUp) {
+  const Surface<3> lace = banded_sphere(0.12);
+  std::vector<std::string> notes;
+  const MendedSurface body = mended(lace, notes);
+  EXPECT_TRUE(has_note(notes, "8 holes filled")) << notes.front();
+  EXPECT_NEAR(area_of(body.evidence.observed), area_of(lace), 1e-9);
+  EXPECT_NEAR(body.invented_share, 1 - area_of(lace) / area_of(body.surface), 1e-9);
+  EXPECT_GT(body.invented_share, 0.5);
+  EXPECT_GT(enclosed_measure(body.surface), 0.5 * enclosed_measure(unit_sphere(4)));
+}
+
+// A dish as deep as a tenth of its width encloses something, one as deep as a hundredth does not.
+TEST(CloseSurface, ADishIsClosedByALid) {
+  for (const double depth : {0.1, 0.01}) {
+    Surface<3> dish = cut_at(unit_sphere(4), -0.9);
+    const double width = 2 * std::sqrt(1 - 0.9 * 0.9);
+    for (Vec<3>& x : dish.vertices) x.z() *= depth * width / 0.1;
+    std::vector<std::string> notes;
+    if (depth < 0.05) {
+      expect_input_error([&] { mended(dish, notes); }, {"thing", "the surface is open", "encloses next to nothing"});
+      continue;
+    }
+    const MendedSurface closed = mended(dish, notes);
+    EXPECT_TRUE(has_note(notes, "1 hole filled"));
+    EXPECT_NEAR(closed.invented_share, 0.5, 0.05);
+  }
+}
+
+TEST(CloseSurface, AHoleOfThousandsOfEdgesIsFilled) {
+  constexpr Index n = 2400;
+  Surface<3> cup;
+  for (const double z : {0.0, 3.0})
+    for (Index k = 0; k < n; ++k) cup.vertices.emplace_back(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n), z);
+  cup.vertices.emplace_back(0, 0, 0);
+  for (Index k = 0; k < n; ++k) {
+    const Index next = (k + 1) % n;
+    cup.facets.insert(cup.facets.end(), {{k, next, n + next}, {k, n + next, n + k}, {next, k, 2 * n}});
+  }
+  std::vector<std::string> notes;
+  const MendedSurface closed = mended(cup, notes);
+  EXPECT_TRUE(has_note(notes, "1 hole filled with 2398 triangles"));
+  EXPECT_NEAR(enclosed_measure(closed.surface), 3 * std::numbers::pi, 1e-3);
+}
+
+TEST(CloseSurface, WiderGapsAreBridgedWhereNarrowOnesLeaveNothing) {
+  std::vector<std::string> notes;
+  const MendedSurface wrap = mended(shrunk_triangles(unit_sphere(1), 0.7), notes);
+  EXPECT_TRUE(has_note(notes, "not closed, and wrapped")) << notes.front();
+  EXPECT_TRUE(has_note(notes, "bridges gaps up to 0.2")) << notes.front();
+  EXPECT_GT(enclosed_measure(wrap.surface), 0.7 * enclosed_measure(unit_sphere(1)));
 }
 
 TEST(CloseSurface, ALooseTriangleIsLeftOutAndNothingIsMadeUp) {
