@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "bench/ceilings.h"
 #include "bench/traffic.h"
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 #include "energies/terms/term_names.h"
 #include "matching/cascade/schedule.h"
 #include "matching/derivative_check/check_state.h"
@@ -114,24 +114,24 @@ void evaluate(const TermValues& weights, std::span<double> gradient) {
 
 /// Every 64th element of the band, whose gradient ceres::Jet gives: one derivative for each of its 24 positions.
 struct Duals {
-  ElementOracle<3> oracle;
+  CeresEvaluator<3> costs;
   TermValues weights = band_weights();
   std::vector<std::size_t> elements;
   std::size_t n_points = 0;
 
   Duals()
-      : oracle(kernels->level->energy, kernels->level->unknowns) {
+      : costs(kernels->level->energy) {
     std::size_t n_seen = 0;
     for (std::size_t e = 0; e < kernels->level->unknowns.elements().size(); ++e)
-      if (const auto points = oracle.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
+      if (const auto points = costs.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
         elements.push_back(e);
         n_points += points.size();
       }
   }
   void operator()() const {
-    ElementOracle<3>::Dofs g;
+    CeresEvaluator<3>::Dofs g;
     for (const std::size_t e : elements) {
-      benchmark::DoNotOptimize(oracle.gradient(weights, e, oracle.dofs_of(e, kernels->phi), g));
+      benchmark::DoNotOptimize(costs.gradient(weights, e, costs.dofs_of(e, kernels->phi), g));
       benchmark::DoNotOptimize(g);
     }
   }

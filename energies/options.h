@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -65,6 +67,14 @@ class TermOptions {
   std::vector<double> own_;  ///< of all terms, in the order of the list
 };
 
+/// What evaluates value and gradient.
+enum class Evaluator { compiled, ceres };
+template <>
+struct EnumNames<Evaluator> {
+  static constexpr std::pair<Evaluator, std::string_view> names[] = {{Evaluator::compiled, "compiled"},
+                                                                     {Evaluator::ceres, "ceres"}};
+};
+
 /// Weights and material of the terms in energies/terms/list.h.
 struct EnergyOptions {
   double lambda = 1, mu = 1;
@@ -72,6 +82,7 @@ struct EnergyOptions {
   TermOptions terms;
   BoundaryCondition boundary = BoundaryCondition::neumann;
   int quadrature_order = 2;
+  Evaluator evaluator = Evaluator::compiled;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("lambda", self.lambda, {.unit = "energy/volume", .min = 0, .meaning = "first Lame coefficient of W"});
@@ -81,6 +92,7 @@ struct EnergyOptions {
     TermOptions::describe_models(self.terms, visit);
     visit("boundary", self.boundary, {.meaning = "neumann: the domain's boundary is free; dirichlet: phi = id there"});
     visit("quadrature_order", self.quadrature_order, {.unit = "points per direction", .min = 1, .max = 5, .meaning = "Gauss points for minimising; reported energies take one more, at most 5"});
+    visit("evaluator", self.evaluator, {.meaning = "compiled: value and gradient by vector code made from the terms' functors; ceres: by ceres::AutoDiffCostFunction of the same functors on every element, some 50 times slower"});
   }
 };
 

@@ -5,7 +5,7 @@
 //   256 elements, 232 of them in the band
 //   energy 8.2115 -> 0.2103
 //   the compiled assembly says 0.2103
-#include "energies/compiled/element_cost.h"
+#include "energies/cost/element_cost.h"
 #include "energies/terms/term_names.h"
 #include "examples/small_problem.h"
 

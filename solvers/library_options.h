@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Options of the minimisers of external libraries. The libraries' own stop rules are disabled: StopOptions
-/// apply to all methods.
+/// Options of the minimisers of external libraries.
 
 #include "base/options.h"
 
@@ -50,6 +49,8 @@ struct CeresOptions {
   int max_num_line_search_direction_restarts = 5;
   double line_search_sufficient_curvature_decrease = 0.9;
   double max_line_search_step_expansion = 10;
+  double function_tolerance = 1e-6, gradient_tolerance = 1e-10, parameter_tolerance = 1e-8;
+  bool common_stop_rules = true;
   int max_bfgs_size = 1000;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
@@ -66,6 +67,10 @@ struct CeresOptions {
     visit("max_num_line_search_direction_restarts", self.max_num_line_search_direction_restarts, {.unit = "restarts", .min = 0, .max = 1000000, .meaning = "most restarts for want of a descent direction"});
     visit("line_search_sufficient_curvature_decrease", self.line_search_sufficient_curvature_decrease, {.min = 0, .max = 0.999, .min_excluded = true, .meaning = "share of its first size that the slope must fall below (wolfe); greater than line_search_sufficient_function_decrease"});
     visit("max_line_search_step_expansion", self.max_line_search_step_expansion, {.min = 1, .max = 1000, .min_excluded = true, .meaning = "most factor by which a bracket grows (wolfe)"});
+    visit("function_tolerance", self.function_tolerance, {.min = 0, .meaning = "a method ends where a step changes the value by at most this share of it; 0 in a study that compares methods"});
+    visit("gradient_tolerance", self.gradient_tolerance, {.min = 0, .meaning = "a method ends where no entry of the gradient is larger; 0 in such a study"});
+    visit("parameter_tolerance", self.parameter_tolerance, {.min = 0, .meaning = "a method ends where a step is at most this share of the unknowns' norm; 0 in such a study"});
+    visit("common_stop_rules", self.common_stop_rules, {.meaning = "the rules of solver.stop end a method, too, as a ceres::IterationCallback; false: only its limits stop.max_iterations and stop.max_seconds, as Ceres' own"});
     visit("max_bfgs_size", self.max_bfgs_size, {.unit = "unknowns", .min = 1, .max = 20000, .meaning = "most unknowns for ceres_bfgs, whose dense matrix grows with their square"});
   }
 };

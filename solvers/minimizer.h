@@ -52,8 +52,9 @@ struct IterationRecord {
   bool restrained = false;         ///< did the step lead beyond the model in all its systems (StepRegularisation::is_restrained)?
 };
 
+/// `library`: a library gave up; `converged`: by a tolerance of its own.
 enum class StopReason {
-  relative_decrease, gradient_norm, max_iterations, max_seconds, no_descent, cannot_evaluate_start, interrupted, library,
+  relative_decrease, gradient_norm, max_iterations, max_seconds, no_descent, cannot_evaluate_start, interrupted, library, converged,
 };
 template <>
 struct EnumNames<StopReason> {
@@ -61,7 +62,12 @@ struct EnumNames<StopReason> {
       {StopReason::relative_decrease, "relative_decrease"}, {StopReason::gradient_norm, "gradient_norm"},
       {StopReason::max_iterations, "max_iterations"}, {StopReason::max_seconds, "max_seconds"},
       {StopReason::no_descent, "no_descent"}, {StopReason::cannot_evaluate_start, "cannot_evaluate_start"},
-      {StopReason::interrupted, "interrupted"}, {StopReason::library, "library"}};
+      {StopReason::interrupted, "interrupted"}, {StopReason::library, "library"}, {StopReason::converged, "converged"}};
+};
+
+/// What a library says of a minimisation in its own words: Ceres' BriefReport() and FullReport().
+struct LibraryReport {
+  std::string brief, full;
 };
 
 struct MinimizerSummary {
@@ -76,6 +82,7 @@ struct MinimizerSummary {
   long regularised_systems = 0;        ///< of these steps, each up to max_regularisations times
   double seconds = 0;
   std::string solver;                  ///< name of the last method
+  std::vector<LibraryReport> library_reports;  ///< one for each of the methods that has one
   std::vector<std::string> fallbacks;  ///< one line for every method that failed before it
 };
 

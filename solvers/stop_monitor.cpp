@@ -59,6 +59,7 @@ std::string StopMonitor::message(StopReason reason) const {
       return "the function cannot be evaluated at the start";
     case StopReason::interrupted:
       return "stopped by the caller";
+    case StopReason::converged:
     case StopReason::library:
       break;
   }

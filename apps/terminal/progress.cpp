@@ -161,6 +161,7 @@ void Progress::minimisation_finished(const LevelStart& start, const MinimizerSum
   line(fmt::format("{}: energy {:.4e} after {} iterations in {:.1f} s ({}){}", place(start, max_level_),
                    summary.final_value, summary.iterations, summary.seconds, enum_name(summary.reason),
                    start.level < max_level_ ? left() : ""));
+  for (const LibraryReport& report : summary.library_reports) line(verbosity_ == Verbosity::verbose ? report.full : report.brief);
 }
 
 }  // namespace shellmatch

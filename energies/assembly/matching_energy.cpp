@@ -61,6 +61,11 @@ template <int Dim>
 template <bool WithGradient>
 void MatchingEnergy<Dim>::add_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                     double* values, double* gradients, BandSums* band_sums) const {
+  if (terms_->evaluator() == Evaluator::ceres) {
+    add_costs<WithGradient>(cells, phi, weights, values, gradients);
+    if (band_sums) add_band_terms<false>(cells, phi, TermValues(n_terms()), values, nullptr, band_sums);
+    return;
+  }
   const bool is_possible = set_cell_terms<WithGradient>(cells, phi, weights, values, gradients);
   if (is_possible || band_sums) add_band_terms<WithGradient>(cells, phi, weights, values, gradients, band_sums);
   if (is_possible) add_pair_terms(cells, phi, weights, values, gradients);

@@ -74,6 +74,7 @@ class MatchingEnergy {
   /// The values, and the measures of the band; works where evaluate() returns false, too.
   bool report(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values, BandSums& band) const;
 
+  std::span<const Element<Dim>> elements() const { return elements_; }
   const EnergyTerms<Dim>& terms() const { return *terms_; }
   const Band<Dim>& band() const { return band_; }
   const ShapeTable<Dim>& shape() const { return shape_; }
@@ -87,6 +88,10 @@ class MatchingEnergy {
   template <bool WithGradient>
   void add_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                  double* gradients, BandSums* band_sums) const;
+  // The same by Ceres' cost functions (energies/assembly/ceres_evaluator.cpp).
+  template <bool WithGradient>
+  void add_costs(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
+                 double* gradients) const;
   // Terms of cells and corners: adds to `values`, sets `gradients`. Returns false at the first value that is not
   // finite.
   template <bool WithGradient>

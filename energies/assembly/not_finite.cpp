@@ -1,7 +1,7 @@
 #include "energies/assembly/not_finite.h"
 
 #include "base/parallel.h"
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 
 #include <fmt/format.h>
 
@@ -20,18 +20,18 @@ NotFinite<Dim> place_of(const Element<Dim>& element, std::size_t number, std::st
 
 /// What is not finite of the term with number t on element e.
 template <int Dim>
-std::optional<NotFinite<Dim>> check_element(const MatchingEnergy<Dim>& energy, const ElementOracle<Dim>& oracle,
+std::optional<NotFinite<Dim>> check_element(const MatchingEnergy<Dim>& energy, const CeresEvaluator<Dim>& costs,
                                             const Element<Dim>& element, std::size_t e, std::span<const Vec<Dim>> phi,
                                             std::size_t t, double weight) {
   TermValues alone(energy.n_terms());
   alone[t] = weight;
-  typename ElementOracle<Dim>::Dofs dofs = oracle.dofs_of(e, phi), derivative;
+  typename CeresEvaluator<Dim>::Dofs dofs = costs.dofs_of(e, phi), derivative;
   const auto is_finite = [](const auto& numbers) { return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }); };
-  const bool has_value = std::isfinite(oracle.gradient(alone, e, dofs, derivative));
+  const bool has_value = std::isfinite(costs.gradient(alone, e, dofs, derivative));
   if (has_value && is_finite(derivative)) return std::nullopt;
   auto found = place_of(element, e, has_value ? "gradient" : "value", energy.term_names()[t]);
   for (std::size_t q = 0; q < energy.shape().points.size() && !found.point; ++q) {
-    const auto at_point = oracle.gradient_at_point(t, weight, e, dofs, q, derivative);
+    const auto at_point = costs.gradient_at_point(t, weight, e, dofs, q, derivative);
     if (at_point && !(std::isfinite(*at_point) && is_finite(derivative)))
       found.point = element.corner + element.side * energy.shape().points[q].xi;
   }
@@ -44,13 +44,13 @@ template <int Dim>
 std::optional<NotFinite<Dim>> find_not_finite(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
                                               std::span<const Vec<Dim>> phi, const TermValues& weights) {
   const auto elements = unknowns.elements();
-  const ElementOracle<Dim> oracle(energy, unknowns);
+  const CeresEvaluator<Dim> costs(energy);
   constexpr std::size_t at_a_time = 256;
   std::vector<std::optional<NotFinite<Dim>>> first(n_chunks(elements.size(), at_a_time));
   parallel_chunks(elements.size(), at_a_time, [&](const Chunk& chunk) {
     for (std::size_t e = chunk.begin; e < chunk.end && !first[chunk.index]; ++e)
       for (std::size_t t = 0; t < energy.n_terms() && !first[chunk.index]; ++t)
-        if (weights[t] > 0) first[chunk.index] = check_element(energy, oracle, elements[e], e, phi, t, weights[t]);
+        if (weights[t] > 0) first[chunk.index] = check_element(energy, costs, elements[e], e, phi, t, weights[t]);
   });
   const auto found = std::ranges::find_if(first, [](const auto& one) { return one.has_value(); });
   return found == first.end() ? std::nullopt : *found;

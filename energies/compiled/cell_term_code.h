@@ -4,6 +4,7 @@
 
 #include "energies/compiled/compiled_term.h"
 #include "energies/autodiff/compiled.h"
+#include "energies/autodiff/jet.h"
 #include "energies/autodiff/second_order.h"
 #include "energies/densities/positive_hessian.h"
 #include "energies/terms/term_functors.h"
@@ -75,9 +76,8 @@ Pack apply_corner_term(CellBatch<Term::dim>& batch, const ShapeTable<Term::dim>&
 
 /// The argument of a corner term with its derivative by the corners' positions.
 template <class Term>
-[[gnu::noinline]] std::array<typename CompiledTerm<Term::dim>::Jet, Term::n_arguments> corner_argument(
-    const double* dofs, double scale) {
-  using Jet = typename CompiledTerm<Term::dim>::Jet;
+[[gnu::noinline]] auto corner_argument(const double* dofs, double scale) {
+  using Jet = ceres::Jet<double, n_corners<Term::dim> * Term::dim>;
   std::array<Jet, n_corners<Term::dim> * Term::dim> jets;
   for (std::size_t i = 0; i < jets.size(); ++i) jets[i] = Jet(dofs[i], static_cast<int>(i));
   return Term::template argument<Jet, double>(jets.data(), scale);

@@ -5,7 +5,7 @@
 #include "energies/compiled/band_term_code.h"
 #include "energies/compiled/cell_term_code.h"
 #include "energies/compiled/compiled_term.h"
-#include "energies/compiled/element_cost.h"
+#include "energies/cost/element_cost.h"
 
 namespace shellmatch {
 
@@ -28,12 +28,10 @@ double term_modulus(const Material<double>& c) {
 
 template <class Term>
 CompiledTerm<Term::dim> compile_term() {
-  using Jet = typename CompiledTerm<Term::dim>::Jet;
   return {.info = Term::info,
           .own = Term::own,
           .code = detail::term_code<Term>(),
-          .element_value = element_energy<Term, double>,
-          .element_derivative = element_energy<Term, Jet>,
+          .cost = element_cost_function<Term>,
           .modulus = detail::term_modulus<Term>};
 }
 

@@ -3,9 +3,9 @@
 /// A term as the assembly calls it: its compiled code behind function pointers, eight quadrature points or elements at a
 /// time. energies/compiled/compile_term.h makes it from the term's type.
 
-#include "energies/compiled/element_fields.h"
+#include "energies/cost/cost_function.h"
+#include "energies/cost/element_fields.h"
 #include "energies/compiled/point_arrays.h"
-#include "energies/autodiff/jet.h"
 #include "energies/densities/square_pack.h"
 #include "energies/densities/tangent_frames.h"
 #include "energies/elements/element_batch.h"
@@ -86,13 +86,11 @@ struct CornerCode {
 
 template <int Dim>
 struct CompiledTerm {
-  using Jet = ceres::Jet<double, n_corners<Dim> * Dim>;
   TermInfo info;
   std::span<const TermOption> own;
   std::variant<BandCode<Dim>, CellCode<Dim>, CornerCode<Dim>> code;
-  /// The term on one element by its own functor, without the compiled code (energies/compiled/element_cost.h).
-  double (*element_value)(const ElementFields<Dim>&, const double* dofs, double weight, const Material<double>&);
-  Jet (*element_derivative)(const ElementFields<Dim>&, const Jet* dofs, double weight, const Material<double>&);
+  /// The term on one element in Ceres' terms, without the compiled code (energies/cost/element_cost.h).
+  ElementCostFunction (*cost)(const ElementFields<Dim>&, double weight, const Material<double>&);
   /// Largest second derivative of the density where it rests; of a corner term, its scale on a cell of side 1.
   double (*modulus)(const Material<double>&);
 };

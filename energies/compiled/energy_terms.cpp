@@ -41,7 +41,8 @@ void check_options(const CompiledTerm<Dim>& term, const Material<double>& materi
 }  // namespace
 
 template <int Dim>
-EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options) : lambda_(options.lambda), mu_(options.mu) {
+EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options)
+    : lambda_(options.lambda), mu_(options.mu), evaluator_(options.evaluator) {
   const auto check = [](std::string_view name, const auto& value, const OptionInfo& info) {
     if constexpr (std::is_same_v<decltype(value), const double&>) check_number(name, value, info);
   };

@@ -34,6 +34,7 @@ class EnergyTerms {
   /// \pre terms that read curvature all read roots, or all read shape operators
   Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {});
 
+  Evaluator evaluator() const { return evaluator_; }
   std::size_t size() const { return entries_.size(); }
   /// In the order of TermValues.
   const std::deque<Entry>& entries() const { return entries_; }
@@ -49,6 +50,7 @@ class EnergyTerms {
 
  private:
   double lambda_, mu_;
+  Evaluator evaluator_;
   std::deque<Entry> entries_;  // they do not move
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace shellmatch {
@@ -188,6 +189,17 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
   });
   measure_ = sums.measure;
   n_active_points_ = sums.n_active;
+}
+
+template <int Dim>
+Index Band<Dim>::lane_of(std::size_t element) const {
+  const auto e = static_cast<Index>(element);
+  const auto after = std::ranges::upper_bound(batches_, e, {}, [](const Batch& b) { return b.element[0]; });
+  if (after == batches_.begin()) return no_index;
+  const Batch& batch = *std::prev(after);
+  for (int lane = 0; lane < batch.n_elements; ++lane)
+    if (batch.element[lane] == e) return static_cast<Index>(&batch - batches_.data()) * n_lanes + lane;
+  return no_index;
 }
 
 template class Band<2>;

@@ -42,6 +42,8 @@ class Band {
   static std::array<T, n_reference> reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point, bool root_is_inverse);
 
   std::span<const Batch> batches() const { return batches_; }
+  /// Number of the element's batch times lanes plus its lane; no_index outside the band.
+  Index lane_of(std::size_t element) const;
   /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.
   std::array<std::size_t, 2> batches_of(std::size_t block) const {
     return {first_batch_[block], first_batch_[block + 1]};

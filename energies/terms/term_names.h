@@ -58,7 +58,7 @@ static_assert(is_good_list(), "energies/terms/list.h: terms of one name stand to
 }  // namespace detail
 
 /// The names of the options of section `energy` that no term has brought (EnergyOptions::describe).
-inline constexpr std::array<std::string_view, 5> general_option_names = {"lambda", "mu", "delta", "boundary", "quadrature_order"};
+inline constexpr std::array<std::string_view, 6> general_option_names = {"lambda", "mu", "delta", "boundary", "quadrature_order", "evaluator"};
 
 namespace detail {
 

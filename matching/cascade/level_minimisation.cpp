@@ -180,6 +180,7 @@ std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& star
   result.linear_iterations += result.last.linear_iterations;
   result.regularised_systems += result.last.regularised_systems;
   result.seconds += result.last.seconds;
+  result.library_reports.insert(result.library_reports.end(), result.last.library_reports.begin(), result.last.library_reports.end());
   return terms;
 }
 

@@ -26,6 +26,7 @@ struct LevelResult {
   FoldReport folds;
   BandReport band;                   ///< by the finer quadrature
   MinimizerSummary last;             ///< summary of the level's last minimisation
+  std::vector<LibraryReport> library_reports;  ///< of all minimisations by a library that has one, in their order
   std::vector<std::string> fallbacks;  ///< one entry for each method that gave up: which, why, and its successor
   int iterations = 0;                ///< sum over the level's minimisations
   long value_evaluations = 0, gradient_evaluations = 0;

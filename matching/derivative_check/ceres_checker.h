@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <span>
-#include <string>
 
 namespace shellmatch {
 
@@ -15,7 +14,6 @@ using SmallFunction = std::function<bool(std::span<const double> dofs, double& v
 struct CeresVerdict {
   bool passed = false;
   double worst_relative_error = 0;  ///< largest over the entries of the derivative
-  std::string log;                  ///< Ceres' report of the failed check, in the mixed entries; empty if passed
 };
 
 /// Compares the gradient at `dofs` with Ceres' numeric differentiation (Ridders' method) of the values, entry by entry

@@ -2,7 +2,7 @@
 /// \file
 /// The energy that a derivative check examines, and the data that its parts share.
 
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 #include "matching/level/level_energy.h"
 
 #include <cstddef>
@@ -40,7 +40,7 @@ struct GradientCheckSettings {
 template <int Dim>
 struct CheckContext {
   LevelEnergy<Dim>& level;
-  const ElementOracle<Dim>& oracle;
+  const CeresEvaluator<Dim>& costs;
   const std::vector<Vec<Dim>>& phi;
   const GradientCheckSettings& settings;
 };

@@ -84,7 +84,7 @@ DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEn
     v = random_direction(context.level, seed);
     result = {};
     if (context.level.energy.terms().read_target(term.weights)) {
-      const HeldPoints held = hold_at_kinks<Dim>(context.level.unknowns, context.oracle, context.level.geometry.target, context.level.grid, context.phi, reach, v);
+      const HeldPoints held = hold_at_kinks<Dim>(context.level.unknowns, context.costs, context.level.geometry.target, context.level.grid, context.phi, reach, v);
       result.n_points_near_faces = held.n_points;
       result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(context.level.unknowns.nodes().size());
     }

@@ -29,12 +29,12 @@ double largest(std::span<const double> v) {
 template <int Dim>
 class ElementComparison {
  public:
-  using Oracle = ElementOracle<Dim>;
-  using Dofs = typename Oracle::Dofs;
-  static constexpr int n = Oracle::n_dofs;
+  using Costs = CeresEvaluator<Dim>;
+  using Dofs = typename Costs::Dofs;
+  static constexpr int n = Costs::n_dofs;
 
   ElementComparison(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check)
-      : context_(context), oracle_(context.oracle), elements_(context.level.unknowns.elements()),
+      : context_(context), costs_(context.costs), elements_(context.level.unknowns.elements()),
         differences_(context, term.weights), term_(term), check_(check) {}
 
   void run() {
@@ -55,8 +55,8 @@ class ElementComparison {
     natural_.resize(elements_.size());
     error_.resize(elements_.size());
     parallel_for(elements_.size(), [&](std::size_t e) {
-      values_[e] = oracle_.gradient(term_.weights, e, oracle_.dofs_of(e, context_.phi), by_jets_[e]);
-      natural_[e] = oracle_.natural_size(term_.weights, e);
+      values_[e] = costs_.gradient(term_.weights, e, costs_.dofs_of(e, context_.phi), by_jets_[e]);
+      natural_[e] = costs_.natural_size(term_.weights, e);
       // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size only.
       const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
       double difference = 0;
@@ -138,8 +138,8 @@ class ElementComparison {
     std::size_t e = worst_by_differences_;
     if (!(check_.element_error <= 1))
       e = static_cast<std::size_t>(std::max_element(error_.begin(), error_.end()) - error_.begin());
-    const Dofs dofs = oracle_.dofs_of(e, context_.phi);
-    const double side = elements_[e].side, distance = least_distance_to_kinks(oracle_, context_.level.geometry.target, e, dofs);
+    const Dofs dofs = costs_.dofs_of(e, context_.phi);
+    const double side = elements_[e].side, distance = least_distance_to_kinks(costs_, context_.level.geometry.target, e, dofs);
     const double step = distance > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
     WorstElement worst;
     worst.element = static_cast<Index>(e);
@@ -167,7 +167,7 @@ class ElementComparison {
     const auto function = [&](std::span<const double> dofs, double& value, std::span<double> gradient) {
       Dofs at;
       std::ranges::copy(dofs, at.begin());
-      value = oracle_.value(term_.weights, e, at);
+      value = costs_.value(term_.weights, e, at);
       // Ceres requests the gradient at `dofs` only, where the assembly has computed it.
       if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
       return std::isfinite(value);
@@ -175,7 +175,7 @@ class ElementComparison {
     // Ceres compares every component with itself. Rounding errors of its differences are 1e-12 of the natural size, and a
     // component may be a hundredth of the largest.
     const double precision = std::max(1e-5, 1e-10 * natural_[e] / largest(by_jets_[e]));
-    return check_with_ceres(function, oracle_.dofs_of(e, context_.phi), step * elements_[e].side, precision);
+    return check_with_ceres(function, costs_.dofs_of(e, context_.phi), step * elements_[e].side, precision);
   }
 
   void probe_with_ceres() {
@@ -184,7 +184,7 @@ class ElementComparison {
     std::vector<std::size_t> fit;
     for (const std::size_t e : acting_)
       if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
-          least_distance_to_kinks(oracle_, context_.level.geometry.target, e, oracle_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
+          least_distance_to_kinks(costs_, context_.level.geometry.target, e, costs_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;
     const std::size_t n_wanted = std::min<std::size_t>(fit.size(), context_.settings.n_ceres_elements);
@@ -205,7 +205,7 @@ class ElementComparison {
   }
 
   const CheckContext<Dim>& context_;
-  const Oracle& oracle_;
+  const Costs& costs_;
   std::span<const Element<Dim>> elements_;
   ElementDifferences<Dim> differences_;
   const AssembledTerm& term_;

@@ -10,12 +10,12 @@ namespace shellmatch {
 
 template <int Dim>
 ElementDifferences<Dim>::ElementDifferences(const CheckContext<Dim>& context, const TermValues& weights)
-    : context_(context), oracle_(context.oracle), elements_(context.level.unknowns.elements()), weights_(weights) {}
+    : context_(context), costs_(context.costs), elements_(context.level.unknowns.elements()), weights_(weights) {}
 
 template <int Dim>
 double ElementDifferences<Dim>::value_at(std::size_t e, Dofs dofs, int i, double step) const {
   dofs[i] += step;
-  return oracle_.value(weights_, e, dofs);
+  return costs_.value(weights_, e, dofs);
 }
 
 template <int Dim>
@@ -26,12 +26,12 @@ double ElementDifferences<Dim>::central(std::size_t e, const Dofs& dofs, int i, 
 
 template <int Dim>
 DifferenceError ElementDifferences<Dim>::compare(std::size_t e, const ElementGradient& gradient) const {
-  const Dofs dofs = oracle_.dofs_of(e, context_.phi);
+  const Dofs dofs = costs_.dofs_of(e, context_.phi);
   const double side = elements_[e].side;
-  const double distance = least_distance_to_kinks(oracle_, context_.level.geometry.target, e, dofs);
+  const double distance = least_distance_to_kinks(costs_, context_.level.geometry.target, e, dofs);
   if (distance < 1.1e-6 * side) return {.error = 0, .near_face = true, .kink = false};
   DifferenceError result;
-  for (int i = 0; i < ElementOracle<Dim>::n_dofs; ++i) {
+  for (int i = 0; i < CeresEvaluator<Dim>::n_dofs; ++i) {
     double least = std::numeric_limits<double>::infinity();
     for (const double share : {1e-4, 1e-5, 1e-6}) {
       if (distance < 1.1 * share * side) continue;

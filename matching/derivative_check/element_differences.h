@@ -10,10 +10,10 @@ namespace shellmatch {
 
 /// The gradient of one term on one element, and the sizes to which its errors are relative.
 struct ElementGradient {
-  std::span<const double> assembled;  ///< gradient of the assembly, size ElementOracle::n_dofs
+  std::span<const double> assembled;  ///< gradient of the assembly, size CeresEvaluator::n_dofs
   double largest_by_jets = 0;         ///< largest absolute entry of the gradient by dual numbers
   double value = 0;                   ///< value of the term on the element
-  double natural_size = 0;            ///< ElementOracle::natural_size()
+  double natural_size = 0;            ///< CeresEvaluator::natural_size()
 };
 
 /// What the comparison of an element gradient with differences has found.
@@ -27,7 +27,7 @@ struct DifferenceError {
 template <int Dim>
 class ElementDifferences {
  public:
-  using Dofs = typename ElementOracle<Dim>::Dofs;
+  using Dofs = typename CeresEvaluator<Dim>::Dofs;
 
   /// All must outlive this object.
   ElementDifferences(const CheckContext<Dim>& context, const TermValues& weights);
@@ -43,7 +43,7 @@ class ElementDifferences {
   bool is_kink(std::size_t e, const Dofs& dofs, int i, const ElementGradient& gradient) const;
 
   const CheckContext<Dim>& context_;
-  const ElementOracle<Dim>& oracle_;
+  const CeresEvaluator<Dim>& costs_;
   std::span<const Element<Dim>> elements_;
   const TermValues& weights_;
 };

@@ -49,8 +49,8 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   report.level = level.grid.finest_level();
   report.n_nodes = level.grid.n_nodes();
   report.n_free_nodes = static_cast<Index>(level.grid.free_nodes().size());
-  const ElementOracle<Dim> oracle(level.energy, level.unknowns);
-  const CheckContext<Dim> context{level, oracle, phi, settings};
+  const CeresEvaluator<Dim> costs(level.energy);
+  const CheckContext<Dim> context{level, costs, phi, settings};
   const std::vector<std::string> names = level.energy.term_names();
   for (std::size_t t = 0; t <= weights.size(); ++t) {
     const std::string name = t < weights.size() ? names[t] : "sum";

@@ -26,16 +26,16 @@ Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y) {
 }
 
 template <int Dim>
-double least_distance_to_kinks(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
-                       const typename ElementOracle<Dim>::Dofs& dofs) {
+double least_distance_to_kinks(const CeresEvaluator<Dim>& costs, const GeometryField<Dim>& target, std::size_t e,
+                       const typename CeresEvaluator<Dim>::Dofs& dofs) {
   double distance = std::numeric_limits<double>::infinity();
-  for (const int q : oracle.band_points(e))
-    distance = std::min(distance, distance_to_kinks<Dim>(target, oracle.position(dofs, q)).minCoeff());
+  for (const int q : costs.band_points(e))
+    distance = std::min(distance, distance_to_kinks<Dim>(target, costs.position(dofs, q)).minCoeff());
   return distance;
 }
 
 template <int Dim>
-HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>& oracle,
+HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim>& costs,
                          const GeometryField<Dim>& target, const Octree<Dim>& grid,
                          std::span<const Vec<Dim>> phi, double reach, std::vector<double>& direction) {
   const auto elements = unknowns.elements();
@@ -64,12 +64,12 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
         elements.size(),
         [&](std::size_t e) {
           n_passing[e] = 0;
-          const std::vector<int> points = oracle.band_points(e);
+          const std::vector<int> points = costs.band_points(e);
           if (points.empty()) return;
-          const auto at = oracle.dofs_of(e, phi), by = oracle.dofs_of(e, nodal);
+          const auto at = costs.dofs_of(e, phi), by = costs.dofs_of(e, nodal);
           for (const int q : points) {
-            const Vec<Dim> distance = distance_to_kinks<Dim>(target, oracle.position(at, q));
-            n_passing[e] += (reach * oracle.position(by, q).cwiseAbs().array() > distance.array()).any();
+            const Vec<Dim> distance = distance_to_kinks<Dim>(target, costs.position(at, q));
+            n_passing[e] += (reach * costs.position(by, q).cwiseAbs().array() > distance.array()).any();
           }
         },
         64);
@@ -91,9 +91,9 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
   template Vec<Dim> distance_to_cell_faces<Dim>(const Octree<Dim>&, const Vec<Dim>&);                           \
   template Vec<Dim> distance_to_kinks<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                       \
-  template double least_distance_to_kinks<Dim>(const ElementOracle<Dim>&, const GeometryField<Dim>&, std::size_t, \
-                                       const ElementOracle<Dim>::Dofs&);                                  \
-  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const ElementOracle<Dim>&,                 \
+  template double least_distance_to_kinks<Dim>(const CeresEvaluator<Dim>&, const GeometryField<Dim>&, std::size_t, \
+                                       const CeresEvaluator<Dim>::Dofs&);                                  \
+  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const CeresEvaluator<Dim>&,                 \
                                          const GeometryField<Dim>&, const Octree<Dim>&,                   \
                                          std::span<const Vec<Dim>>, double, std::vector<double>&);
 SHELLMATCH_INSTANTIATE(2)

@@ -4,7 +4,7 @@
 /// are projected onto it, and, for multilinear coefficients of the target, also where a point enters another cell.
 /// Differences across a kink do not approximate a derivative.
 
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 
 #include <span>
 #include <vector>
@@ -22,8 +22,8 @@ Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y);
 
 /// Smallest distance to a kink over the element's points in the band and all coordinates; infinity without such points.
 template <int Dim>
-double least_distance_to_kinks(const ElementOracle<Dim>& oracle, const GeometryField<Dim>& target, std::size_t e,
-                       const typename ElementOracle<Dim>::Dofs& dofs);
+double least_distance_to_kinks(const CeresEvaluator<Dim>& costs, const GeometryField<Dim>& target, std::size_t e,
+                       const typename CeresEvaluator<Dim>::Dofs& dofs);
 
 struct HeldPoints {
   std::size_t n_points = 0,
@@ -33,7 +33,7 @@ struct HeldPoints {
 /// Sets the direction to zero at the nodes of every element with a point that would cross a kink within `reach` times
 /// the direction. Repeats this until there is none. \param direction by the unknowns
 template <int Dim>
-HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const ElementOracle<Dim>& oracle,
+HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim>& costs,
                          const GeometryField<Dim>& target, const Octree<Dim>& grid,
                          std::span<const Vec<Dim>> phi, double reach, std::vector<double>& direction);
 

@@ -1,44 +1,115 @@
 #include "solvers/libraries/ceres_minimizer.h"
 
 #include "base/error.h"
-#include "solvers/libraries/library_run.h"
+#include "solvers/minimization_run.h"
+#include "solvers/vector_ops.h"
 
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
+#include <ranges>
+#include <span>
+#include <utility>
 
 namespace shellmatch {
 
 namespace {
 
+/// What Ceres evaluates between two of its iterates, and its iterates as they are recorded.
+class CeresRun {
+ public:
+  CeresRun(MinimizationRun& run, const std::vector<double>& x, const std::vector<double>& gradient)
+      : run_(run), start_(x), start_gradient_(gradient), recorded_x_(x) {}
+
+  /// Throws nothing: exceptions wait until Ceres has returned.
+  bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) noexcept {
+    if (exception_ || run_.over() || run_.out_of_time()) return false;
+    if (std::exchange(is_first_, false) && std::ranges::equal(x, start_)) {  // Ceres begins with what is known
+      value = run_.start_value();
+      std::copy_n(start_gradient_.begin(), gradient.size(), gradient.begin());
+      return true;
+    }
+    try {
+      const Evaluation at = run_.evaluate(x, gradient);
+      value = at.value;
+      if (at.feasible) trials_.push_back({at, run_.term_values(), !gradient.empty()});
+      return at.feasible;
+    } catch (...) {
+      exception_ = std::current_exception();
+      return false;
+    }
+  }
+
+  /// Records the iterate x, where Ceres found this value. False if Ceres is to stop.
+  bool accept(double value, std::span<const double> x) noexcept {
+    try {
+      if (exception_ || run_.over()) return false;
+      const double step = distance(x, recorded_x_);
+      recorded_x_.assign(x.begin(), x.end());
+      const auto has_value = [&](const Trial& trial) { return trial.has_gradient && trial.at.value == value; };
+      const auto trial = std::ranges::find_if(trials_.rbegin(), trials_.rend(), has_value);
+      if (trial != trials_.rend()) {
+        run_.accept(trial->at, step, std::move(trial->terms));
+      } else {
+        std::vector<double> gradient(x.size());
+        run_.accept(run_.evaluate(x, gradient), step);
+      }
+      trials_.clear();
+    } catch (...) {
+      exception_ = std::current_exception();
+    }
+    return !exception_ && !run_.over();
+  }
+
+  /// The same for the last iterate, with which Ceres calls nobody back where a tolerance is reached there.
+  void accept_last(double value, std::span<const double> x) {
+    if (!std::ranges::equal(x, recorded_x_)) accept(value, x);
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  struct Trial {
+    Evaluation at;
+    std::vector<double> terms;
+    bool has_gradient;
+  };
+  MinimizationRun& run_;
+  const std::vector<double>&start_, &start_gradient_;
+  std::vector<double> recorded_x_;
+  bool is_first_ = true;
+  std::vector<Trial> trials_;  ///< since the last iterate
+  std::exception_ptr exception_;
+};
+
 class CeresFunction final : public ceres::FirstOrderFunction {
  public:
-  CeresFunction(LibraryRun& run, std::size_t n) : run_(run), n_(n) {}
+  CeresFunction(CeresRun& run, std::size_t n) : run_(run), n_(n) {}
   bool Evaluate(const double* x, double* value, double* gradient) const override {
-    const Evaluation at =
-        run_.evaluate({x, n_}, gradient ? std::span<double>(gradient, n_) : std::span<double>());
-    *value = at.value;
-    return at.feasible;
+    return run_.evaluate({x, n_}, *value, gradient ? std::span<double>(gradient, n_) : std::span<double>());
   }
   int NumParameters() const override { return static_cast<int>(n_); }
 
  private:
-  LibraryRun& run_;
+  CeresRun& run_;
   std::size_t n_;
 };
 
+/// Called after every iteration, with the solution updated.
 class AcceptedStep final : public ceres::IterationCallback {
  public:
-  explicit AcceptedStep(LibraryRun& run) : run_(run) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return run_.accept_best() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+  AcceptedStep(CeresRun& run, std::span<const double> solution) : run_(run), solution_(solution) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& at) override {
+    if (at.iteration == 0) return ceres::SOLVER_CONTINUE;  // recorded as the start
+    return run_.accept(at.cost, solution_) ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
  private:
-  LibraryRun& run_;
+  CeresRun& run_;
+  std::span<const double> solution_;
 };
 
 // Silences glog, by which Ceres reports every restart on the error stream; the summary has what matters.
@@ -89,7 +160,7 @@ ceres::LineSearchInterpolationType interpolation_type(CeresInterpolation type) {
   return ceres::CUBIC;
 }
 
-ceres::GradientProblemSolver::Options library_options(CeresMethod method, const CeresOptions& o) {
+ceres::GradientProblemSolver::Options library_options(CeresMethod method, const CeresOptions& o, const StopOptions& stop = {}) {
   ceres::GradientProblemSolver::Options to;
   to.line_search_direction_type = direction_type(method);
   to.line_search_type = o.line_search_type == CeresLineSearch::armijo ? ceres::ARMIJO : ceres::WOLFE;
@@ -105,9 +176,12 @@ ceres::GradientProblemSolver::Options library_options(CeresMethod method, const 
   to.max_num_line_search_direction_restarts = o.max_num_line_search_direction_restarts;
   to.line_search_sufficient_curvature_decrease = o.line_search_sufficient_curvature_decrease;
   to.max_line_search_step_expansion = o.max_line_search_step_expansion;
-  to.max_num_iterations = std::numeric_limits<int>::max();
-  to.max_solver_time_in_seconds = std::numeric_limits<double>::max();
-  to.function_tolerance = to.gradient_tolerance = to.parameter_tolerance = 0;
+  to.function_tolerance = o.function_tolerance;
+  to.gradient_tolerance = o.gradient_tolerance;
+  to.parameter_tolerance = o.parameter_tolerance;
+  to.max_num_iterations = stop.max_iterations;
+  if (stop.max_seconds > 0) to.max_solver_time_in_seconds = stop.max_seconds;
+  to.update_state_every_iteration = true;
   to.logging_type = ceres::SILENT;
   return to;
 }
@@ -117,6 +191,19 @@ std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
   return text;
+}
+
+// Ends the run for Ceres' reason, unless the common rules or the caller have ended it.
+void finish(MinimizationRun& run, const ceres::GradientProblemSolver::Summary& report, const StopOptions& stop) {
+  const std::string message = "Ceres: " + one_line(report.message);
+  switch (report.termination_type) {
+    case ceres::CONVERGENCE:
+      return run.finish(StopReason::converged, message);
+    case ceres::NO_CONVERGENCE:
+      return run.finish(run.summary().iterations >= stop.max_iterations ? StopReason::max_iterations : StopReason::max_seconds, message);
+    default:
+      return run.finish(StopReason::library, message);
+  }
 }
 
 }  // namespace
@@ -136,23 +223,35 @@ MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<doub
         "solver.name: ceres_bfgs keeps a dense matrix and is limited to solver.ceres.max_bfgs_size = {} "
         "unknowns, but there are {}; use ceres_lbfgs or lbfgs",
         options_.max_bfgs_size, n);
-  LibraryRun run(objective, x, stop, callback);
-  if (!run.start()) return run.finish(x, StopReason::library, {});
+  StopOptions rules = stop;
+  rules.max_iterations = std::numeric_limits<int>::max();  // Ceres counts its own
+  if (!options_.common_stop_rules) rules.relative_decrease = rules.gradient_norm = 0;
+  MinimizationRun run(objective, rules, callback);
+  std::vector<double> gradient(n);
+  if (!run.start(x, gradient)) return run.summary();
 
   const QuietGlog quiet;
-  AcceptedStep accepted_step(run);
-  ceres::GradientProblemSolver::Options library = library_options(method_, options_);
-  library.callbacks.push_back(&accepted_step);
-  const ceres::GradientProblem problem(new CeresFunction(run, n));
-  ceres::GradientProblemSolver::Summary report;
+  CeresRun ceres_run(run, x, gradient);
   std::vector<double> solution = x;
-  // `run` stores exceptions of the objective; those caught here are Ceres' own.
+  AcceptedStep accepted_step(ceres_run, solution);
+  ceres::GradientProblemSolver::Options library = library_options(method_, options_, stop);
+  library.callbacks.push_back(&accepted_step);
+  const ceres::GradientProblem problem(new CeresFunction(ceres_run, n));
+  ceres::GradientProblemSolver::Summary report;
+  std::string thrown;
+  // The objective's exceptions wait in `ceres_run`; those caught here are Ceres' own.
   try {
     ceres::Solve(library, problem, solution.data(), &report);
   } catch (const std::exception& error) {
-    return run.finish(x, StopReason::library, "Ceres threw: " + one_line(error.what()));
+    thrown = "Ceres threw: " + one_line(error.what());
   }
-  return run.finish(x, StopReason::library, "Ceres: " + one_line(report.message));
+  ceres_run.accept_last(report.final_cost, solution);
+  if (thrown.empty()) finish(run, report, stop);
+  else run.finish(StopReason::library, thrown);
+  x = std::move(solution);
+  MinimizerSummary summary = run.summary();
+  if (thrown.empty()) summary.library_reports = {{report.BriefReport(), report.FullReport()}};
+  return summary;
 }
 
 }  // namespace shellmatch

@@ -23,6 +23,7 @@ void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.linear_iterations += next.linear_iterations;
   total.regularised_systems += next.regularised_systems;
   total.seconds += next.seconds;
+  total.library_reports.insert(total.library_reports.end(), next.library_reports.begin(), next.library_reports.end());
 }
 
 /// A step of Newton's method costs about as much as fifty of the others: with one window for all these would stop far from the

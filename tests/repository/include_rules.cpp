@@ -19,9 +19,10 @@ struct Adapter {
 
 const std::vector<Adapter>& adapter_table() {
   static const std::vector<Adapter> table = {
-      // The dual numbers alone, without the solvers; hence before the entry for the rest of Ceres; so is the checker.
+      // The dual numbers and cost functions alone, without the solvers; hence before the entry for the rest of Ceres; so is the checker.
       {"Ceres' dual numbers", {"ceres/jet.h"}, {"energies/*/*", "solvers/libraries/ceres_*.cpp"}},
-      {"Ceres' gradient checker", {"ceres/gradient_checker.h"}, {"matching/derivative_check/ceres_checker.cpp"}},
+      {"Ceres' cost functions", {"ceres/autodiff_cost_function.h", "ceres/cost_function.h"}, {"energies/cost/*"}},
+      {"Ceres' gradient checker", {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"}, {"matching/derivative_check/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "bench/own_code/cgal_*.cpp"}},

@@ -79,6 +79,7 @@ TEST(CeresVariants, AllSolveRosenbrock) {
       for (const auto& [interpolation, interpolation_name] : EnumNames<CeresInterpolation>::names) {
         SolverOptions options;
         options.name = "ceres_ncg";
+        options.ceres = testing::without_tolerances();
         options.ceres.nonlinear_conjugate_gradient_type = cg;
         options.ceres.line_search_type = line_search;
         options.ceres.line_search_interpolation_type = interpolation;

@@ -22,6 +22,7 @@ bool slow(const std::string& method) {
 Trial try_method(const std::string& method, TestProblem& problem) {
   SolverOptions options;
   options.name = method;
+  options.ceres = without_tolerances();
   options.ceres.max_bfgs_size = max_bfgs_size;
   options.stop = {.max_iterations = 20000,
                   .relative_decrease = 0,

@@ -2,6 +2,7 @@
 /// \file
 /// Unconstrained minimisation problems with known answers, as objects that check a solution.
 
+#include "solvers/library_options.h"
 #include "solvers/objective.h"
 
 #include <algorithm>
@@ -10,6 +11,13 @@
 #include <vector>
 
 namespace shellmatch::testing {
+
+/// Ceres' options for a test of what a method can reach: no tolerance of Ceres ends it.
+inline CeresOptions without_tolerances() {
+  CeresOptions options;
+  options.function_tolerance = options.gradient_tolerance = options.parameter_tolerance = 0;
+  return options;
+}
 
 /// A model of the second derivative that is the identity, for objectives of which Newton's method is asked no more than
 /// good manners.

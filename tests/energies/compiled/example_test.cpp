@@ -2,7 +2,7 @@
 
 #include "examples/normal_alignment.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
-#include "tests/energies/compiled/element_sums.h"
+#include "tests/energies/cost/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/densities/random_matrices.h"
 #include "tests/support/taylor.h"

@@ -3,7 +3,7 @@
 /// What Newton's model of a band term has to be, made without the assembly: at every quadrature point the derivative of
 /// the term's argument along a direction by differences, in the density's second derivative without its negative modes.
 
-#include "energies/compiled/element_cost.h"
+#include "energies/cost/element_cost.h"
 #include "energies/densities/positive_hessian.h"
 #include "tests/energies/matching_problem.h"
 

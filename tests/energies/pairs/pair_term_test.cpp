@@ -2,7 +2,7 @@
 // dual numbers, Newton's model against second differences, and the same bits whatever the number of threads.
 
 #include "base/parallel.h"
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 #include "energies/hessian/energy_hessian.h"
 #include "grid/fields/interpolation.h"
 #include "tests/energies/exact_shapes.h"
@@ -131,15 +131,15 @@ TYPED_TEST(Pairs, ElementsAgreeWithDualNumbers) {
   constexpr int Dim = TypeParam::value;
   for (const RobustLoss loss : all_losses) {
     const WithPairs<Dim> a(loss);
-    const ElementOracle<Dim> oracle(a.problem.energy, a.problem.unknowns);
+    const CeresEvaluator<Dim> costs(a.problem.energy);
     TermValues values;
     std::vector<double> gradient(a.problem.unknowns.size()), of_elements;
     ASSERT_TRUE(a.problem.energy.evaluate(a.phi, a.weights, values, gradient, &of_elements));
     double sum = 0;
     std::size_t n_acting = 0;
     for (std::size_t e = 0; e < a.problem.unknowns.elements().size(); ++e) {
-      typename ElementOracle<Dim>::Dofs by_jets;
-      sum += oracle.gradient(a.weights, e, oracle.dofs_of(e, a.phi), by_jets);
+      typename CeresEvaluator<Dim>::Dofs by_jets;
+      sum += costs.gradient(a.weights, e, costs.dofs_of(e, a.phi), by_jets);
       for (std::size_t i = 0; i < by_jets.size(); ++i)
         EXPECT_NEAR(by_jets[i], of_elements[e * by_jets.size() + i], 1e-12) << e;
       n_acting += by_jets[0] != 0;
@@ -201,10 +201,10 @@ TYPED_TEST(Pairs, WithinTheToleranceTheyRest) {
     std::vector<double> hv(v.size());
     hessian.apply(v, hv);
     const double model = std::inner_product(v.begin(), v.end(), hv.begin(), 0.0);
-    const ElementOracle<Dim> oracle(a->problem.energy, a->problem.unknowns);
+    const CeresEvaluator<Dim> costs(a->problem.energy);
     double by_functor = 0;
     for (std::size_t e = 0; e < a->problem.unknowns.elements().size(); ++e)
-      by_functor += oracle.value(a->weights, e, oracle.dofs_of(e, a->phi));
+      by_functor += costs.value(a->weights, e, costs.dofs_of(e, a->phi));
     EXPECT_NEAR(by_functor, a->value(a->phi), 1e-14);
     if (a == &near) {
       EXPECT_EQ(slope, 0);

@@ -1,10 +1,10 @@
 // Gradients by the order of the Taylor remainder: every term and model, both boundary conditions, in
 // the plane and in space, on grids with hanging nodes; and the same check catches wrong gradients.
 
-#include "energies/compiled/element_cost.h"
+#include "energies/cost/element_cost.h"
 #include "energies/terms/membrane.h"
 #include "energies/terms/term_names.h"
-#include "tests/energies/compiled/element_sums.h"
+#include "tests/energies/cost/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 #include "tests/energies/terms/term_types.h"

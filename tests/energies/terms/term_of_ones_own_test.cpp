@@ -2,7 +2,7 @@
 // Newton's model come with it.
 
 #include "energies/compiled/compile_term.h"
-#include "energies/assembly/element_oracle.h"
+#include "energies/assembly/ceres_evaluator.h"
 #include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
 #include "examples/normal_alignment.h"
@@ -81,15 +81,15 @@ TYPED_TEST(TermOfOnesOwn, ValueAndGradientAreThoseOfItsFunctor) {
   ASSERT_TRUE(a.energy.evaluate(a.phi, weights, values, gradient));
   EXPECT_GT(values[a.alignment], 0);
 
-  const ElementOracle<Dim> oracle(a.energy, unknowns);
-  constexpr int n_dofs = ElementOracle<Dim>::n_dofs;
+  const CeresEvaluator<Dim> costs(a.energy);
+  constexpr int n_dofs = CeresEvaluator<Dim>::n_dofs;
   const std::size_t n = unknowns.elements().size();
   std::vector<double> of_elements(n * n_dofs);
   double sum = 0;
   for (std::size_t e = 0; e < n; ++e) {
-    const auto dofs = oracle.dofs_of(e, a.phi);
-    typename ElementOracle<Dim>::Dofs derivative;
-    sum += oracle.gradient(weights, e, dofs, derivative);
+    const auto dofs = costs.dofs_of(e, a.phi);
+    typename CeresEvaluator<Dim>::Dofs derivative;
+    sum += costs.gradient(weights, e, dofs, derivative);
     std::copy(derivative.begin(), derivative.end(), of_elements.begin() + static_cast<std::ptrdiff_t>(e * n_dofs));
   }
   EXPECT_NEAR(values.sum(), sum, 1e-12 * sum);

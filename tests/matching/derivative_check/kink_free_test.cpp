@@ -30,7 +30,7 @@ void check_direction() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
   const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
                        exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))));
-  const ElementOracle<Dim> oracle(p.energy, p.unknowns);
+  const CeresEvaluator<Dim> costs(p.energy);
   const auto phi = deformed<Dim>(grid, 0.04, 7);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-1, 1);
@@ -39,7 +39,7 @@ void check_direction() {
   const std::vector<double> unheld = v;
 
   const double reach = 0.01;
-  const HeldPoints held = hold_at_kinks<Dim>(p.unknowns, oracle, p.target, grid, phi, reach, v);
+  const HeldPoints held = hold_at_kinks<Dim>(p.unknowns, costs, p.target, grid, phi, reach, v);
   EXPECT_GT(held.n_points, 0u);
   EXPECT_GT(held.n_nodes, 0u);
   std::size_t n_zero = 0, n_kept = 0;
@@ -61,7 +61,7 @@ void check_direction() {
     p.unknowns.expand(y, moved);
     std::vector<Index> cells;
     for (std::size_t e = 0; e < p.unknowns.elements().size(); ++e)
-      for (const int q : oracle.band_points(e)) cells.push_back(grid.locate(oracle.position(oracle.dofs_of(e, moved), q)));
+      for (const int q : costs.band_points(e)) cells.push_back(grid.locate(costs.position(costs.dofs_of(e, moved), q)));
     return cells;
   };
   EXPECT_EQ(cells_at(v, 0.0), cells_at(v, reach));

@@ -28,6 +28,7 @@ TEST_P(EveryMinimizer, SolvesThePublishedProblems) {
 TEST_P(EveryMinimizer, FindsItsWayAlongAnEdgeBeyondWhichNothingCanBeEvaluated) {
   SolverOptions options;
   options.name = GetParam();
+  options.ceres = testing::without_tolerances();
   options.stop = {.max_iterations = 20000,
                   .relative_decrease = 0,
                   .decrease_window = 10,

@@ -26,6 +26,7 @@ class AnyMinimizer : public ::testing::TestWithParam<std::string> {
   std::unique_ptr<Minimizer> minimizer() const {
     SolverOptions options;
     options.name = GetParam();
+    options.ceres = testing::without_tolerances();
     return make_minimizer(options);
   }
 };

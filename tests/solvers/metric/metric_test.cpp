@@ -200,6 +200,7 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
   for (const auto& [metric, metric_name] : EnumNames<Metric>::names) {
     SolverOptions options;
     options.name = GetParam();
+    options.ceres = testing::without_tolerances();
     options.metric = metric;
     options.stop = {.max_iterations = 20000,
                     .relative_decrease = 0,

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The energy on single elements, evaluated by the terms' functors (energies/compiled/element_cost.h): values, and
-/// derivatives by ceres::Jet. It shares the terms with the assembly but none of its code; derivative checks compare
-/// both.
+/// The energy by ceres::CostFunctions of single elements (energies/cost/element_cost.h): values, and derivatives by
+/// ceres::Jet. It shares the terms' functors with the compiled assembly but none of its code: with `energy.evaluator: ceres`
+/// it takes that one's place, and derivative checks compare both.
 
 #include "energies/assembly/matching_energy.h"
 
@@ -14,18 +14,22 @@
 namespace shellmatch {
 
 template <int Dim>
-class ElementOracle {
+class CeresEvaluator {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim;
   using Dofs = std::array<double, n_dofs>;  ///< positions of the corners, Dim components each
 
-  /// Both arguments must outlive this object.
-  ElementOracle(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns);
+  /// `energy` must outlive this object.
+  explicit CeresEvaluator(const MatchingEnergy<Dim>& energy) : energy_(&energy) {}
 
-  /// Weighted sum of the terms on element e of Unknowns::elements(); NaN where it cannot be evaluated.
+  /// Weighted sum of the terms on element e; NaN where it cannot be evaluated.
   double value(const TermValues& weights, std::size_t e, const Dofs& dofs) const;
   /// The same with its derivative by the entries of `dofs`.
   double gradient(const TermValues& weights, std::size_t e, const Dofs& dofs, Dofs& gradient) const;
+
+  /// The weighted value of each term on element e is added to `values`, and the derivative of their sum by the entries of
+  /// `dofs` to `gradient`, if not null. False where a term cannot be evaluated.
+  bool add(const TermValues& weights, std::size_t e, const Dofs& dofs, double* values, double* gradient) const;
 
   /// The share of quadrature point q in the value of one term with this weight on element e, and its derivative; nothing
   /// where the term does not act at that point, or acts at none.
@@ -45,17 +49,8 @@ class ElementOracle {
 
  private:
   ElementFields<Dim>& fields_of(std::size_t e) const;
-  // Calls body(pairs, weight) for the terms of pairs with a positive weight.
-  template <class Body>
-  void for_each_pair_term(const TermValues& weights, Body&& body) const {
-    const auto terms = energy_->pair_terms();
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      if (const double weight = weights[energy_->terms().size() + t]; weight > 0) body(terms[t].pairs, weight);
-  }
 
   const MatchingEnergy<Dim>* energy_;
-  std::span<const Element<Dim>> elements_;
-  std::vector<Index> lane_of_;  ///< batch times lanes plus lane within the band, or no_index; by element
 };
 
 }  // namespace shellmatch

@@ -1,4 +1,4 @@
-#include "energies/compiled/element_fields.h"
+#include "energies/cost/element_fields.h"
 
 #include "grid/fields/bump.h"
 

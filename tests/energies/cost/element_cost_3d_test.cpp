@@ -1,4 +1,4 @@
-#include "tests/energies/compiled/element_costs.h"
+#include "tests/energies/cost/element_costs.h"
 
 namespace shellmatch {
 namespace {

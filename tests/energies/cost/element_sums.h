@@ -3,7 +3,7 @@
 /// The energy's gradient the slow way: every element's cost functor differentiated by ceres::Jet on its own degrees
 /// of freedom, summed over the elements at the nodes and taken to the free nodes by C^T of grid/octree/constraints.h.
 
-#include "energies/compiled/element_cost.h"
+#include "energies/cost/element_cost.h"
 #include "grid/octree/constraints.h"
 #include "tests/energies/matching_problem.h"
 

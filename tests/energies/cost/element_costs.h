@@ -3,7 +3,7 @@
 /// The assembly against Ceres' differentiation of the element costs, for every term.
 
 #include "energies/terms/term_names.h"
-#include "tests/energies/compiled/element_sums.h"
+#include "tests/energies/cost/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/terms/term_types.h"
 

@@ -4,10 +4,14 @@
 /// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and gradient
 /// checker take it as it is; the compiled assembly is tested against it.
 
-#include "energies/compiled/element_fields.h"
+#include "energies/cost/cost_function.h"
+#include "energies/cost/element_fields.h"
 #include "energies/autodiff/jet.h"
 #include "energies/terms/term_functors.h"
 
+#include <ceres/autodiff_cost_function.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -79,5 +83,15 @@ class ElementCost {
   double weight_, lambda_, mu_;
   std::array<double, Term::own.size()> own_;
 };
+
+/// It has a copy of its arguments, except for the shape table and the target's field, which must outlive it.
+template <class Term>
+ElementCostFunction element_cost_function(const ElementFields<Term::dim>& element, double weight, const Material<double>& material) {
+  using Cost = ElementCost<Term>;
+  std::array<double, Term::own.size()> own{};
+  std::copy_n(material.own, own.size(), own.begin());
+  return std::make_unique<ceres::AutoDiffCostFunction<Cost, 1, Cost::n_dofs>>(
+      new Cost(element, weight, material.lambda, material.mu, own));
+}
 
 }  // namespace shellmatch
