@@ -20,7 +20,7 @@ struct Listed {
 template <class... T>
 std::array<Listed, sizeof...(T)> listed(TermList<T...>) {
   const auto reads = []<class One>(std::type_identity<One>) {
-    if constexpr (requires { One::reads_shape_operators; }) return One::reads_shape_operators;
+    if constexpr (requires { typename One::Reads; }) return One::Reads::has_shape_operators;
     else return false;
   };
   return {Listed{T::own, reads(std::type_identity<T>{})}...};

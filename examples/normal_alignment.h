@@ -21,14 +21,15 @@ struct NormalAlignment : BandTerm<Dim> {
   static constexpr std::array<TermOption, 1> own{
       {{"normal_stretch", 1, {.min = 0, .meaning = "s: length of the carried normals"}}}};
   using Density = SquareDensity<Dim>;
+  using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal, OwnOptions>;
 
   template <class T, class P>
-  static constexpr SmallVec<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>& c) {
-    const auto carried = times(dphi, x.n1);
-    const auto n2 = renormalised(y.n2);
+  constexpr SmallVec<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& normal, const SmallVec<P, Dim>& n1,
+                                        const P* options) const {
+    const auto carried = times(dphi, n1);
+    const auto n2 = renormalised(normal);
     SmallVec<T, Dim> gap;
-    for (int i = 0; i < Dim; ++i) gap[i] = carried[i] - c.own[0] * n2[i];
+    for (int i = 0; i < Dim; ++i) gap[i] = carried[i] - options[0] * n2[i];
     return gap;
   }
 };

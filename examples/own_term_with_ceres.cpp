@@ -4,6 +4,7 @@
 // Sample output:
 //   without it: |Dphi n1 - n2|^2 = 0.145, match 1.3e-06
 //   with it:    |Dphi n1 - n2|^2 = 0.017, match 3.2e-06
+#include "energies/assembly/ceres_problem.h"
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
 #include "examples/normal_alignment.h"
@@ -13,24 +14,6 @@
 #include <cstdio>
 
 using namespace shellmatch;
-
-// The energy as Ceres sees it: a function of the unknowns.
-struct Energy final : ceres::FirstOrderFunction {
-  Energy(const MatchingEnergy<2>& e, const Unknowns<2>& u, TermValues w, std::vector<Vec<2>> p)
-      : energy(e), unknowns(u), weights(w), phi(p) {}
-  bool Evaluate(const double* x, double* cost, double* gradient) const override {
-    unknowns.expand({x, unknowns.size()}, phi);
-    if (!energy.evaluate(phi, weights, values, {gradient, gradient ? unknowns.size() : 0})) return false;
-    *cost = values.sum();
-    return true;
-  }
-  int NumParameters() const override { return static_cast<int>(unknowns.size()); }
-  const MatchingEnergy<2>& energy;
-  const Unknowns<2>& unknowns;
-  TermValues weights;
-  mutable std::vector<Vec<2>> phi;
-  mutable TermValues values;
-};
 
 int main() {
   example::SmallProblem small(5);
@@ -43,18 +26,19 @@ int main() {
   probe[own] = probe["match"_term] = 1;
   for (const double weight : {0.0, 1.0}) {
     weights[own] = weight;
-    auto* function = new Energy(energy, level.unknowns, weights, small.identity);
     std::vector<double> x(level.unknowns.size());
-    level.unknowns.restrict_to(function->phi, x);
+    level.unknowns.restrict_to(small.identity, x);
     ceres::GradientProblemSolver::Summary summary;
     ceres::GradientProblemSolver::Options solver;
     solver.logging_type = ceres::SILENT;
     solver.max_num_iterations = 300;
-    const ceres::GradientProblem problem(function);
+    const ceres::GradientProblem problem(new EnergyFunction<2>(energy, level.unknowns, weights, small.identity));
     ceres::Solve(solver, problem, x.data(), &summary);
-    level.unknowns.expand(x, function->phi);
-    energy.evaluate(function->phi, probe, function->values, {});
-    std::printf("%s |Dphi n1 - n2|^2 = %.3f, match %.1e\n", weight > 0 ? "with it:   " : "without it:", function->values[own],
-                function->values["match"_term]);
+    std::vector<Vec<2>> phi = small.identity;
+    TermValues values;
+    level.unknowns.expand(x, phi);
+    energy.evaluate(phi, probe, values, {});
+    std::printf("%s |Dphi n1 - n2|^2 = %.3f, match %.1e\n", weight > 0 ? "with it:   " : "without it:", values[own],
+                values["match"_term]);
   }
 }

@@ -13,7 +13,7 @@ inline SignedDistance<2> outline(const char* name, const char* variant) {
   return SignedDistance<2>(make_shape(std::get<OriginalShape<2>>(generate_shape(name, variant)), name).surface);
 }
 
-// A circle and an ellipse; cells of side 2^-level, no node of which hangs: every node is an unknown.
+// A circle and an ellipse; cells of side 2^-level, no node of which hangs, until refine(): every node is an unknown.
 struct SmallProblem {
   explicit SmallProblem(int grid_level) : grid(grid_level) { shapes.compute_distances(grid); }
 
@@ -24,6 +24,12 @@ struct SmallProblem {
   std::vector<Vec<2>> identity = identity_map(grid);
   TermValues weights = term_weights(options.energy, 0.001, 0.2);  // nu and c_vol
 
+  // At the shapes, by one level.
+  void refine() {
+    shapes.refine(grid);
+    shapes.compute_distances(grid);
+    identity = identity_map(grid);
+  }
   LevelEnergy<2> level() { return LevelEnergy<2>(grid, shapes.geometry(grid), options); }
 };
 

@@ -23,6 +23,8 @@ struct EnumNames<Metric> {
       {Metric::euclidean, "euclidean"}, {Metric::l2, "l2"}, {Metric::h1, "h1"}, {Metric::weighted_h1, "h1_band"}};
 };
 
+class SecondOrderObjective;
+
 /// A function of n real unknowns, a sum of named terms.
 class Objective {
  public:
@@ -56,6 +58,9 @@ class Objective {
   /// nothing is known. It may take long: solvers ask where they cannot go on for that reason.
   virtual std::string what_is_not_finite(std::span<const double> /*x*/) { return {}; }
 
+  /// This objective as one that offers a model of its second derivative; null where it does not.
+  virtual SecondOrderObjective* second_order() { return nullptr; }
+
   /// L2 norm of the L2 gradient (Euclidean if there is no mass) for the Euclidean `gradient` that evaluate()
   /// returned last. The records contain it for every method and metric.
   virtual double l2_gradient_norm(std::span<const double> gradient) const;
@@ -71,6 +76,8 @@ struct RegionDamping {
 /// regions r, each with a positive semidefinite damping matrix D_r that can be added to the model.
 class SecondOrderObjective : public Objective {
  public:
+  SecondOrderObjective* second_order() override { return this; }
+
   /// Computes H at x, where the objective has been evaluated, plus the sum of damping[r] D_r.
   /// \param damping  one factor for each region, or empty: none
   virtual void prepare_second_derivative(std::span<const double> x, std::span<const float> damping) = 0;
@@ -91,8 +98,8 @@ class SecondOrderObjective : public Objective {
   }
   /// Adds factor * D_r to H for each of these regions.
   virtual void add_damping(std::span<const RegionDamping> /*regions*/) {}
-  /// Adds to H what the step d from x meets and H at x does not know of, as inequalities that become active, and the same to the
-  /// gradient of the model at x, of which d is the descent. Returns whether there was any that had not been added since H was prepared.
+  /// Adds to H what the step d from x activates and H at x does not know of, and the same to the gradient of the model at x, of which
+  /// d is the descent. Returns whether there was any that had not been added since H was prepared.
   virtual bool extend_model(std::span<const double> /*x*/, std::span<const double> /*d*/, std::span<double> /*gradient*/) { return false; }
   /// Brings the step d in each of these regions nearer to one that leads nowhere beyond the model: of what would, this share stays.
   virtual void contract_step(std::span<const RegionDamping> /*regions*/, double /*share*/, std::span<double> /*d*/) {}

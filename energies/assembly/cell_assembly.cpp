@@ -18,6 +18,7 @@ template <int Dim>
 struct Acting {
   CellKernel<Dim> apply;
   const Material<double>* material;
+  const UserFields<Dim>* own_fields;
   double weight, *value;
   bool may_fail;  ///< corner terms find folds: checked after every batch, the first fold ends the block
   Pack sum{};
@@ -30,7 +31,7 @@ std::vector<Acting<Dim>> acting_terms(const EnergyTerms<Dim>& terms, const TermV
   const auto add = [&]<class Code>(std::type_identity<Code>) {
     for (std::size_t t = 0; t < terms.size(); ++t)
       if (const auto* code = std::get_if<Code>(&terms[t].term.code); code && weights[t] > 0)
-        acting.push_back({WithGradient ? code->gradient : code->value, &terms[t].material, weights[t], values + t,
+        acting.push_back({WithGradient ? code->gradient : code->value, &terms[t].material, &terms[t].own_fields, weights[t], values + t,
                           std::is_same_v<Code, CornerCode<Dim>>});
   };
   add(std::type_identity<CornerCode<Dim>>{});
@@ -51,13 +52,16 @@ bool MatchingEnergy<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec
     return true;
   }
   CellBatch<Dim> batch(shape_);
+  batch.all = elements_;
   for (std::size_t first = 0; first < elements.size(); first += autodiff::pack_size) {
     const std::size_t n = batch.elements.load_run(elements, phi, first);
     if constexpr (WithGradient) batch.elements.clear_gradient();
     Pack measure{};
     for (std::size_t lane = 0; lane < n; ++lane) measure[lane] = 1;
     for (int k = 0; k < Dim; ++k) measure *= batch.elements.side;
+    for (std::size_t lane = 0; lane < batch.number.size(); ++lane) batch.number[lane] = cells.begin + first + std::min(lane, n - 1);
     for (Acting<Dim>& term : acting) {
+      batch.own_fields = term.own_fields;
       term.sum += term.apply(batch, shape_, *term.material, measure * term.weight);
       if (!term.may_fail) continue;
       if (const double so_far = autodiff::sum_lanes(term.sum); !std::isfinite(so_far)) {

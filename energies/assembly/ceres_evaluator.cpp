@@ -18,8 +18,15 @@ ElementFields<Dim>& CeresEvaluator<Dim>::fields_of(std::size_t e) const {
 }
 
 template <int Dim>
+ElementFields<Dim>& CeresEvaluator<Dim>::fields_of(std::size_t t, std::size_t e) const {
+  ElementFields<Dim>& fields = fields_of(e);
+  fields.read_own(energy_->terms()[t].own_fields, energy_->elements()[e], e);
+  return fields;
+}
+
+template <int Dim>
 bool CeresEvaluator<Dim>::add(const TermValues& weights, std::size_t e, const Dofs& dofs, double* values, double* gradient) const {
-  const ElementFields<Dim>& fields = fields_of(e);
+  ElementFields<Dim>& fields = fields_of(e);
   bool is_possible = true;
   const auto add_cost = [&](std::size_t t, const ceres::CostFunction& cost) {
     const double* const parameters[] = {dofs.data()};
@@ -34,12 +41,16 @@ bool CeresEvaluator<Dim>::add(const TermValues& weights, std::size_t e, const Do
     }
   };
   const auto& terms = energy_->terms();
-  for (std::size_t t = 0; t < terms.size(); ++t)
-    if (weights[t] > 0) add_cost(t, *terms[t].term.cost(fields, weights[t], terms[t].material));
-  const auto pairs = energy_->pair_terms();
-  for (std::size_t t = terms.size(); t < terms.size() + pairs.size(); ++t)
-    if (weights[t] > 0 && !pairs[t - terms.size()].pairs.pairs_of(e, e + 1).empty())
-      add_cost(t, *pair_cost(pairs[t - terms.size()].pairs, e, weights[t]));
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (!(weights[t] > 0)) continue;
+    const auto& entry = terms[t];
+    if (const auto* points = std::get_if<PointCode<Dim>>(&entry.term.code)) {
+      if (!points->pairs.pairs_of(e, e + 1).empty()) add_cost(t, *pair_cost(points->pairs, e, weights[t]));
+    } else {
+      fields.read_own(entry.own_fields, energy_->elements()[e], e);
+      add_cost(t, *entry.term.cost(fields, weights[t], entry.material));
+    }
+  }
   return is_possible;
 }
 
@@ -59,17 +70,18 @@ double CeresEvaluator<Dim>::gradient(const TermValues& weights, std::size_t e, c
 template <int Dim>
 std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, double weight, std::size_t e, const Dofs& dofs,
                                                             std::size_t q, Dofs& gradient) const {
-  if (t >= energy_->terms().size()) return std::nullopt;
-  const auto& [term, own, material] = energy_->terms()[t];
-  if (std::holds_alternative<CornerCode<Dim>>(term.code)) return std::nullopt;
+  const auto& [name, term, own, material, own_fields] = energy_->terms()[t];
+  if (std::holds_alternative<CornerCode<Dim>>(term.code) || std::holds_alternative<PointCode<Dim>>(term.code)) return std::nullopt;
   // The element with this point alone.
-  ElementFields<Dim> fields = fields_of(e);
+  ElementFields<Dim> fields = fields_of(t, e);
   const bool is_of_band = std::holds_alternative<BandCode<Dim>>(term.code);
   if (is_of_band && (fields.band.empty() || !(fields.band[q].weight > 0))) return std::nullopt;
   ShapeTable<Dim> one = *fields.shape;
   one.points = {fields.shape->points[q]};
   fields.shape = &one;
   if (!fields.band.empty()) fields.band = {fields.band[q]};
+  const auto n = static_cast<std::size_t>(own_fields.n_components());
+  fields.own = {fields.own.begin() + static_cast<std::ptrdiff_t>(q * n), fields.own.begin() + static_cast<std::ptrdiff_t>((q + 1) * n)};
   const double* const parameters[] = {dofs.data()};
   double* jacobians[] = {gradient.data()};
   double value;
@@ -108,16 +120,18 @@ double CeresEvaluator<Dim>::natural_size(const TermValues& weights, std::size_t 
   double in_band = 0, size = 0;
   for (const auto& point : fields.band) in_band += point.weight;
   for (std::size_t t = 0; t < energy_->terms().size(); ++t) {
-    const auto& [term, own, material] = energy_->terms()[t];
+    const auto& [name, term, own, material, own_fields] = energy_->terms()[t];
     if (!(weights[t] > 0)) continue;
+    if (const auto* points = std::get_if<PointCode<Dim>>(&term.code)) {
+      for (const LocatedPair<Dim>& pair : points->pairs.pairs_of(e, e + 1)) size += 2 * weights[t] * pair.weight;
+      continue;
+    }
     const auto* band = std::get_if<BandCode<Dim>>(&term.code);
     const double stress = weights[t] * term.modulus(material) * (band ? in_band : volume);
-    size += band && !band->reads_dphi ? stress : stress / side;
+    const auto* cells = std::get_if<CellCode<Dim>>(&term.code);
+    const bool reads_dphi = band ? band->reads_dphi : !cells || cells->reads_dphi;
+    size += reads_dphi ? stress / side : stress;
   }
-  const auto pairs = energy_->pair_terms();
-  for (std::size_t t = 0; t < pairs.size(); ++t)
-    for (const LocatedPair<Dim>& pair : pairs[t].pairs.pairs_of(e, e + 1))
-      size += 2 * weights[energy_->terms().size() + t] * pair.weight;
   return size;
 }
 

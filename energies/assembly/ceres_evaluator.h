@@ -36,6 +36,9 @@ class CeresEvaluator {
   std::optional<double> gradient_at_point(std::size_t term, double weight, std::size_t e, const Dofs& dofs, std::size_t q,
                                           Dofs& gradient) const;
 
+  /// What term t of MatchingEnergy::terms() reads on element e. Scratch of this thread, valid until its next call.
+  ElementFields<Dim>& fields_of(std::size_t t, std::size_t e) const;
+
   /// Numbers of the element's quadrature points in the band, where the target is evaluated.
   std::vector<int> band_points(std::size_t e) const;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <variant>
 
 namespace shellmatch {
 
@@ -30,7 +31,10 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
       target_(&geometry.target),
       terms_(std::move(terms)),
       shape_(points_per_direction),
-      band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {}
+      band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {
+  for (const auto& entry : terms_->entries())
+    SHELLMATCH_CHECK(entry.own_fields.fit(elements, shape_), "a term's own field has a value for each node, element or quadrature point");
+}
 
 namespace {
 
@@ -68,41 +72,22 @@ void MatchingEnergy<Dim>::add_terms(const Chunk& cells, std::span<const Vec<Dim>
   }
   const bool is_possible = set_cell_terms<WithGradient>(cells, phi, weights, values, gradients);
   if (is_possible || band_sums) add_band_terms<WithGradient>(cells, phi, weights, values, gradients, band_sums);
-  if (is_possible) add_pair_terms(cells, phi, weights, values, gradients);
+  if (is_possible) add_point_terms(cells, phi, weights, values, gradients);
 }
 
 template <int Dim>
-void MatchingEnergy<Dim>::add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                         double* values, double* gradients) const {
-  for (std::size_t t = 0; t < pair_terms_.size(); ++t)
-    if (const std::size_t place = terms_->size() + t; weights[place] > 0)
-      values[place] += pair_terms_[t].pairs.add(cells.begin, cells.end, elements_, phi, weights[place], gradients);
+void MatchingEnergy<Dim>::add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                          double* values, double* gradients) const {
+  for (std::size_t t = 0; t < terms_->size(); ++t)
+    if (const auto* points = std::get_if<PointCode<Dim>>(&(*terms_)[t].term.code); points && weights[t] > 0)
+      values[t] += points->pairs.add(cells.begin, cells.end, elements_, phi, weights[t], gradients);
 }
 
 template <int Dim>
-Term MatchingEnergy<Dim>::add_pairs(std::string name, PairTerm<Dim> pairs) {
-  SHELLMATCH_CHECK(cell_blocks_.has_value(), "a part of the energy has no pairs");
-  pair_terms_.push_back({std::move(name), std::move(pairs)});
-  return Term{n_terms() - 1};
-}
-
-template <int Dim>
-void MatchingEnergy<Dim>::replace_pairs(Term term, PairTerm<Dim> pairs) {
-  pair_terms_.at(static_cast<std::size_t>(term) - terms_->size()).pairs = std::move(pairs);
-}
-
-template <int Dim>
-void MatchingEnergy<Dim>::set_pair_values(std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                          TermValues& values) const {
-  for (std::size_t t = 0; t < pair_terms_.size(); ++t) values[terms_->size() + t] = 0;
-  add_pair_terms({0, elements_.size(), 0}, phi, weights, &values[0], nullptr);
-}
-
-template <int Dim>
-std::vector<std::string> MatchingEnergy<Dim>::term_names() const {
-  std::vector<std::string> names = terms_->names();
-  for (const NamedPairTerm<Dim>& term : pair_terms_) names.push_back(term.name);
-  return names;
+void MatchingEnergy<Dim>::set_point_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const {
+  for (std::size_t t = 0; t < terms_->size(); ++t)
+    if (std::holds_alternative<PointCode<Dim>>((*terms_)[t].term.code)) values[t] = 0;
+  add_point_terms({0, elements_.size(), 0}, phi, weights, &values[0], nullptr);
 }
 
 template <int Dim>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier + E_pairs on one grid, with its gradient.
+/// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier + E_points on one grid, with its gradient.
 
 #include "energies/elements/band.h"
 #include "energies/elements/band_mask.h"
@@ -9,7 +9,6 @@
 #include "energies/elements/unknowns.h"
 #include "energies/elements/cell_blocks.h"
 #include "energies/options.h"
-#include "energies/pairs/pair_term.h"
 #include "energies/fields/geometry_field.h"
 
 #include <memory>
@@ -20,13 +19,6 @@
 
 namespace shellmatch {
 
-/// A term of point pairs, and its name in reports.
-template <int Dim>
-struct NamedPairTerm {
-  std::string name;
-  PairTerm<Dim> pairs;
-};
-
 /// The discrete energy on one grid as a function of the nodal positions. Grid, unknowns and geometry must outlive it.
 template <int Dim>
 class MatchingEnergy {
@@ -36,7 +28,7 @@ class MatchingEnergy {
   MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry, const EnergyOptions& options,
                  double sigma, int points_per_direction);
 
-  /// The same with given terms, which need not be in energies/terms/list.h.
+  /// The same with given terms, which need not be in energies/terms/list.h, and to which others may be added later.
   MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
 
@@ -48,18 +40,12 @@ class MatchingEnergy {
   /// weights: they do not move with phi until the next call. Not during an evaluation.
   void set_mask(std::span<const Vec<Dim>> phi, const BandMask<Dim>& mask);
 
-  /// Adds a term of point pairs, and returns its place in TermValues: after those of terms(), in the order of the calls.
-  /// \param pairs located on the grid of the unknowns. \pre this energy is of a whole grid
-  Term add_pairs(std::string name, PairTerm<Dim> pairs);
-  /// Gives such a term other pairs. Not during an evaluation.
-  void replace_pairs(Term term, PairTerm<Dim> pairs);
-  std::span<const NamedPairTerm<Dim>> pair_terms() const { return pair_terms_; }
-  /// Sets the values of the terms of pairs, which depend on no quadrature. \pre values.size() == n_terms()
-  void set_pair_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const;
+  /// Sets the values of the terms of points, which depend on no quadrature. \pre values.size() == n_terms()
+  void set_point_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const;
 
-  /// Of all terms, those of pairs included: the size of `weights` and `values` below.
-  std::size_t n_terms() const { return terms_->size() + pair_terms_.size(); }
-  std::vector<std::string> term_names() const;
+  /// The size of `weights` and `values` below.
+  std::size_t n_terms() const { return terms_->size(); }
+  std::vector<std::string> term_names() const { return terms_->names(); }
 
   /// Evaluates the terms' weighted values and, where `gradient` is not empty, the gradient by the unknowns (size
   /// unknowns.size()).
@@ -102,8 +88,8 @@ class MatchingEnergy {
   void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                       double* gradients, BandSums* band_sums) const;
 
-  // Terms of pairs: adds to `values` and, if not null, to `gradients`.
-  void add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
+  // Terms of points: adds to `values` and, if not null, to `gradients`.
+  void add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
                       double* gradients) const;
 
   std::span<const Element<Dim>> elements_;
@@ -111,7 +97,6 @@ class MatchingEnergy {
   std::shared_ptr<const EnergyTerms<Dim>> terms_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
-  std::vector<NamedPairTerm<Dim>> pair_terms_;
   std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none for an energy of values only
 };
 

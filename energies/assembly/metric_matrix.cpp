@@ -59,16 +59,16 @@ template <int Dim>
 MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValues& weights) {
   MetricWeights sums{.mass = 0};
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const auto& [term, own, material] = terms[t];
+    const auto& [name, term, own, material, own_fields] = terms[t];
     if (const auto* band = std::get_if<BandCode<Dim>>(&term.code)) {
       const double stiffness = weights[t] * term.modulus(material);
       if (band->reads_dphi)
         sums.band_stiffness += stiffness;
       else
         sums.band_mass += match_factor * stiffness / Dim;
-    } else if (std::holds_alternative<CellCode<Dim>>(term.code)) {
-      sums.mass += weights[t];
-      sums.stiffness += weights[t] * term.modulus(material);
+    } else if (const auto* cells = std::get_if<CellCode<Dim>>(&term.code)) {
+      sums.mass += cells->reads_dphi ? weights[t] : weights[t] * term.modulus(material);
+      if (cells->reads_dphi) sums.stiffness += weights[t] * term.modulus(material);
     }
   }
   return sums;

@@ -142,13 +142,19 @@ class Compiled {
 
  public:
   static constexpr std::size_t n_operations = n_;
-  static constexpr int n_outputs = static_cast<int>(n_outputs_);
+  static constexpr int n_active = Functor::n_active, n_outputs = static_cast<int>(n_outputs_);
 
   /// Whether the functor reads this active input. Searches all nodes, at compile time only.
   static consteval bool reads_active(int input) {
     for (const Node& n : nodes_)
       if (n.op == Op::active && n.a == input) return true;
     return false;
+  }
+  /// Whether the outputs are the first active inputs themselves.
+  static consteval bool copies_inputs() {
+    for (int o = 0; o < n_outputs; ++o)
+      if (nodes_[outputs_[o]].op != Op::active || nodes_[outputs_[o]].a != o) return false;
+    return true;
   }
   /// Whether this output depends on this active input.
   static consteval bool depends(int output, int input) {

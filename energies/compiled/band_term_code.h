@@ -23,18 +23,19 @@ template <int N, class Body>
   }(std::make_integer_sequence<int, N>{});
 }
 
-/// The passive inputs of a functor of `Term`: those of the point, the term's own options, and the frames t1, t2 if it reads
-/// these. With constant indices throughout, the compiler keeps them in registers.
+/// The passive inputs of a functor of `Term`: those of the point, the term's own options and fields, and the frames t1, t2 if
+/// it reads these. With constant indices throughout, the compiler keeps them in registers.
 template <class Functor, class Term>
 [[gnu::always_inline]] inline std::array<Pack, Functor::n_passive> passive_inputs(const PointArrays<Term::dim>& p,
                                                                                   const double* own,
                                                                                   const TangentBasis<Term::dim>* t1 = nullptr,
                                                                                   const TangentBasis<Term::dim>* t2 = nullptr) {
   constexpr int dim = Term::dim, n_point = PointArrays<dim>::n_passive, n_own = static_cast<int>(Term::own.size());
-  constexpr int n_basis = (dim - 1) * dim, n_without_frames = n_point + n_own;
+  constexpr int n_fields = Term::Reads::n_own, n_basis = (dim - 1) * dim, n_without_frames = n_point + n_own + n_fields;
   std::array<Pack, Functor::n_passive> passive;
   unrolled<n_point>([&](auto i) { passive[i] = p.passive[i]; });
   unrolled<n_own>([&](auto i) { passive[n_point + i] = Pack{} + own[i]; });
+  unrolled<n_fields>([&](auto i) { passive[n_point + n_own + i] = p.own_fields[i]; });
   if constexpr (Functor::n_passive > n_without_frames)
     unrolled<n_basis>([&](auto i) {
       passive[n_without_frames + i] = (*t1)[i / dim][i % dim];
@@ -45,8 +46,8 @@ template <class Functor, class Term>
 
 template <class Term, bool WithGradient>
 [[gnu::noinline]] Pack apply_band_term(PointArrays<Term::dim>& p, const Pack& seed, const double* own) {
-  using Code = autodiff::Compiled<BandFunctor<Term>>;
-  constexpr int n_active = PointArrays<Term::dim>::n_active;
+  using Code = autodiff::Compiled<PointFunctor<Term>>;
+  constexpr int n_active = PointFunctor<Term>::n_active;
   const auto run = [&](const Pack* passive) -> Pack {
     if constexpr (WithGradient) {
       std::array<Pack, n_active> adjoint;
@@ -59,8 +60,8 @@ template <class Term, bool WithGradient>
       return Code::value(p.active.data(), passive) * seed;
     }
   };
-  if constexpr (Term::own.empty()) return run(p.passive.data());
-  else return run(passive_inputs<BandFunctor<Term>, Term>(p, own).data());
+  if constexpr (Term::own.empty() && Term::Reads::n_own == 0) return run(p.passive.data());
+  else return run(passive_inputs<PointFunctor<Term>, Term>(p, own).data());
 }
 
 /// Lower triangle of h += factor j^T w j, which is what the Cholesky factor is made from; w is symmetric.
@@ -83,22 +84,16 @@ template <int NArguments, int NVariables>
   }
 }
 
-/// Derivative of output `Output` of a functor by the coordinates of phi, on which the template's values depend.
+/// Derivative of output `Output` of a functor by the coordinates of phi: through the template's values, and where it reads phi.
 template <class Code, int Dim, int Output>
 [[gnu::always_inline]] inline std::array<Pack, Dim> by_position(const Pack* derivative, const PointArrays<Dim>& p) {
   std::array<Pack, Dim> sum{};
   unrolled<PointArrays<Dim>::n_target>([&](auto i) {
     if constexpr (Code::depends(Output, i)) unrolled<Dim>([&](auto a) { sum[a] += derivative[i] * p.derivative[a][i]; });
   });
+  if constexpr (Code::n_active > PointArrays<Dim>::n_without_phi)
+    unrolled<Dim>([&](auto a) { sum[a] += derivative[PointArrays<Dim>::n_without_phi + a]; });
   return sum;
-}
-
-/// Does a functor's result depend on one of these active inputs?
-template <class Functor>
-consteval bool reads_any(int begin, int end) {
-  for (int i = begin; i < end; ++i)
-    if (autodiff::Compiled<Functor>::reads_active(i)) return true;
-  return false;
 }
 
 template <class Term>
@@ -106,7 +101,7 @@ void add_in_tangent(const BandModelPoint<Term::dim>& at, double weight, const do
                     SquarePack<BandModelPoint<Term::dim>::n_tangent>& h) {
   constexpr int dim = Term::dim, m = dim - 1, n_dphi = PointArrays<dim>::n_target;
   constexpr int n_variables = BandModelPoint<dim>::n_tangent;
-  using Functor = std::conditional_t<Term::is_tangential, TangentArgument<Term>, BandArgument<Term>>;
+  using Functor = std::conditional_t<Term::is_tangential, TangentArgument<Term>, PointArgument<Term>>;
   using Code = autodiff::Compiled<Functor>;
   constexpr int n = Code::n_outputs;
   const auto passive = [&] {
@@ -178,7 +173,7 @@ template <class Term>
 void add_in_all(const BandModelPoint<Term::dim>& at, double weight, const double* own,
                 SquarePack<BandModelPoint<Term::dim>::n_all>& h) {
   constexpr int dim = Term::dim, n_dphi = PointArrays<dim>::n_target, n_variables = BandModelPoint<dim>::n_all;
-  using Functor = BandArgument<Term>;
+  using Functor = PointArgument<Term>;
   using Code = autodiff::Compiled<Functor>;
   constexpr int n = Code::n_outputs;
   const auto passive = passive_inputs<Functor, Term>(at.arrays, own);
@@ -202,16 +197,18 @@ void add_in_all(const BandModelPoint<Term::dim>& at, double weight, const double
 
 template <class Term>
 BandCode<Term::dim> band_code() {
-  constexpr int dim = Term::dim, n_target = PointArrays<dim>::n_target, n_active = PointArrays<dim>::n_active;
-  constexpr bool reads_dphi = reads_any<BandFunctor<Term>>(n_target, n_active);
+  constexpr int dim = Term::dim;
+  using Reads = typename Term::Reads;
+  constexpr bool reads_dphi = Reads::template has<Dphi>;
   BandCode<dim> code{.value = apply_band_term<Term, false>,
                      .gradient = apply_band_term<Term, true>,
                      .add_in_tangent = nullptr,
                      .add_in_all = nullptr,
-                     .reads_target = reads_any<BandFunctor<Term>>(0, n_target),
+                     .reads_target = Reads::has_target,
+                     .reads_phi = Reads::template has<Phi>,
                      .reads_dphi = reads_dphi,
-                     .reads_curvature = reads_any<BandFunctor<Term>>(1 + dim, n_target),
-                     .reads_shape_operators = Term::reads_shape_operators};
+                     .reads_curvature = Reads::has_curvature,
+                     .reads_shape_operators = Reads::has_shape_operators};
   if constexpr (Term::is_tangential || !reads_dphi) code.add_in_tangent = add_in_tangent<Term>;
   if constexpr (Term::is_tangential) code.add_in_all = add_in_all_by_tangent<Term>;
   else code.add_in_all = add_in_all<Term>;

@@ -6,6 +6,7 @@
 #include "energies/autodiff/compiled.h"
 #include "energies/autodiff/jet.h"
 #include "energies/autodiff/second_order.h"
+#include "energies/cost/element_cost.h"
 #include "energies/densities/positive_hessian.h"
 #include "energies/terms/term_functors.h"
 
@@ -29,20 +30,32 @@ std::array<Pack, Functor::n_passive> material_inputs(const Material<double>& c, 
 template <class Term, bool WithGradient>
 Pack apply_cell_term(CellBatch<Term::dim>& batch, const ShapeTable<Term::dim>& shape, const Material<double>& material,
                      const Pack& measure) {
-  using Code = autodiff::Compiled<CellFunctor<Term>>;
-  const auto passive = material_inputs<CellFunctor<Term>, Term>(material);
-  std::array<Pack, Term::dim * Term::dim> dphi, adjoint;
+  using Functor = PointFunctor<Term>;
+  using Code = autodiff::Compiled<Functor>;
+  constexpr int dim = Term::dim, n_dphi = dim * dim;
+  auto passive = material_inputs<Functor, Term>(material);
+  std::array<Pack, Functor::n_active> active, adjoint;
   Pack sum{};
   batch.evaluator.evaluate(batch.elements);
   if constexpr (WithGradient) batch.evaluator.clear_adjoint();
   for (std::size_t q = 0; q < shape.points.size(); ++q) {
-    batch.evaluator.jacobian(q, dphi.data());
+    batch.evaluator.jacobian(q, active.data());
+    if constexpr (Functor::reads_phi)
+      for (int k = 0; k < dim; ++k) {
+        active[n_dphi + k] = Pack{};
+        for (int c = 0; c < n_corners<dim>; ++c) active[n_dphi + k] += shape.points[q].n[c] * batch.elements.u[c * dim + k];
+      }
+    if constexpr (Functor::n_own_fields > 0)
+      batch.own_fields->read(batch.all, [&](int lane) { return batch.number[lane]; }, shape, q, passive.data() + 2 + Functor::n_own);
     const Pack seed = measure * shape.points[q].weight;
     if constexpr (WithGradient) {
-      sum += seed * Code::gradient(dphi.data(), passive.data(), seed, adjoint.data());
+      sum += seed * Code::gradient(active.data(), passive.data(), seed, adjoint.data());
       batch.evaluator.add_by_jacobian(q, adjoint.data());
+      if constexpr (Functor::reads_phi)
+        for (int c = 0; c < n_corners<dim>; ++c)
+          for (int k = 0; k < dim; ++k) batch.elements.gradient[c * dim + k] += shape.points[q].n[c] * adjoint[n_dphi + k];
     } else {
-      sum += seed * Code::value(dphi.data(), passive.data());
+      sum += seed * Code::value(active.data(), passive.data());
     }
   }
   if constexpr (WithGradient) batch.evaluator.add_to_gradient(batch.elements);
@@ -50,10 +63,38 @@ Pack apply_cell_term(CellBatch<Term::dim>& batch, const ShapeTable<Term::dim>& s
 }
 
 template <class Term>
+void add_cell_hessian(const ElementFields<Term::dim>& element, const double* dofs, double weight, const Material<double>& material,
+                      ElementHessian<Term::dim>& h) {
+  using Density = typename Term::Density;
+  constexpr int n_dofs = n_corners<Term::dim> * Term::dim, n = n_arguments_of<Density>;
+  using Jet = ceres::Jet<double, n_dofs>;
+  std::array<Jet, n_dofs> jets;
+  for (int i = 0; i < n_dofs; ++i) jets[i] = Jet(dofs[i], i);
+  std::array<double, Term::own.size()> own{};
+  std::copy_n(material.own, own.size(), own.begin());
+  const ElementPoints<Term> points(element, weight, material.lambda, material.mu, own);
+  points.for_each(jets.data(), [&](std::size_t, double of_point, const auto& at) {
+    const auto argument = argument_at<Term>(at);
+    typename Density::template Argument<Pack> a;
+    for (int i = 0; i < n; ++i) a.v[i] = Pack{} + argument.v[i].a;
+    const auto w = positive_hessian<Density>(a, material);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (w[i][j][0] != 0) h.noalias() += (of_point * w[i][j][0] * argument.v[i].v) * argument.v[j].v.transpose();
+  });
+}
+
+template <class Term>
 CellCode<Term::dim> cell_code() {
-  return {.value = apply_cell_term<Term, false>,
-          .gradient = apply_cell_term<Term, true>,
-          .hessian = positive_hessian<typename Term::Density>};
+  constexpr bool is_dphi = autodiff::Compiled<PointArgument<Term>>::copies_inputs();
+  CellCode<Term::dim> code{.value = apply_cell_term<Term, false>,
+                           .gradient = apply_cell_term<Term, true>,
+                           .reads_dphi = Term::Reads::template has<Dphi>,
+                           .hessian = nullptr,
+                           .add_hessian = nullptr};
+  if constexpr (is_dphi) code.hessian = positive_hessian<typename Term::Density>;
+  else code.add_hessian = add_cell_hessian<Term>;
+  return code;
 }
 
 template <class Term, bool WithGradient>
@@ -80,7 +121,7 @@ template <class Term>
   using Jet = ceres::Jet<double, n_corners<Term::dim> * Term::dim>;
   std::array<Jet, n_corners<Term::dim> * Term::dim> jets;
   for (std::size_t i = 0; i < jets.size(); ++i) jets[i] = Jet(dofs[i], static_cast<int>(i));
-  return Term::template argument<Jet, double>(jets.data(), scale);
+  return Term{}(jets.data(), scale);
 }
 
 template <class Term>

@@ -19,6 +19,18 @@ auto term_code() {
 }
 
 template <class Term>
+inline constexpr int n_own_fields_of = 0;
+template <class Term>
+  requires requires { typename Term::Reads; }
+inline constexpr int n_own_fields_of<Term> = Term::Reads::n_own;
+
+template <class Term>
+auto residuals_of() -> decltype(CompiledTerm<Term::dim>::residuals) {
+  if constexpr (is_square<Term>) return element_residual_function<Term>;
+  else return nullptr;
+}
+
+template <class Term>
 double term_modulus(const Material<double>& c) {
   if constexpr (IsCornerTerm<Term>) return Term::scale(1.0, c);
   else return largest_second_derivative<typename Term::Density>(c);
@@ -30,8 +42,10 @@ template <class Term>
 CompiledTerm<Term::dim> compile_term() {
   return {.info = Term::info,
           .own = Term::own,
+          .n_own_fields = detail::n_own_fields_of<Term>,
           .code = detail::term_code<Term>(),
           .cost = element_cost_function<Term>,
+          .residuals = detail::residuals_of<Term>(),
           .modulus = detail::term_modulus<Term>};
 }
 

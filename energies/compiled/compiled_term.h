@@ -10,6 +10,7 @@
 #include "energies/densities/tangent_frames.h"
 #include "energies/elements/element_batch.h"
 #include "energies/elements/sum_factorised_evaluator.h"
+#include "energies/pairs/pair_term.h"
 #include "energies/terms/term.h"
 
 #include <span>
@@ -43,6 +44,7 @@ struct BandCode {
   void (*add_in_all)(const BandModelPoint<Dim>& at, double weight, const double* own,
                      SquarePack<BandModelPoint<Dim>::n_all>& h);
   bool reads_target;     ///< anything of the template
+  bool reads_phi;        ///< the position itself
   bool reads_dphi;
   bool reads_curvature;  ///< r1 or root
   bool reads_shape_operators;
@@ -53,6 +55,9 @@ template <int Dim>
 struct CellBatch {
   ElementBatch<Dim> elements;
   SumFactorisedEvaluator<Dim, false> evaluator;
+  std::span<const Element<Dim>> all;  ///< all elements, and the numbers of these eight among them
+  std::array<std::size_t, autodiff::pack_size> number;
+  const UserFields<Dim>* own_fields = nullptr;  ///< of the term that is evaluated
   explicit CellBatch(const ShapeTable<Dim>& shape) : evaluator(shape) {}
 };
 
@@ -62,17 +67,21 @@ template <int Dim>
 using CellKernel = autodiff::Pack (*)(CellBatch<Dim>& batch, const ShapeTable<Dim>& shape, const Material<double>& material,
                                       const autodiff::Pack& measure);
 
-/// Of a term on cells.
-template <int Dim>
-struct CellCode {
-  CellKernel<Dim> value, gradient;
-  /// Positive part of the second derivative by the entries of Dphi.
-  SquarePack<Dim * Dim> (*hessian)(const SmallMat<autodiff::Pack, Dim>& dphi, const Material<double>& material);
-};
-
 /// Symmetric second derivative by the degrees of freedom of an element.
 template <int Dim>
 using ElementHessian = Eigen::Matrix<double, n_corners<Dim> * Dim, n_corners<Dim> * Dim>;
+
+/// Of a term on cells. One of the last two is null.
+template <int Dim>
+struct CellCode {
+  CellKernel<Dim> value, gradient;
+  bool reads_dphi;
+  /// Where the argument is Dphi itself: positive part of the second derivative by its entries.
+  SquarePack<Dim * Dim> (*hessian)(const SmallMat<autodiff::Pack, Dim>& dphi, const Material<double>& material);
+  /// Of others: adds weight J^T W''_+ J of one element, over all its quadrature points.
+  void (*add_hessian)(const ElementFields<Dim>& element, const double* dofs, double weight, const Material<double>& material,
+                      ElementHessian<Dim>& h);
+};
 
 /// Of a term of the corners' positions.
 template <int Dim>
@@ -84,15 +93,25 @@ struct CornerCode {
                       ElementHessian<Dim>& h);
 };
 
+/// Of a term of point pairs.
+template <int Dim>
+struct PointCode {
+  PairTerm<Dim> pairs;
+};
+
+/// Those of points have neither `cost` nor `modulus`.
 template <int Dim>
 struct CompiledTerm {
   TermInfo info;
   std::span<const TermOption> own;
-  std::variant<BandCode<Dim>, CellCode<Dim>, CornerCode<Dim>> code;
+  int n_own_fields = 0;  ///< components of its own fields together
+  std::variant<BandCode<Dim>, CellCode<Dim>, CornerCode<Dim>, PointCode<Dim>> code;
   /// The term on one element in Ceres' terms, without the compiled code (energies/cost/element_cost.h).
-  ElementCostFunction (*cost)(const ElementFields<Dim>&, double weight, const Material<double>&);
+  ElementCostFunction (*cost)(const ElementFields<Dim>&, double weight, const Material<double>&) = nullptr;
+  /// The same as residuals; null where W is no square.
+  ElementCostFunction (*residuals)(const ElementFields<Dim>&, double weight, const Material<double>&) = nullptr;
   /// Largest second derivative of the density where it rests; of a corner term, its scale on a cell of side 1.
-  double (*modulus)(const Material<double>&);
+  double (*modulus)(const Material<double>&) = nullptr;
 };
 
 }  // namespace shellmatch

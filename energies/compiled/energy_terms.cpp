@@ -56,7 +56,7 @@ EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options)
 }
 
 template <int Dim>
-Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> own) {
+Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> own, std::vector<std::shared_ptr<const UserField>> fields) {
   if (own.empty())
     for (const TermOption& option : term.own) own.push_back(option.value);
   SHELLMATCH_CHECK(own.size() == term.own.size(), "one value for each option of the term");
@@ -66,15 +66,29 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
         SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
                          "one term reads roots of shape operators and another the shape operators themselves");
   check_options(term, {lambda_, mu_, own.data()});
-  Entry& entry = entries_.emplace_back(Entry{term, std::move(own), {}});
+  Entry& entry = entries_.emplace_back(Entry{std::string(term.info.name), term, std::move(own), {}, UserFields<Dim>(std::move(fields))});
+  SHELLMATCH_CHECK(entry.own_fields.n_components() == term.n_own_fields, "the term's own fields have as many components as it reads");
   entry.material = {lambda_, mu_, entry.own.data()};
   return Term{entries_.size() - 1};
 }
 
 template <int Dim>
+Term EnergyTerms<Dim>::add(std::string name, PairTerm<Dim> pairs) {
+  CompiledTerm<Dim> term;
+  term.code = PointCode<Dim>{std::move(pairs)};
+  entries_.push_back({std::move(name), std::move(term), {}, {}, {}});
+  return Term{entries_.size() - 1};
+}
+
+template <int Dim>
+void EnergyTerms<Dim>::refresh(Term term, PairTerm<Dim> pairs) {
+  std::get<PointCode<Dim>>(entries_.at(static_cast<std::size_t>(term)).term.code).pairs = std::move(pairs);
+}
+
+template <int Dim>
 std::vector<std::string> EnergyTerms<Dim>::names() const {
   std::vector<std::string> names;
-  for (const Entry& entry : entries_) names.emplace_back(entry.term.info.name);
+  for (const Entry& entry : entries_) names.push_back(entry.name);
   return names;
 }
 

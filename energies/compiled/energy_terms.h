@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// The terms of one energy: those that the options choose from energies/terms/list.h, and terms from elsewhere.
+/// The terms of one energy: those that the options choose from energies/terms/list.h, terms from elsewhere, and terms of point
+/// pairs, such as landmarks.
 
 #include "energies/compiled/compiled_term.h"
 #include "energies/options.h"
 
 #include <deque>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,9 +19,11 @@ class EnergyTerms {
  public:
   /// One term with the values of its options.
   struct Entry {
+    std::string name;  ///< in reports
     CompiledTerm<Dim> term;
     std::vector<double> own;
     Material<double> material;  ///< refers to `own`
+    UserFields<Dim> own_fields;
   };
 
   /// \throws InputError if a number is out of its range, and as add()
@@ -28,11 +32,17 @@ class EnergyTerms {
   EnergyTerms& operator=(const EnergyTerms&) = delete;
 
   /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in TermValues.
-  /// \param own  values of its own options; their defaults where it is empty
+  /// \param own     values of its own options; their defaults where it is empty
+  /// \param fields  the user's own fields that it reads, in the order of its Reads. Their values may change between evaluations
   /// \throws InputError if an option is out of its range, or the term's stiffness (CompiledTerm::modulus) is then no finite
   ///   number
-  /// \pre terms that read curvature all read roots, or all read shape operators
-  Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {});
+  /// \pre terms that read curvature all read roots, or all read shape operators; the fields have the term's components
+  Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {}, std::vector<std::shared_ptr<const UserField>> fields = {});
+
+  /// Adds a term of point pairs, located on the grid of the energy.
+  Term add(std::string name, PairTerm<Dim> pairs);
+  /// Gives such a term other pairs. Not during an evaluation.
+  void refresh(Term term, PairTerm<Dim> pairs);
 
   Evaluator evaluator() const { return evaluator_; }
   std::size_t size() const { return entries_.size(); }

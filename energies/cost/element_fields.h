@@ -4,6 +4,7 @@
 
 #include "energies/elements/band.h"
 #include "energies/elements/unknowns.h"
+#include "energies/elements/user_field.h"
 #include "energies/fields/geometry_field.h"
 
 #include <span>
@@ -24,6 +25,7 @@ struct ElementFields {
   const ShapeTable<Dim>* shape = nullptr;
   const GeometryField<Dim>* target = nullptr;
   std::vector<BandPoint> band;  ///< by quadrature point of `shape`; empty where the band misses the element
+  std::vector<double> own;      ///< components of the term's own fields, by quadrature point
 
   ElementFields() = default;
   /// Reads the reference at the quadrature points. shapes and shape must outlive this object.
@@ -34,6 +36,9 @@ struct ElementFields {
   /// \param lane  number of the element's batch in the band times lanes plus its lane; no_index outside the band
   void assign(const Element<Dim>& element, const Band<Dim>& band, Index lane, const GeometryField<Dim>& target,
               const ShapeTable<Dim>& shape);
+
+  /// Reads the own fields of one term on this element, which has this number.
+  void read_own(const UserFields<Dim>& fields, const Element<Dim>& element, std::size_t number);
 
   double volume() const;  ///< side^Dim
 };

@@ -33,7 +33,7 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
       add_band_terms<TangentVariables<Dim>>(cells, phi, weights, matrices);
     else
       add_band_terms<AllVariables<Dim>>(cells, phi, weights, matrices);
-    add_pair_terms(cells, phi, weights, matrices);
+    add_point_terms(cells, phi, weights, matrices);
     for (std::size_t e = cells.begin; e < cells.end; ++e) traces_[e] = matrices.trace(e - cells.begin);
     add_damping(cells, damping, matrices);
     sum_->add(energy_->cell_blocks(), cells, matrices);

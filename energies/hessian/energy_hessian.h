@@ -4,8 +4,9 @@
 ///
 /// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi, on
 /// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: the
-/// Gauss-Newton model where the term is a square. Cell terms: W''_+ at the element's centre. Corner terms: J^T W''_+ J on the
-/// elements where they act. Terms of point pairs: 2 w rho' B^T B, without rho''. To the model is added, where the solver asks
+/// Gauss-Newton model where the term is a square. Cell terms: W''_+ at the element's centre, or J^T W''_+ J
+/// at every quadrature point where A is not Dphi itself. Corner terms: J^T W''_+ J on the
+/// elements where they act. Terms of points: 2 w rho' B^T B, without rho''. To the model is added, where the solver asks
 /// for it, a multiple of the Laplacian's matrix on single elements: it resists changes of the step within the element, and no
 /// common motion of its nodes. And pairs that a step carries out of their tolerance (an active-set method).
 
@@ -54,8 +55,7 @@ class EnergyHessian {
   /// Adds the pairs that rest within their tolerance at phi, where the model was assembled with these weights, and that the step d (by
   /// the unknowns) carries beyond it: to the model their stiffness, and to the energy's gradient at phi, which becomes that of the
   /// model, their pull towards the end of their tolerance (ActivatedPair). Each pair once. Returns how many were added.
-  std::size_t activate_pairs(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
-                             std::span<double> gradient);
+  std::size_t extend(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights, std::span<double> gradient);
 
   /// Brings the step d (by the unknowns) in each of these elements, one after the other, nearer to a common motion of all its unknown
   /// nodes: from their mean, d keeps this share. Where nodes of the element are fixed, from zero.
@@ -77,13 +77,16 @@ class EnergyHessian {
   // The matrices of the elements of one block: the first writes, the others add.
   void set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                       ElementMatrices<Dim>& matrices) const;
+  // Of terms that read more than Dphi, at all their quadrature points.
+  void add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells, std::span<const Vec<Dim>> phi, double weight,
+                     ElementMatrices<Dim>& matrices) const;
   void add_corner_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                         ElementMatrices<Dim>& matrices) const;
   template <class Variables>
   void add_band_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                       ElementMatrices<Dim>& matrices) const;
-  void add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                      ElementMatrices<Dim>& matrices) const;
+  void add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                       ElementMatrices<Dim>& matrices) const;
   void add_damping(const Chunk& cells, std::span<const float> damping, ElementMatrices<Dim>& matrices) const;
   std::optional<Vec<Dim>> model_point(std::size_t term, std::size_t e, std::span<const Vec<Dim>> phi) const;
   void measure_margins(const Chunk& cells, std::span<const Vec<Dim>> phi);
@@ -97,8 +100,8 @@ class EnergyHessian {
   bool folds_cost_ = false;               ///< is there a term that forbids them?
   std::vector<Margin> margins_;           ///< by eight elements, at the phi of the last assemble()
   std::vector<Mat<Dim>> inverse_blocks_;  ///< of each unknown node
-  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin() and activate_pairs()
-  std::vector<std::vector<std::uint8_t>> is_active_;  ///< by term of pairs and pair: was it added by activate_pairs()?
+  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin() and extend()
+  std::vector<std::vector<std::uint8_t>> is_active_;  ///< by term and pair: was it added by extend()?
 };
 
 }  // namespace shellmatch

@@ -4,6 +4,7 @@
 #include "energies/hessian/energy_hessian.h"
 #include "energies/elements/sum_factorised_evaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -108,13 +109,18 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
   struct Acting {
     const BandCode<Dim>* code;
     const double* own;
+    const UserFields<Dim>* own_fields;  ///< null where it has none
     double weight;
   };
   const EnergyTerms<Dim>& terms = energy_->terms();
   std::vector<Acting> acting;
+  int n_own_fields = 0;
   for (std::size_t t = 0; t < terms.size(); ++t)
-    if (const auto* code = std::get_if<BandCode<Dim>>(&terms[t].term.code); code && weights[t] > 0)
-      acting.push_back({code, terms[t].own.data(), weights[t]});
+    if (const auto* code = std::get_if<BandCode<Dim>>(&terms[t].term.code); code && weights[t] > 0) {
+      const auto& fields = terms[t].own_fields;
+      acting.push_back({code, terms[t].own.data(), fields.empty() ? nullptr : &fields, weights[t]});
+      n_own_fields = std::max(n_own_fields, fields.n_components());
+    }
   if (acting.empty()) return;
   const auto elements = unknowns_->elements();
   const Band<Dim>& band = energy_->band();
@@ -124,6 +130,8 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
   ElementBatch<Dim> batch;
   SumFactorisedEvaluator<Dim> evaluator(energy_->shape());
   Arrays p;
+  std::vector<Pack> own_fields(static_cast<std::size_t>(n_own_fields));
+  p.own_fields = own_fields.data();
   p.passive[Arrays::n_reference] = Pack{} + terms[0].material.lambda;
   p.passive[Arrays::n_reference + 1] = Pack{} + terms[0].material.mu;
   std::array<TwoPoints, n_entries> k;
@@ -139,7 +147,9 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
     for (std::size_t q = 0; q < points.size(); ++q) {
       const auto& point = band.point(b, q);
       if (autodiff::sum_lanes(point.weight) == 0) continue;
-      target.look_up(point.weight, target.find(evaluator.position(q)), p.active.data(), p.derivative);
+      const auto position = evaluator.position(q);
+      target.look_up(point.weight, target.find(position), p.active.data(), p.derivative);
+      std::ranges::copy(position, p.active.begin() + Arrays::n_without_phi);
       evaluator.jacobian(q, p.active.data() + Arrays::n_target);
       for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference[i];
       std::array<Pack, Dim> n1;
@@ -147,7 +157,11 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       const auto t1 = tangent_basis<Dim>(n1), t2 = tangent_basis<Dim>(unit_normal<Dim>(p.active.data() + 1));
       const BandModelPoint<Dim> at{p, point.weight, t1, t2};
       SquarePack<Variables::n> h{};
-      for (const Acting& term : acting) Variables::add(*term.code, at, term.weight, term.own, h);
+      for (const Acting& term : acting) {
+        if (term.own_fields)
+          term.own_fields->read(elements, [&](int lane) { return members.element[lane]; }, energy_->shape(), q, own_fields.data());
+        Variables::add(*term.code, at, term.weight, term.own, h);
+      }
       // Lanes without weight may hold anything: an infinity would outlive the multiplication by zero.
       for (int i = 0; i < Variables::n; ++i)
         for (int j = 0; j <= i; ++j)

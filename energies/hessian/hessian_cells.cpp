@@ -1,5 +1,6 @@
 // Second derivatives of the terms that every cell has.
 
+#include "energies/assembly/ceres_evaluator.h"
 #include "energies/hessian/energy_hessian.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<
     for (int i = 2; i < Dim; ++i) scale *= batch.side;
     SquarePack<Dim * Dim> h{};
     for (std::size_t t = 0; t < terms.size(); ++t)
-      if (const auto* code = std::get_if<CellCode<Dim>>(&terms[t].term.code); code && weights[t] > 0) {
+      if (const auto* code = std::get_if<CellCode<Dim>>(&terms[t].term.code); code && code->hessian && weights[t] > 0) {
         const auto of_term = code->hessian(dphi, terms[t].material);
         const Pack factor = weights[t] * scale;
         for (int i = 0; i < Dim * Dim; ++i)
@@ -78,13 +79,28 @@ void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<
 }
 
 template <int Dim>
+void EnergyHessian<Dim>::add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells, std::span<const Vec<Dim>> phi,
+                                       double weight, ElementMatrices<Dim>& matrices) const {
+  const CeresEvaluator<Dim> costs(*energy_);
+  for (std::size_t e = cells.begin; e < cells.end; ++e) {
+    ElementHessian<Dim> h = ElementHessian<Dim>::Zero();
+    code.add_hessian(costs.fields_of(t, e), costs.dofs_of(e, phi).data(), weight, energy_->terms()[t].material, h);
+    for (int i = 0; i < n_dofs; ++i)
+      for (int j = i; j < n_dofs; ++j) matrices.add(e - cells.begin, i, j, static_cast<float>(h(i, j)));
+  }
+}
+
+template <int Dim>
 void EnergyHessian<Dim>::add_corner_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                           ElementMatrices<Dim>& matrices) const {
   const auto elements = unknowns_->elements().first(cells.end);
   const EnergyTerms<Dim>& terms = energy_->terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (!(weights[t] > 0)) continue;
+    if (const auto* of_cells = std::get_if<CellCode<Dim>>(&terms[t].term.code); of_cells && of_cells->add_hessian)
+      add_points_of(*of_cells, t, cells, phi, weights[t], matrices);
     const auto* code = std::get_if<CornerCode<Dim>>(&terms[t].term.code);
-    if (!code || !(weights[t] > 0)) continue;
+    if (!code) continue;
     ElementBatch<Dim> batch;
     for (std::size_t first = cells.begin; first < cells.end; first += pack_size) {
       const int n = static_cast<int>(batch.load_run(elements, phi, first));

@@ -44,7 +44,7 @@ std::optional<NotFinite<Dim>> EnergyHessian<Dim>::find_not_finite(std::span<cons
       add_corner_terms(cells, phi, alone, matrices);
       if (energy_->terms().fit_tangent(weights)) add_band_terms<TangentVariables<Dim>>(cells, phi, alone, matrices);
       else add_band_terms<AllVariables<Dim>>(cells, phi, alone, matrices);
-      add_pair_terms(cells, phi, alone, matrices);
+      add_point_terms(cells, phi, alone, matrices);
       for (std::size_t e = cells.begin; e < cells.end && first[cells.index] == none; ++e)
         if (!is_finite(matrices, e - cells.begin)) first[cells.index] = e;
     });
@@ -61,7 +61,7 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
   using Arrays = PointArrays<Dim>;
   const EnergyTerms<Dim>& terms = energy_->terms();
   const Element<Dim>& element = unknowns_->elements()[e];
-  if (t >= terms.size() || std::holds_alternative<CornerCode<Dim>>(terms[t].term.code)) return std::nullopt;
+  if (std::holds_alternative<CornerCode<Dim>>(terms[t].term.code) || std::holds_alternative<PointCode<Dim>>(terms[t].term.code)) return std::nullopt;
   const auto* code = std::get_if<BandCode<Dim>>(&terms[t].term.code);
   if (code == nullptr) return Vec<Dim>(element.corner + Vec<Dim>::Constant(element.side / 2));
   const Band<Dim>& band = energy_->band();
@@ -80,9 +80,14 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
       const auto& point = band.point(b, q);
       if (!(point.weight[lane] > 0)) continue;
       Arrays p;
+      std::vector<autodiff::Pack> own_fields(static_cast<std::size_t>(terms[t].own_fields.n_components()));
+      terms[t].own_fields.read(unknowns_->elements(), [&](int l) { return members[l]; }, energy_->shape(), q, own_fields.data());
+      p.own_fields = own_fields.data();
       p.passive[Arrays::n_reference] = autodiff::Pack{} + terms[0].material.lambda;
       p.passive[Arrays::n_reference + 1] = autodiff::Pack{} + terms[0].material.mu;
-      energy_->target().look_up(point.weight, energy_->target().find(evaluator.position(q)), p.active.data(), p.derivative);
+      const auto position = evaluator.position(q);
+      energy_->target().look_up(point.weight, energy_->target().find(position), p.active.data(), p.derivative);
+      std::ranges::copy(position, p.active.begin() + Arrays::n_without_phi);
       evaluator.jacobian(q, p.active.data() + Arrays::n_target);
       for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference[i];
       const TangentBasis<Dim> unused{};

@@ -1,20 +1,21 @@
-// The Gauss-Newton model of the terms of point pairs, and the pairs that a step brings into it.
+// The Gauss-Newton model of the terms of points, and the pairs that a step brings into it.
 
 #include "energies/hessian/energy_hessian.h"
 
 #include <utility>
+#include <variant>
 
 namespace shellmatch {
 
 template <int Dim>
-void EnergyHessian<Dim>::add_pair_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+void EnergyHessian<Dim>::add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                                         ElementMatrices<Dim>& matrices) const {
-  const auto terms = energy_->pair_terms();
+  const EnergyTerms<Dim>& terms = energy_->terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const double weight = weights[energy_->terms().size() + t];
-    if (!(weight > 0)) continue;
-    terms[t].pairs.for_each_model(
-        cells.begin, cells.end, unknowns_->elements(), phi, weight, [&](const LocatedPair<Dim>& pair, const Mat<Dim>& k) {
+    const auto* points = std::get_if<PointCode<Dim>>(&terms[t].term.code);
+    if (!points || !(weights[t] > 0)) continue;
+    points->pairs.for_each_model(
+        cells.begin, cells.end, unknowns_->elements(), phi, weights[t], [&](const LocatedPair<Dim>& pair, const Mat<Dim>& k) {
           for (int i = 0; i < n_dofs; ++i)
             for (int j = i; j < n_dofs; ++j)
               matrices.add(pair.element - cells.begin, i, j,
@@ -24,20 +25,20 @@ void EnergyHessian<Dim>::add_pair_terms(const Chunk& cells, std::span<const Vec<
 }
 
 template <int Dim>
-std::size_t EnergyHessian<Dim>::activate_pairs(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
-                                               std::span<double> gradient) {
-  const auto terms = energy_->pair_terms();
+std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
+                                       std::span<double> gradient) {
+  const EnergyTerms<Dim>& terms = energy_->terms();
   const auto elements = unknowns_->elements();
   is_active_.resize(terms.size());
   nodal_.resize(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
   unknowns_->expand(d, nodal_);
   std::size_t n = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const double weight = weights[energy_->terms().size() + t];
-    if (!(weight > 0)) continue;
-    const auto pairs = terms[t].pairs.pairs_of(0, elements.size());
+    const auto* points = std::get_if<PointCode<Dim>>(&terms[t].term.code);
+    if (!points || !(weights[t] > 0)) continue;
+    const auto pairs = points->pairs.pairs_of(0, elements.size());
     is_active_[t].resize(pairs.size(), 0);
-    for (const ActivatedPair<Dim>& one : terms[t].pairs.activated(elements, phi, nodal_, weight)) {
+    for (const ActivatedPair<Dim>& one : points->pairs.activated(elements, phi, nodal_, weights[t])) {
       if (std::exchange(is_active_[t][one.pair], 1) != 0) continue;
       ++n;
       const LocatedPair<Dim>& pair = pairs[one.pair];
@@ -53,9 +54,9 @@ std::size_t EnergyHessian<Dim>::activate_pairs(std::span<const Vec<Dim>> phi, st
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                            \
-  template void EnergyHessian<Dim>::add_pair_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, \
+  template void EnergyHessian<Dim>::add_point_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, \
                                                    ElementMatrices<Dim>&) const; \
-  template std::size_t EnergyHessian<Dim>::activate_pairs(std::span<const Vec<Dim>>, std::span<const double>, const TermValues&, \
+  template std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>>, std::span<const double>, const TermValues&, \
                                                           std::span<double>);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

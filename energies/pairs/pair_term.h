@@ -43,6 +43,9 @@ class PairTerm {
   PairTerm(const Octree<Dim>& grid, const PointPairs<Dim>& pairs);
 
   std::size_t size() const { return pairs_.size(); }
+  RobustLoss loss() const { return loss_; }
+  double scale() const { return scale_; }
+  double tolerance() const { return tolerance_; }
   /// Those of the elements [begin, end), ascending by element, in the given order within one.
   std::span<const LocatedPair<Dim>> pairs_of(std::size_t begin, std::size_t end) const;
 

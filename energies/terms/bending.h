@@ -15,13 +15,14 @@ struct Bending : BandTerm<Dim> {
       .meaning = "the paper's",
       .scaled = [](double factor, const TermScales& s) { return factor * s.delta * s.delta * s.delta; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi, TargetNormal, TargetRoot, ReferenceRoot>;
   static constexpr bool is_tangential = true;
 
   template <class T, class P>
-  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    const auto n2 = renormalised(y.n2);
-    return project_rows(product<Dim>(y.root, project_rows(product<Dim>(dphi, x.r1), n2)), n2);
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& normal, const SmallSym<T, Dim>& root,
+                                        const SmallSym<P, Dim>& r1) const {
+    const auto n2 = renormalised(normal);
+    return project_rows(product<Dim>(root, project_rows(product<Dim>(dphi, r1), n2)), n2);
   }
 };
 

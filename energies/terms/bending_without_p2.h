@@ -15,11 +15,12 @@ struct BendingWithoutP2 : BandTerm<Dim> {
       .meaning = "leaves out the projection P2; to compare with",
       .scaled = [](double factor, const TermScales& s) { return factor * s.delta * s.delta * s.delta; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi, TargetNormal, TargetRoot, ReferenceNormal, ReferenceRoot>;
 
   template <class T, class P>
-  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    return plus_outer(product<Dim>(y.root, product<Dim>(dphi, x.r1)), renormalised(y.n2), x.n1);
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallSym<T, Dim>& root,
+                                        const SmallVec<P, Dim>& n1, const SmallSym<P, Dim>& r1) const {
+    return plus_outer(product<Dim>(root, product<Dim>(dphi, r1)), renormalised(n2), n1);
   }
 };
 

@@ -15,18 +15,18 @@ struct CauchyGreenMembrane : BandTerm<Dim> {
                                  .meaning = "takes W of the Cauchy-Green tensor; to compare with",
                                  .scaled = [](double factor, const TermScales& s) { return factor * s.delta; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi, ReferenceNormal>;
 
   template <class T, class P>
-  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>&, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    const auto tangential = project_columns(dphi, x.n1);
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<P, Dim>& n1) const {
+    const auto tangential = project_columns(dphi, n1);
     SmallMat<T, Dim> c;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) {
         c(i, j) = tangential(0, i) * tangential(0, j);
         for (int k = 1; k < Dim; ++k) c(i, j) = c(i, j) + tangential(k, i) * tangential(k, j);
       }
-    return plus_outer(c, x.n1, x.n1);
+    return plus_outer(c, n1, n1);
   }
 };
 

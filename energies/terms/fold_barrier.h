@@ -52,9 +52,9 @@ struct FoldBarrier : CornerTerm<Dim> {
   }
 
   template <class T, class P>
-  static constexpr std::array<T, n_arguments> argument(const T* corners, const P& scale) {
+  constexpr std::array<T, n_arguments> operator()(const T* corners, const P& factor) const {
     std::array<T, n_arguments> x = bernstein_determinant<Dim>(corners);
-    for (T& coefficient : x) coefficient = coefficient * scale;
+    for (T& coefficient : x) coefficient = coefficient * factor;
     return x;
   }
 
@@ -76,7 +76,7 @@ struct FoldBarrier : CornerTerm<Dim> {
     static constexpr T evaluate(const T* active, const P* passive) {
       using autodiff::max_of;
       T gaps(0.0), sum(0.0);
-      for (const T& x : argument<T, P>(active, passive[0])) {
+      for (const T& x : FoldBarrier{}(active, passive[0])) {
         gaps = gaps + max_of(1.0 - x, T(0.0));  // 0 for NaN
         sum = sum + x;
       }

@@ -16,6 +16,12 @@ struct FullVolume : CellTerm<Dim> {
       .scaled = [](double factor, const TermScales& s) { return factor * s.volume; },
       .forbids_folds = true};
   using Density = FullVolumeDensity<Dim>;
+  using Reads = DependsOn<Dphi>;
+
+  template <class T>
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi) const {
+    return dphi;
+  }
 };
 
 }  // namespace shellmatch

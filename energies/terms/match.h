@@ -15,11 +15,11 @@ struct Match : BandTerm<Dim> {
       .weight = {"match_weight", 1, {.min = 0, .meaning = "factor on the match term; 0 switches it off"}},
       .scaled = [](double factor, const TermScales& s) { return factor / s.nu; }};
   using Density = SquareDensity<1>;
+  using Reads = DependsOn<TargetDistance, ReferenceDistance>;
 
   template <class T, class P>
-  static constexpr SmallVec<T, 1> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>&,
-                                           const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    return {{y.d2 - x.d1}};
+  constexpr SmallVec<T, 1> operator()(const T& d2, const P& d1) const {
+    return {{d2 - d1}};
   }
 };
 

@@ -16,12 +16,12 @@ struct Membrane : BandTerm<Dim> {
       .weight = {"membrane_weight", 1, {.min = 0, .meaning = "factor on the membrane term; 0 switches it off"}},
       .scaled = [](double factor, const TermScales& s) { return factor * s.delta; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;
   static constexpr bool is_tangential = true;
 
   template <class T, class P>
-  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    return project_rows(project_columns(dphi, x.n1), renormalised(y.n2));
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallVec<P, Dim>& n1) const {
+    return project_rows(project_columns(dphi, n1), renormalised(n2));
   }
 };
 

@@ -15,11 +15,11 @@ struct MembraneWithoutP2 : BandTerm<Dim> {
                                  .meaning = "leaves out the projection P2; to compare with",
                                  .scaled = [](double factor, const TermScales& s) { return factor * s.delta; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;
 
   template <class T, class P>
-  static constexpr SmallMat<T, Dim> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>& dphi,
-                                             const ReferencePoint<Dim, P>& x, const Material<P>&) {
-    return plus_outer(project_columns(dphi, x.n1), renormalised(y.n2), x.n1);
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallVec<P, Dim>& n1) const {
+    return plus_outer(project_columns(dphi, n1), renormalised(n2), n1);
   }
 };
 

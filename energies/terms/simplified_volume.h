@@ -15,6 +15,12 @@ struct SimplifiedVolume : CellTerm<Dim> {
       .meaning = "W itself, as in the paper's experiments",
       .scaled = [](double factor, const TermScales& s) { return factor * s.volume; }};
   using Density = ThinShellDensity<Dim>;
+  using Reads = DependsOn<Dphi>;
+
+  template <class T>
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi) const {
+    return dphi;
+  }
 };
 
 }  // namespace shellmatch

@@ -17,6 +17,12 @@ struct SymmetricDirichletVolume : CellTerm<Dim> {
       .scaled = [](double factor, const TermScales& s) { return factor * s.volume; },
       .forbids_folds = true};
   using Density = SymmetricDirichletDensity<Dim>;
+  using Reads = DependsOn<Dphi>;
+
+  template <class T>
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi) const {
+    return dphi;
+  }
 };
 
 }  // namespace shellmatch

@@ -4,17 +4,32 @@
 /// (docs/adding-an-energy.md). Value, gradient, Newton's model, Ceres' cost functors, checks, reports and options are made
 /// from it.
 ///
-/// A term names its `info`, its `Density` W (energies/densities/material.h says what that is) and its argument A; the energy is the integral of W(A).
+/// A term is a functor of the fields that it reads at a point, which gives its argument A, and a density W; the energy is
+/// the integral of W(A):
+///
+///     template <int Dim>
+///     struct NormalAlignment : BandTerm<Dim> {                      where it is integrated
+///       static constexpr TermInfo info{...};
+///       using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;    the functor's arguments (energies/terms/depends_on.h)
+///       using Density = SquareDensity<Dim>;                         W (energies/densities/material.h)
+///
+///       template <class T, class P>
+///       constexpr SmallVec<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallVec<P, Dim>& n1) const;
+///     };
+///
 /// Its base says where it is integrated:
 ///
-///     BandTerm    weighted with eta_sigma(d1); argument(y, Dphi, x, material), where y is the TargetPoint at phi(x) and x
-///                 the ReferencePoint (energies/fields/coefficients.h)
-///     CellTerm    over the domain; the argument is Dphi itself
-///     CornerTerm  a function of the positions of a cell's corners: argument(corners, scale) is an array, W acts on each
+///     BandTerm    over the band, weighted with eta_sigma(d1): it reads any field
+///     CellTerm    over the domain: it reads Phi, Dphi, its own options and its own fields
+///     CornerTerm  a function of the positions of a cell's corners: operator()(corners, factor) is an array, W acts on each
 ///                 entry, and the term is the cell's volume times their mean
 ///
-/// A CornerTerm also defines `n_arguments`, the size of that array; `scale(inverse_side, material)`, the factor handed to
-/// argument(), for a number and for a Pack of them; `may_act(batch, material)`, a Pack that is 0 only in the lanes of elements
+/// ElementCost<Term> (energies/cost/element_cost.h) is the same as a functor in Ceres' convention over the degrees of freedom
+/// of one element, `bool operator()(const T* dofs, T* energy) const`, and for squares ElementResiduals<Term> `(const T* dofs,
+/// T* residuals)`: what `energy.evaluator: ceres` evaluates. compile_term<Term>() makes vector code from the same functor.
+///
+/// A CornerTerm also defines `n_arguments`, the size of that array; `scale(inverse_side, material)`, the factor handed to the
+/// functor, for a number and for a Pack of them; `may_act(batch, material)`, a Pack that is 0 only in the lanes of elements
 /// on which the term and its derivatives vanish, and nowhere negative. Its density takes one number (energies/terms/fold_barrier.h).
 ///
 /// A functor is written once over a scalar T that is differentiated (what depends on phi) and a scalar P that is not. The
@@ -24,15 +39,15 @@
 /// Optional members:
 ///
 ///     static constexpr bool is_tangential = true   the argument is P2 X P1 for some X, to which n2 n1^T is added (that is
-///                                                  not part of argument()): Newton's model is then made in tangent frames.
-///                                                  It has no direction of its own in the reference: argument(y, Dphi Q,
-///                                                  Q^T x) = argument(y, Dphi, x) Q for orthogonal Q, which turns n1 and r1
-///     static constexpr bool reads_shape_operators  r1 and root are S1 and S2 themselves
-///     static constexpr std::array<TermOption, n> own  options of its own; values in material.own, in this order
+///                                                  not part of the functor): Newton's model is then made in tangent frames.
+///                                                  It has no direction of its own in the reference: where Dphi becomes Dphi Q,
+///                                                  n1 Q^T n1 and r1 Q^T r1 Q, A becomes A Q for orthogonal Q
+///     static constexpr std::array<TermOption, n> own  options of its own, which the functor gets as OwnOptions, in this order
 
 #include "base/options.h"
 #include "energies/densities/material.h"
 #include "energies/fields/coefficients.h"
+#include "energies/terms/depends_on.h"
 
 #include <array>
 #include <span>
@@ -72,7 +87,7 @@ struct TermInfo {
 template <int Dim>
 struct BandTerm {
   static constexpr int dim = Dim;
-  static constexpr bool is_tangential = false, reads_shape_operators = false;
+  static constexpr bool is_tangential = false;
   static constexpr std::array<TermOption, 0> own{};
 };
 template <int Dim>

@@ -110,7 +110,7 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
                                                  phi, weights_, mask_ ? &*mask_ : nullptr);
   result.reported = report.values;
   result.reported.extend_to(weights_.size());
-  level_.energy.set_pair_values(phi, weights_, result.reported);
+  level_.energy.set_point_values(phi, weights_, result.reported);
   result.band = report.band;
   result.folds = find_folds<Dim>(level_.unknowns.elements(), phi);
 }

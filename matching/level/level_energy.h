@@ -9,6 +9,7 @@
 #include "matching/experiment/options.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,26 +30,28 @@ struct LevelEnergy {
   double sigma;  ///< half width of the band
   Unknowns<Dim> unknowns;
   GeometryPair<Dim> geometry;
+  std::shared_ptr<EnergyTerms<Dim>> terms;
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
   std::vector<double> pair_weights;  ///< in the energy, of the terms made from `pairs`
   std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where the constructor was asked for it
 
   /// \param pairs terms of their own, on all levels
-  /// \param with_coverage adds the term of coverage, without pairs until replace_pairs() gives it some
+  /// \param with_coverage adds the term of coverage, without pairs until refresh() gives it some
   LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
               const std::vector<PairSet<Dim>>& pairs = {}, bool with_coverage = false)
       : grid(g),
         sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
         geometry(std::move(shapes)),
-        energy(unknowns, geometry, options.energy, sigma, options.energy.quadrature_order),
+        terms(std::make_shared<EnergyTerms<Dim>>(options.energy)),
+        energy(unknowns, geometry, terms, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns) {
     for (const PairSet<Dim>& set : pairs) {
-      energy.add_pairs(set.name, PairTerm<Dim>(g, set.pairs));
+      terms->add(set.name, PairTerm<Dim>(g, set.pairs));
       pair_weights.push_back(set.factor / options.cascade.nu);
     }
-    if (with_coverage) coverage = energy.add_pairs("coverage", {});
+    if (with_coverage) coverage = terms->add("coverage", PairTerm<Dim>());
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;

@@ -96,7 +96,7 @@ void LevelProblem<Dim>::add_damping(std::span<const RegionDamping> regions) {
 template <int Dim>
 bool LevelProblem<Dim>::extend_model(std::span<const double> x, std::span<const double> d, std::span<double> gradient) {
   unknowns_->expand(x, phi_);
-  return hessian_.activate_pairs(phi_, d, weights_, gradient) > 0;
+  return hessian_.extend(phi_, d, weights_, gradient) > 0;
 }
 
 template <int Dim>

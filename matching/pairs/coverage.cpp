@@ -116,7 +116,7 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
 template <int Dim>
 void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask, const Coverage<Dim>* coverage) {
   if (mask) level.energy.set_mask(phi, *mask);
-  if (coverage) level.energy.replace_pairs(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
+  if (coverage) level.terms->refresh(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
 }
 
 template void follow(LevelEnergy<2>&, const std::vector<Vec<2>>&, const BandMask<2>*, const Coverage<2>*);

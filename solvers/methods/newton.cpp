@@ -90,7 +90,7 @@ class LinearSolver {
 MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                   const IterationCallback& callback) const {
   MinimizationRun run(objective, stop, callback);
-  auto* model = dynamic_cast<SecondOrderObjective*>(&objective);
+  SecondOrderObjective* model = objective.second_order();
   std::vector<double> g(run.size());
   if (!run.start(x, g)) return run.summary();
   if (model == nullptr) {

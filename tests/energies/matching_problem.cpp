@@ -91,7 +91,8 @@ Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, Coefficien
       unknowns(g, o.energy.boundary),
       geometry{field(g, reference, o.smooth), field(g, target_values, o.smooth), o.root_is_inverse},
       sigma(o.sigma_over_h * g.finest_side()),
-      energy(unknowns, geometry, options, sigma, o.points_per_direction) {}
+      terms(std::make_shared<EnergyTerms<Dim>>(options)),
+      energy(unknowns, geometry, terms, sigma, o.points_per_direction) {}
 
 template <int Dim>
 std::optional<TermValues> Problem<Dim>::values(const std::vector<Vec<Dim>>& phi, const TermValues& weights) const {

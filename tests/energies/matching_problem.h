@@ -58,6 +58,7 @@ struct Problem {
   GeometryPair<Dim> geometry;
   double sigma;  ///< half width of the band
   const GeometryField<Dim>& target = geometry.target;
+  std::shared_ptr<EnergyTerms<Dim>> terms;
   MatchingEnergy<Dim> energy;
 
   Problem(const Octree<Dim>& grid, CoefficientFields<Dim> reference, CoefficientFields<Dim> target,

@@ -21,7 +21,8 @@ const std::vector<Adapter>& adapter_table() {
   static const std::vector<Adapter> table = {
       // The dual numbers and cost functions alone, without the solvers; hence before the entry for the rest of Ceres; so is the checker.
       {"Ceres' dual numbers", {"ceres/jet.h"}, {"energies/*/*", "solvers/libraries/ceres_*.cpp"}},
-      {"Ceres' cost functions", {"ceres/autodiff_cost_function.h", "ceres/cost_function.h"}, {"energies/cost/*"}},
+      {"Ceres' cost functions", {"ceres/autodiff_cost_function.h", "ceres/cost_function.h", "ceres/loss_function.h"}, {"energies/cost/*"}},
+      {"Ceres' problems", {"ceres/first_order_function.h", "ceres/problem.h"}, {"energies/assembly/ceres_problem.*", "solvers/libraries/ceres_*.cpp"}},
       {"Ceres' gradient checker", {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"}, {"matching/derivative_check/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},

@@ -25,12 +25,12 @@ struct NanBelowDepth : BandTerm<Dim> {
   static constexpr TermInfo info{.name = "planted", .weight = {"planted_weight", 0, {}}};
   static constexpr std::array<TermOption, 1> own{{{"planted_depth", 0.01, {}}}};
   using Density = SquareDensity<1>;
+  using Reads = DependsOn<TargetDistance, OwnOptions>;
   template <class T, class P>
-  static constexpr SmallVec<T, 1> argument(const TargetPoint<Dim, T>& y, const SmallMat<T, Dim>&, const ReferencePoint<Dim, P>&,
-                                           const Material<P>& c) {
+  constexpr SmallVec<T, 1> operator()(const T& d2, const P* options) const {
     using std::sqrt;
     SmallVec<T, 1> root;
-    root[0] = sqrt(y.d2 + c.own[0]);
+    root[0] = sqrt(d2 + options[0]);
     return root;
   }
 };
@@ -48,6 +48,11 @@ struct RootOfShear {
 struct NanGradient : CellTerm<2> {
   static constexpr TermInfo info{.name = "planted", .weight = {"planted_weight", 0, {}}};
   using Density = RootOfShear;
+  using Reads = DependsOn<Dphi>;
+  template <class T>
+  constexpr SmallMat<T, 2> operator()(const SmallMat<T, 2>& dphi) const {
+    return dphi;
+  }
 };
 
 template <int Dim>

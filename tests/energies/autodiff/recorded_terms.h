@@ -24,8 +24,8 @@ std::array<double, Term::own.size()> own_at(int lane) {
 /// without mismatch, the others generic. The value, and the argument with its derivative.
 template <IsBandTerm Term>
 void check_recorded() {
-  using Functor = BandFunctor<Term>;
-  using Argument = BandArgument<Term>;
+  using Functor = PointFunctor<Term>;
+  using Argument = PointArgument<Term>;
   constexpr int Dim = Term::dim, n_own = static_cast<int>(Term::own.size());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -55,7 +55,7 @@ void check_recorded() {
 /// Generic Dphi, the identity, one that folds and one of rank 0.
 template <IsCellTerm Term>
 void check_recorded() {
-  using Functor = CellFunctor<Term>;
+  using Functor = PointFunctor<Term>;
   constexpr int Dim = Term::dim;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);

@@ -15,11 +15,11 @@ TYPED_TEST(RecordedTerms3d, AreTheirFunctors) { check_recorded<TypeParam>(); }
 
 // Sharing and folding pay off: bending in space is the longest of the band terms.
 TEST(RecordedTapes3d, AreShort) {
-  const auto n = []<class Term>() { return autodiff::Compiled<BandFunctor<Term>>::n_operations; };
+  const auto n = []<class Term>() { return autodiff::Compiled<PointFunctor<Term>>::n_operations; };
   EXPECT_EQ(n.operator()<Match<3>>(), 4u);  // two inputs, difference, square
   EXPECT_LT(n.operator()<Membrane<3>>(), 200u);
   EXPECT_LT(n.operator()<Bending<3>>(), 300u);
-  EXPECT_FALSE((autodiff::Compiled<BandFunctor<Membrane<3>>>::reads_active(0)));
+  EXPECT_FALSE((autodiff::Compiled<PointFunctor<Membrane<3>>>::reads_active(0)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "tests/energies/cost/element_sums.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/densities/random_matrices.h"
+#include "tests/energies/terms/band_density.h"
 #include "tests/support/taylor.h"
 
 namespace shellmatch {
@@ -72,7 +73,7 @@ TEST(Example, ANewTermVanishesForRotations) {
 
 // 2. The fast code is the functor.
 TEST(Example, ANewTermIsRecordedAsItIs) {
-  using Functor = BandFunctor<NormalAlignment<3>>;
+  using Functor = PointFunctor<NormalAlignment<3>>;
   std::array<Inputs<Functor>, autodiff::pack_size> points;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -82,7 +83,7 @@ TEST(Example, ANewTermIsRecordedAsItIs) {
   }
   expect_as_jets<Functor>(points);
   expect_good_tape<Functor>();
-  using Argument = BandArgument<NormalAlignment<3>>;
+  using Argument = PointArgument<NormalAlignment<3>>;
   std::array<Inputs<Argument>, autodiff::pack_size> same;
   for (std::size_t lane = 0; lane < points.size(); ++lane) same[lane] = {points[lane].active, points[lane].passive};
   expect_jacobian_as_jets<Argument>(same);

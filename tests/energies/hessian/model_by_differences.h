@@ -6,6 +6,7 @@
 #include "energies/cost/element_cost.h"
 #include "energies/densities/positive_hessian.h"
 #include "tests/energies/matching_problem.h"
+#include "tests/energies/terms/band_density.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -22,12 +22,12 @@ struct SquareOf : BandTerm<Other::dim> {
   static constexpr int dim = Other::dim, n = n_arguments_of<typename Other::Density>;
   static constexpr TermInfo info{.name = "square"};
   using Density = SquareDensity<n>;
-  static constexpr bool reads_shape_operators = Other::reads_shape_operators;
+  using Reads = DependsOn<Dphi, TargetNormal, TargetRoot, ReferenceNormal, ReferenceRoot>;
 
   template <class T, class P>
-  static constexpr SmallVec<T, n> argument(const TargetPoint<dim, T>& y, const SmallMat<T, dim>& dphi,
-                                           const ReferencePoint<dim, P>& x, const Material<P>& c) {
-    return {whole_argument<Other, T, P>(y, dphi, x, c).v};
+  constexpr SmallVec<T, n> operator()(const SmallMat<T, dim>& dphi, const SmallVec<T, dim>& n2, const SmallSym<T, dim>& root,
+                                      const SmallVec<P, dim>& n1, const SmallSym<P, dim>& r1) const {
+    return {whole_argument<Other>(TargetPoint<dim, T>{T(0.0), n2, root}, dphi, ReferencePoint<dim, P>{P(0.0), n1, r1}, Material<P>{}).v};
   }
 };
 

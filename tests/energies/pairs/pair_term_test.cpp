@@ -56,7 +56,7 @@ struct WithPairs {
         fields(exact_fields<Dim>(grid, sphere<Dim>(0.28))),
         problem(grid, fields, fields, {.energy = with(boundary)}),
         pairs(random_pairs<Dim>(loss, n, tolerance)),
-        term(problem.energy.add_pairs("pairs", PairTerm<Dim>(grid, pairs))),
+        term(problem.terms->add("pairs", PairTerm<Dim>(grid, pairs))),
         weights(problem.energy.n_terms()),
         phi(deformed<Dim>(grid, 0.03, 5, boundary == BoundaryCondition::dirichlet)) {
     weights[term] = 3;
@@ -107,7 +107,7 @@ TYPED_TEST(Pairs, ValueIsThatOfTheInterpolatedMap) {
     // And alone, as reports add it.
     TermValues values(a.problem.energy.n_terms());
     values[a.term] = 17;
-    a.problem.energy.set_pair_values(a.phi, a.weights, values);
+    a.problem.energy.set_point_values(a.phi, a.weights, values);
     EXPECT_NEAR(values[a.term], expected, 1e-12 * expected);
   }
 }
@@ -233,7 +233,7 @@ TYPED_TEST(Pairs, AStepBeyondTheToleranceBringsThemIntoTheModel) {
       auto v = a.direction();
       for (double& x : v) x *= 0.3;
       std::vector<double> g(v.size(), 0.0), hv(v.size());
-      const std::size_t n = hessian.activate_pairs(a.phi, v, a.weights, g);
+      const std::size_t n = hessian.extend(a.phi, v, a.weights, g);
       hessian.apply(v, hv);
       const double slope = std::inner_product(v.begin(), v.end(), g.begin(), 0.0);
       const double curvature = std::inner_product(v.begin(), v.end(), hv.begin(), 0.0);
@@ -259,7 +259,7 @@ TYPED_TEST(Pairs, AStepBeyondTheToleranceBringsThemIntoTheModel) {
       EXPECT_NEAR(curvature, expected_curvature, 1e-5 * expected_curvature);
 
       // Once for each model, and no longer than it.
-      EXPECT_EQ(hessian.activate_pairs(a.phi, v, a.weights, g), 0u);
+      EXPECT_EQ(hessian.extend(a.phi, v, a.weights, g), 0u);
       hessian.assemble(a.phi, a.weights);
       hessian.apply(v, hv);
       EXPECT_EQ(std::inner_product(v.begin(), v.end(), hv.begin(), 0.0), 0);
@@ -295,7 +295,7 @@ TYPED_TEST(Pairs, SameBitsForAnyNumberOfThreads) {
     EnergyHessian<Dim> extended(at_rest.problem.energy, at_rest.problem.unknowns);
     extended.assemble(at_rest.phi, at_rest.weights);
     std::vector<double> g(v.size(), 0.0);
-    EXPECT_GT(extended.activate_pairs(at_rest.phi, v, at_rest.weights, g), 1000u);
+    EXPECT_GT(extended.extend(at_rest.phi, v, at_rest.weights, g), 1000u);
     all.insert(all.end(), g.begin(), g.end());
     set_n_threads(0);
     std::vector<std::uint64_t> result;

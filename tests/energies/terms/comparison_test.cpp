@@ -2,8 +2,8 @@
 
 #include "energies/densities/thin_shell.h"
 #include "energies/terms/list.h"
-#include "energies/terms/term_functors.h"
 #include "tests/energies/densities/random_matrices.h"
+#include "tests/energies/terms/band_density.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "energies/terms/cauchy_green_membrane.h"
 #include "energies/terms/membrane.h"
-#include "energies/terms/term_functors.h"
 #include "tests/energies/densities/random_matrices.h"
+#include "tests/energies/terms/band_density.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "energies/options.h"
 #include "energies/terms/list.h"
 #include "energies/terms/term_functors.h"
+#include "tests/energies/terms/band_density.h"
 
 #include <gtest/gtest.h>
 
