@@ -120,6 +120,7 @@ std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const 
   parallel_chunks(n_vertices, chunk_size, [&](const Chunk& chunk) {
     Neighbourhood neighbourhood(neighbours);
     for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      if (v % options.every != 0) continue;
       std::vector<Index> vertices = neighbourhood.of(static_cast<Index>(v), options.n_rings, n_points);
       keep_nearest(surface, most, vertices);
       std::vector<Kernel::Point_3> points;

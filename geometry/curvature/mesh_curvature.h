@@ -7,6 +7,7 @@
 #include "base/types.h"
 #include "geometry/surface/surface.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace shellmatch {
@@ -23,6 +24,7 @@ struct CurvatureOptions {
   int degree =
       2;  ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
   int n_rings = 2;  ///< of neighbours for the fit, >= 1; more where these are too few
+  std::size_t every = 1;  ///< >= 1; 2: at every second vertex alone, NaN at the others
 };
 // Where a vertex has very many edges, rings are large: the nearest 200 vertices of them are taken, or 10 times as many as such rings
 // have where all vertices have six edges if that is more.

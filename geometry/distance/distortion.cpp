@@ -100,13 +100,17 @@ std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surfa
 template <int Dim>
 std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
   std::vector<char> away(deformed.facets.size());
-  parallel_for(
-      deformed.facets.size(), [&](std::size_t f) {
-        Vec<Dim> centre = Vec<Dim>::Zero();
-        for (const Index v : deformed.facets[f]) centre += deformed.vertices[v] / Dim;
-        const Vec<Dim> normal = facet_normal(template_distance.surface(), template_distance.closest(centre).facet);
-        away[f] = facet_normal(deformed, static_cast<Index>(f)).dot(normal) < 0;
-      }, 256);
+  parallel_chunks(deformed.facets.size(), 256, [&](const Chunk& chunk) {
+    std::vector<Vec<Dim>> centres(chunk.end - chunk.begin, Vec<Dim>::Zero());
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      for (const Index v : deformed.facets[chunk.begin + i]) centres[i] += deformed.vertices[v] / Dim;
+    std::vector<ClosestPoint<Dim>> closest(centres.size());
+    template_distance.closest(centres, closest);
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      const std::size_t f = chunk.begin + i;
+      away[f] = facet_normal(deformed, static_cast<Index>(f)).dot(facet_normal(template_distance.surface(), closest[i].facet)) < 0;
+    }
+  });
   return away;
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace shellmatch {
 
@@ -26,32 +25,43 @@ double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
 /// Builds the tree from the root downwards.
 template <int Dim>
 struct FacetTree<Dim>::Builder {
+  // Small, and side by side: splitting large surfaces takes as long as memory does. Rounding the centres changes the tree, not what it finds.
+  struct Entry {
+    std::array<float, Dim> centre;  // of the facet's box, in [-1, 1]
+    Index facet;
+  };
+  using Range = std::span<Entry>;
+
   const Surface<Dim>& surface;
   FacetTree& tree;
-  std::vector<Index> order;           // facets, those of a subtree consecutively
-  std::vector<Vec<Dim>> centre = {};  // of the facets' boxes, times two
-  double scale = 0;                   // largest extent of the surface
+  std::vector<Entry> order = {};  // those of a subtree consecutively
+  double scale = 0;               // largest extent of the surface
 
-  using Range = std::span<Index>;
-
-  Box<Dim> box(Range facets) const {
+  Box<Dim> box(Index f) const {
     Box<Dim> box;
-    for (const Index f : facets)
-      for (const Index v : surface.facets[f]) box.add(surface.vertices[v]);
+    for (const Index v : surface.facets[f]) box.add(surface.vertices[v]);
     return box;
+  }
+  Box<Dim> box(Range facets) const {
+    Box<Dim> all;
+    for (const Entry& e : facets)
+      for (const Index v : surface.facets[e.facet]) all.add(surface.vertices[v]);
+    return all;
   }
 
   /// Splits a range along the longest side of the box of the centres. The first part fills complete leaves.
   std::array<Range, 2> split(Range facets) const {
-    Box<Dim> box;
-    for (const Index f : facets) box.add(centre[f]);
-    int axis;
-    (box.max - box.min).maxCoeff(&axis);
+    std::array<float, Dim> low = facets.front().centre, high = low;
+    for (const Entry& e : facets)
+      for (int k = 0; k < Dim; ++k) low[k] = std::min(low[k], e.centre[k]), high[k] = std::max(high[k], e.centre[k]);
+    int axis = 0;
+    for (int k = 1; k < Dim; ++k)
+      if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
     const std::size_t n_leaves = (facets.size() + width - 1) / width, middle = (n_leaves / 2) * width;
     std::nth_element(facets.begin(), facets.begin() + static_cast<std::ptrdiff_t>(middle), facets.end(),
-                     [&](Index f, Index g) {
-                       const double x = centre[f][axis], y = centre[g][axis];
-                       return x != y ? x < y : f < g;
+                     [axis](const Entry& a, const Entry& b) {
+                       const float x = a.centre[axis], y = b.centre[axis];
+                       return x != y ? x < y : a.facet < b.facet;
                      });
     return {facets.first(middle), facets.subspan(middle)};
   }
@@ -61,7 +71,7 @@ struct FacetTree<Dim>::Builder {
     Leaf& leaf = tree.leaves_.emplace_back();
     for (int lane = 0; lane < width; ++lane) {
       const bool filled = static_cast<std::size_t>(lane) < facets.size();
-      const Index f = facets[filled ? lane : 0];
+      const Index f = facets[filled ? lane : 0].facet;
       leaf.facet[lane] = f;
       const Vec<Dim>& a = surface.vertices[surface.facets[f][0]];
       std::array<Vec<Dim>, Dim - 1> edge;
@@ -123,18 +133,20 @@ struct FacetTree<Dim>::Builder {
 
 template <int Dim>
 FacetTree<Dim>::FacetTree(const Surface<Dim>& surface) {
-  Builder builder{surface, *this, std::vector<Index>(surface.facets.size())};
-  std::iota(builder.order.begin(), builder.order.end(), 0);
-  builder.centre.reserve(builder.order.size());
-  leaves_.reserve((builder.order.size() + width - 1) / width);
-  StopCheck stop_check;
-  for (Index& f : builder.order) {
-    stop_check();
-    const Box<Dim> box = builder.box({&f, 1});
-    builder.centre.push_back(box.min + box.max);
-  }
-  const Box<Dim> all = builder.box(builder.order);
+  Builder builder{surface, *this};
+  builder.order.reserve(surface.facets.size());
+  leaves_.reserve((surface.facets.size() + width - 1) / width);
+  const Box<Dim> all = bounding_box(surface.vertices);
   builder.scale = (all.max - all.min).maxCoeff();
+  const double per_length = inverse_or_zero(builder.scale);
+  StopCheck stop_check;
+  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) {
+    stop_check();
+    const Box<Dim> box = builder.box(f);
+    auto& entry = builder.order.emplace_back();
+    for (int k = 0; k < Dim; ++k) entry.centre[k] = static_cast<float>((box.min[k] - all.min[k] + box.max[k] - all.max[k]) * per_length);
+    entry.facet = f;
+  }
   Box<Dim> bounds;
   builder.add(builder.order, bounds);
 }

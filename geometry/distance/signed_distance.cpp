@@ -49,13 +49,24 @@ ClosestPoint<Dim> SignedDistance<Dim>::closest(const Vec<Dim>& x) const {
 }
 
 template <int Dim>
-void SignedDistance<Dim>::operator()(std::span<const Vec<Dim>> x, std::span<double> distances) const {
+template <class Take>
+void SignedDistance<Dim>::for_each_closest(std::span<const Vec<Dim>> x, Take&& take) const {
   std::array<Index, 64> facets;
   for (std::size_t begin = 0; begin < x.size(); begin += facets.size()) {
     const std::size_t n = std::min(facets.size(), x.size() - begin);
     tree_->facets.nearest(x.subspan(begin, n), std::span(facets).first(n));
-    for (std::size_t i = 0; i < n; ++i) distances[begin + i] = closest_on(facets[i], x[begin + i]).signed_distance;
+    for (std::size_t i = 0; i < n; ++i) take(begin + i, closest_on(facets[i], x[begin + i]));
   }
+}
+
+template <int Dim>
+void SignedDistance<Dim>::operator()(std::span<const Vec<Dim>> x, std::span<double> distances) const {
+  for_each_closest(x, [&](std::size_t i, const ClosestPoint<Dim>& found) { distances[i] = found.signed_distance; });
+}
+
+template <int Dim>
+void SignedDistance<Dim>::closest(std::span<const Vec<Dim>> x, std::span<ClosestPoint<Dim>> found) const {
+  for_each_closest(x, [&](std::size_t i, const ClosestPoint<Dim>& one) { found[i] = one; });
 }
 
 template <int Dim>

@@ -40,11 +40,15 @@ class SignedDistance {
   /// The signed distances of many points, equal to those of one at a time, and faster the nearer consecutive points lie to
   /// each other. \param distances one entry for each point
   void operator()(std::span<const Vec<Dim>> x, std::span<double> distances) const;
+  /// The closest points of many, in the same way. \param found one entry for each point
+  void closest(std::span<const Vec<Dim>> x, std::span<ClosestPoint<Dim>> found) const;
 
   const Surface<Dim>& surface() const;
 
  private:
   ClosestPoint<Dim> closest_on(Index facet, const Vec<Dim>& x) const;
+  template <class Take>
+  void for_each_closest(std::span<const Vec<Dim>> x, Take&& take) const;
 
   struct Tree;
   std::unique_ptr<Tree> tree_;

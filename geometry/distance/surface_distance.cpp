@@ -22,21 +22,24 @@ struct MeasuredPoints {
   std::vector<double> areas;  ///< around each
 };
 
-/// Vertices that have facets. \param measured one entry for each vertex; empty for all
+/// Vertices that have facets. \param measured one entry for each vertex; empty for all \param most of many, every second, third, ... is taken
 template <int Dim>
-MeasuredPoints<Dim> measured_points(const Surface<Dim>& surface, const std::vector<char>& measured) {
+MeasuredPoints<Dim> measured_points(const Surface<Dim>& surface, const std::vector<char>& measured, std::size_t most) {
   const std::vector<double> area = vertex_measures(surface);
   std::vector<bool> used(surface.vertices.size(), false);
   for (const auto& facet : surface.facets)
     for (const Index v : facet) used[v] = measured.empty() || measured[v] != 0;
   MeasuredPoints<Dim> found;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (!used[v]) continue;
+  const std::size_t step = 1 + (static_cast<std::size_t>(std::ranges::count(used, true)) - 1) / most;
+  for (std::size_t v = 0, n = 0; v < used.size(); ++v) {
+    if (!used[v] || n++ % step != 0) continue;
     found.points.push_back(surface.vertices[v]);
     found.areas.push_back(area[v]);
   }
   return found;
 }
+
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 /// Share of the area around vertices that are farther away than `most`.
 double share_beyond(const std::vector<double>& areas, const std::vector<double>& distances, double most) {
@@ -112,12 +115,12 @@ std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Surf
 
 template <int Dim>
 MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts,
-                                double spacing) {
+                                double spacing, std::size_t most_points) {
   const Surface<Dim> fine = subdivided(template_distance.surface(), spacing);
-  const MeasuredPoints<Dim> of_deformed = measured_points(deformed, parts.of_deformed(deformed));
-  const MeasuredPoints<Dim> of_template = measured_points(fine, parts.of_template(fine.vertices, deformed));
+  const MeasuredPoints<Dim> of_deformed = measured_points(deformed, parts.of_deformed(deformed), most_points);
+  const MeasuredPoints<Dim> of_template = measured_points(fine, parts.of_template(fine.vertices, deformed), most_points);
   // Of the whole template, whatever is measured.
-  const double diagonal = bounding_box(measured_points(template_distance.surface(), {}).points).diagonal();
+  const double diagonal = bounding_box(measured_points(template_distance.surface(), {}, unlimited).points).diagonal();
   const auto summary = [&](const MeasuredPoints<Dim>& of, const std::vector<double>& distances) {
     const DistanceStatistics s = weighted_statistics(distances, of.areas);
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
@@ -136,7 +139,7 @@ template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Sign
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Surface<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const Surface<3>&);
-template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double);
-template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double);
+template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double, std::size_t);
+template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double, std::size_t);
 
 }  // namespace shellmatch

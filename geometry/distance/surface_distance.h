@@ -53,9 +53,11 @@ struct MatchQuality {
 /// \param deformed  measured at its vertices: where its facets are large, the undeformed ones are to be subdivided before, so that they bend
 /// \param parts     of the two, where distances are measured; where one of the surfaces has none, all figures of its direction are NaN
 /// \param spacing   > 0; edges of the template that are longer are subdivided
+/// \param most_points > 0; of surfaces with more vertices, every second, third, ... is measured
 /// \pre neither surface is empty
 template <int Dim>
 MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts = {},
-                                double spacing = std::numeric_limits<double>::infinity());
+                                double spacing = std::numeric_limits<double>::infinity(),
+                                std::size_t most_points = std::numeric_limits<std::size_t>::max());
 
 }  // namespace shellmatch

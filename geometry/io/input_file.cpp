@@ -32,8 +32,8 @@ bool begins_as_freesurfer(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream stream(path, std::ios::binary);
-  std::string mark(freesurfer_mark.size(), '\0');
-  return stream.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == freesurfer_mark;
+  std::string head(freesurfer_head, '\0');
+  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && is_freesurfer(head, std::filesystem::file_size(path, error));
 }
 
 }  // namespace

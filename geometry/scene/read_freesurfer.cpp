@@ -12,11 +12,23 @@ namespace shellmatch {
 
 namespace {
 
-std::uint32_t word(std::string_view bytes, std::size_t at) {
+constexpr std::string_view triangle_mark = "\xff\xff\xfe", quad_mark = "\xff\xff\xff", new_quad_mark = "\xff\xff\xfd";
+
+std::uint32_t word(std::string_view bytes, std::size_t at, std::size_t length = 4) {
   std::uint32_t value = 0;
-  for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  for (std::size_t k = 0; k < length; ++k) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
   return value;
 }
+
+// Of quadrilaterals: their numbers after the mark, coordinates as hundredths in 16 bits or as floats, corners, all numbers but these of three bytes.
+struct QuadHead {
+  std::size_t n_vertices, n_faces, n_bytes;
+  bool is_old;
+  explicit QuadHead(std::string_view head)
+      : n_vertices(word(head, 3, 3)), n_faces(word(head, 6, 3)), n_bytes(0), is_old(head.starts_with(quad_mark)) {
+    n_bytes = freesurfer_head + (is_old ? 6 : 12) * n_vertices + 12 * n_faces;
+  }
+};
 
 // What stands after the triangles, as far as it is understood.
 struct Footer {
@@ -82,12 +94,55 @@ void bring_to_scanner(const Footer& footer, MeshFile& mesh) {
 
 }  // namespace
 
+bool is_freesurfer(std::string_view head, std::uintmax_t size) {
+  if (head.starts_with(triangle_mark)) return true;
+  if (head.size() < freesurfer_head) return false;
+  // Values at vertices (lh.curv) begin as old quadrilaterals do: only the size tells them apart.
+  return head.starts_with(new_quad_mark) || (head.starts_with(quad_mark) && QuadHead(head).n_bytes == size);
+}
+
+namespace {
+
+MeshFile read_quads(const std::string& path, std::string_view bytes) {
+  const QuadHead head(bytes);
+  if (head.n_bytes > bytes.size())
+    throw_input_error("{}: cut off: it declares {} vertices and {} quadrilaterals, which take {} bytes; the file has {}", path, head.n_vertices,
+                      head.n_faces, head.n_bytes, bytes.size());
+  MeshFile mesh;
+  std::size_t at = freesurfer_head;
+  const auto coordinate = [&] {
+    const std::size_t length = head.is_old ? 2 : 4;
+    const std::uint32_t value = word(bytes, at, length);
+    at += length;
+    return head.is_old ? static_cast<std::int16_t>(value) / 100.0 : static_cast<double>(std::bit_cast<float>(value));
+  };
+  for (std::size_t i = 0; i < head.n_vertices; ++i) {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    add_vertex({path, "vertex", i}, Vec<3>(x, y, z), mesh.shape);
+  }
+  for (std::size_t f = 0; f < head.n_faces; ++f, at += 12) {
+    std::vector<Index> q;
+    for (std::size_t k = 0; k < 4; ++k) add_corner({path, "quadrilateral", f}, static_cast<std::int32_t>(word(bytes, at + 3 * k, 3)), head.n_vertices, q);
+    // Along the diagonal that FreeSurfer and nibabel take.
+    if (q[0] % 2 == 0) mesh.shape.polygons.insert(mesh.shape.polygons.end(), {{q[0], q[1], q[3]}, {q[2], q[3], q[1]}});
+    else mesh.shape.polygons.insert(mesh.shape.polygons.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
+  }
+  bring_to_scanner({}, mesh);
+  mesh.shape.space = Space::ras;
+  mesh.unit = "mm";
+  return mesh;
+}
+
+}  // namespace
+
 MeshFile read_freesurfer(const std::string& path, std::string_view bytes) {
+  if (bytes.size() >= freesurfer_head && !bytes.starts_with(triangle_mark) && is_freesurfer(bytes.substr(0, freesurfer_head), bytes.size()))
+    return read_quads(path, bytes);
   const auto cut_off = [&] { throw_input_error("{}: cut off, or no surface of FreeSurfer's", path); };
-  if (!bytes.starts_with(freesurfer_mark)) throw_input_error("{}: no surface of FreeSurfer's: it does not begin as their files of triangles do",
-      path);
+  if (!bytes.starts_with(triangle_mark))
+    throw_input_error("{}: no surface of FreeSurfer's: it does not begin as their files of triangles or quadrilaterals do", path);
   // One line of comment and an empty one.
-  std::size_t at = bytes.find("\n\n", freesurfer_mark.size());
+  std::size_t at = bytes.find("\n\n", triangle_mark.size());
   if (at == bytes.npos || bytes.size() - at < 10) cut_off();
   at += 2;
   const std::size_t n_vertices = word(bytes, at), n_faces = word(bytes, at + 4), n_left = (bytes.size() - at - 8) / 12;

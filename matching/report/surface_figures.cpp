@@ -9,18 +9,35 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 namespace shellmatch {
 
 namespace {
 
+// Values for vertices that have none, from others of their facets, where these have some by then; again and again, as long as that finds any.
+void spread(const Surface<3>& surface, std::vector<double>& values) {
+  for (bool is_found = true; std::exchange(is_found, false);) {
+    const std::vector<double> before = values;  // a value moves by a facet at a time
+    for (const std::array<Index, 3>& facet : surface.facets)
+      for (const Index given : facet) {
+        if (std::isnan(before[given])) continue;
+        for (const Index v : facet)
+          if (std::isnan(values[v])) values[v] = before[given], is_found = true;
+      }
+  }
+}
+
 // Mean curvature at the vertices: 1/R on a sphere or circle of radius R.
-std::vector<double> mean_curvatures(const Surface<3>& surface) {
+std::vector<double> mean_curvatures(const Surface<3>& surface, std::size_t enough_fits) {
+  const std::size_t every = 1 + surface.vertices.size() / enough_fits;
   std::vector<double> mean;
-  for (const VertexCurvature& c : vertex_curvatures(surface)) mean.push_back((c.k1 + c.k2) / 2);
+  for (const VertexCurvature& c : vertex_curvatures(surface, {.every = every})) mean.push_back((c.k1 + c.k2) / 2);
+  if (every > 1) spread(surface, mean);
   return mean;
 }
-std::vector<double> mean_curvatures(const Surface<2>& curve) { return curve_curvatures(curve); }
+std::vector<double> mean_curvatures(const Surface<2>& curve, std::size_t) { return curve_curvatures(curve); }
 
 // The nearest corner is near enough for a colour.
 template <int Dim>
@@ -48,7 +65,7 @@ std::vector<double> at_vertices(const Surface<Dim>& surface, const std::vector<d
 }  // namespace
 
 template <int Dim>
-SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
+SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enough_fits) {
   const auto& [reference, template_shape, deformed, distance, template_deviation] = result.surfaces;
   const double unit = unit_of_template<Dim>(result.map);
   SurfaceFigures figures;
@@ -68,17 +85,21 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result) {
     for (std::size_t v = 0; v < values->size(); ++v)
       if (std::isnan(distance[v])) (*values)[v] = distance[v];
   std::array<std::vector<double>, 2> curvatures;
-  for_both([&](int i) { curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape); });
+  for_both([&](int i) { curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape, enough_fits); });
   const SignedDistance<Dim> template_distance(template_shape);
   figures.curvature_change.resize(deformed.vertices.size());
-  parallel_for(deformed.vertices.size(), [&](std::size_t v) {
-    const Index there = nearest_corner(template_shape, template_distance.closest(deformed.vertices[v]));
-    figures.curvature_change[v] = std::isnan(distance[v]) ? distance[v] : (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
+  parallel_chunks(deformed.vertices.size(), 256, [&](const Chunk& chunk) {
+    std::vector<ClosestPoint<Dim>> closest(chunk.end - chunk.begin);
+    template_distance.closest(std::span(deformed.vertices).subspan(chunk.begin, closest.size()), closest);
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      const Index there = nearest_corner(template_shape, closest[v - chunk.begin]);
+      figures.curvature_change[v] = std::isnan(distance[v]) ? distance[v] : (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
+    }
   });
   return figures;
 }
 
-template SurfaceFigures surface_figures(const MatchResult<2>&);
-template SurfaceFigures surface_figures(const MatchResult<3>&);
+template SurfaceFigures surface_figures(const MatchResult<2>&, std::size_t);
+template SurfaceFigures surface_figures(const MatchResult<3>&, std::size_t);
 
 }  // namespace shellmatch

@@ -4,6 +4,7 @@
 
 #include "matching/result/match_result.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace shellmatch {
@@ -19,8 +20,9 @@ struct SurfaceFigures {
   std::vector<double> distance_to_deformed;
 };
 
+/// \param enough_fits of curvatures of one surface: of larger ones the other vertices have that of one that is near. A picture has no more pixels.
 template <int Dim>
-SurfaceFigures surface_figures(const MatchResult<Dim>& result);
+SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enough_fits = 200'000);
 
 /// A length of the unit domain times this is one in the unit of the template's file.
 template <int Dim>

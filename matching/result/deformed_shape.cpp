@@ -1,6 +1,6 @@
 #include "matching/result/deformed_shape.h"
 
-#include "base/parallel.h"
+#include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Geometry>
 
@@ -53,13 +53,12 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::v
                                      const SignedDistance<Dim>& template_distance) {
   OriginalShape<Dim> moved = reference;
   moved.vertices = std::move(carried);
-  std::vector<double> distance(reference.vertices.size());
   // Backward the template is the shape that the pose has moved.
   const Similarity<Dim> pose = deformation.is_backward ? deformation.pose : Similarity<Dim>{};
-  parallel_for(distance.size(), [&](std::size_t i) {
-    const Vec<Dim> y = deformation.placement(pose(moved.vertices[i]));
-    distance[i] = std::abs(template_distance(y)) / (deformation.placement.scale * pose.scale);
-  });
+  std::vector<Vec<Dim>> placed = moved.vertices;
+  for (Vec<Dim>& y : placed) y = deformation.placement(pose(y));
+  std::vector<double> distance = distances_to(placed, template_distance);
+  for (double& d : distance) d /= deformation.placement.scale * pose.scale;
   const std::vector<double> before = vertex_measures(reference), after = vertex_measures(moved);
   std::vector<double> ratio(before.size());
   for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] = before[i] > 0 ? after[i] / before[i] : 1.0;

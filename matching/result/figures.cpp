@@ -29,11 +29,12 @@ double measured_spacing(const Surface<Dim>& template_surface, const Surface<Dim>
 
 template <int Dim>
 LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference, const std::function<Surface<Dim>(const Surface<Dim>&)>& deform,
-                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side) {
+                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side,
+                                         std::size_t most_points) {
   const double spacing = measured_spacing(template_distance.surface(), reference, side);
   const Surface<Dim> fine = subdivided(reference, spacing);
   const MeasuredParts<Dim> parts(observed.reference, fine.vertices, observed.template_shape);
-  const MatchQuality<Dim> quality = match_quality(deform(fine), template_distance, parts, spacing);
+  const MatchQuality<Dim> quality = match_quality(deform(fine), template_distance, parts, spacing, most_points);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
   return {{one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered},
           quality.farthest_of_deformed,
@@ -144,7 +145,7 @@ Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>&
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                   \
   template LocatedDistance<Dim> two_sided_distance<Dim>(const Surface<Dim>&, const std::function<Surface<Dim>(const Surface<Dim>&)>&, \
-                                                        const SignedDistance<Dim>&, const ObservedPair<Dim>&, double);  \
+                                                        const SignedDistance<Dim>&, const ObservedPair<Dim>&, double, std::size_t);  \
   template Surface<Dim> measured_facets<Dim>(const Surface<Dim>&, const std::vector<char>&);          \
   template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                \
   template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&,          \

@@ -23,9 +23,14 @@ struct LocatedDistance {
 /// they are deformed, as phi bends them, and those of the template are measured within.
 /// \param deform  moves a surface's vertices
 /// \param side    of the finest cells of the deformation, unit domain
+/// \param most_points > 0; of surfaces with more vertices, every second, third, ... is measured: `on_the_way` where the figures are no result
 template <int Dim>
 LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference, const std::function<Surface<Dim>(const Surface<Dim>&)>& deform,
-                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side);
+                                         const SignedDistance<Dim>& template_distance, const ObservedPair<Dim>& observed, double side,
+                                         std::size_t most_points = std::numeric_limits<std::size_t>::max());
+
+/// Means over so many points are within a few percent of those over all.
+inline constexpr std::size_t on_the_way = 100'000;
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
+#include "geometry/distance/surface_distance.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/facet_point.h"
 #include "matching/result/deformed_shape.h"
@@ -50,13 +51,19 @@ void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& 
   const std::size_t n = deformed.vertices.size();
   std::vector<double> face(n), corner[Dim], weight[Dim];
   for (int k = 0; k < Dim; ++k) corner[k].resize(n), weight[k].resize(n);
-  parallel_for(n, [&](std::size_t i) {
-    const Vec<Dim> x = placement(deformed.vertices[i]);
-    const Index f = tree.nearest(x);
-    SHELLMATCH_CHECK(f != no_index, "a vertex has a nearest face");
-    const std::array<double, Dim> weights = barycentric_coordinates(facets.surface, f, closest_point_on_facet(facets.surface, f, x));
-    face[i] = facets.polygon[f];
-    for (int k = 0; k < Dim; ++k) corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
+  parallel_chunks(n, 256, [&](const Chunk& chunk) {
+    std::vector<Vec<Dim>> points;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(placement(deformed.vertices[i]));
+    std::vector<Index> nearest(points.size());
+    tree.nearest(points, nearest);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Index f = nearest[i - chunk.begin];
+      SHELLMATCH_CHECK(f != no_index, "a vertex has a nearest face");
+      const std::array<double, Dim> weights =
+          barycentric_coordinates(facets.surface, f, closest_point_on_facet(facets.surface, f, points[i - chunk.begin]));
+      face[i] = facets.polygon[f];
+      for (int k = 0; k < Dim; ++k) corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
+    }
   });
   set_attribute(deformed, {Dim == 3 ? "template_face" : "template_ring", "int", std::move(face)});
   for (int k = 0; k < Dim; ++k) set_attribute(deformed, {fmt::format("template_v{}", k), "int", std::move(corner[k])});
@@ -69,10 +76,10 @@ OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_sha
   OriginalShape<Dim> covered = template_shape;
   // Backward the template is the shape that the pose has moved.
   const Similarity<Dim> pose = frame.is_backward ? frame.pose : Similarity<Dim>{};
-  std::vector<double> distance(covered.vertices.size());
-  parallel_for(distance.size(), [&](std::size_t i) {
-    distance[i] = std::abs(distance_to_deformed(frame.placement(pose(covered.vertices[i])))) / (frame.placement.scale * pose.scale);
-  });
+  std::vector<Vec<Dim>> placed = covered.vertices;
+  for (Vec<Dim>& y : placed) y = frame.placement(pose(y));
+  std::vector<double> distance = distances_to(placed, distance_to_deformed);
+  for (double& d : distance) d /= frame.placement.scale * pose.scale;
   set_attribute(covered, {"distance_to_deformed", "float", std::move(distance)});
   return covered;
 }

@@ -101,9 +101,11 @@ def surface_seeds():
     head = (gltf % "").encode()
     head += b" " * (-len(head) % 4)
     glb = b"glTF" + struct.pack("<III", 2, 28 + len(head) + len(data), len(head)) + b"JSON" + head + struct.pack("<I", len(data)) + b"BIN\0" + data
+    quads = lambda mark, form, factor: (mark + bytes([0, 0, len(points), 0, 0, 2]) + b"".join(struct.pack(form, int(factor * c)) for c in flat(points)) +
+                                        b"".join(bytes([0, 0, v]) for v in (0, 1, 2, 3, 1, 0, 3, 2)))
     lists = lambda rows: "".join("<p>" + " ".join(map(str, row)) + "</p>" for row in rows)
     return {"gifti": [gifti(plain), gifti(packed), gifti(binary, ">", True), gifti(plain, matrix="0 2 0 5 -1 1 0 6 0 0 1 7 0 0 0 1"), gifti(plain, matrix="1")],
-            "freesurfer": [brain + frame, brain, brain + b"\0\0\0\2\0\0\0\1" + frame, brain[:60]],
+            "freesurfer": [brain + frame, brain, brain + b"\0\0\0\2\0\0\0\1" + frame, brain[:60], quads(b"\xff\xff\xff", ">h", 100), quads(b"\xff\xff\xfd", ">f", 1)],
             "gltf": [glb, (gltf % (',"uri":"data:application/octet-stream;base64,' + base64.b64encode(data).decode() + '"')).encode()],
             "collada": [collada("<triangles>" + corners + "<p>" + text(faces) + "</p></triangles>"),
                         collada("<polylist>" + corners + "<vcount>3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),

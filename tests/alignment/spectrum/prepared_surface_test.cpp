@@ -48,6 +48,21 @@ TEST(PreparedSurface, ALargeSurfaceIsSimplifiedAndStaysClosed) {
     EXPECT_LT((prepared.surface.vertices[prepared.nearest[v]] - torus.vertices[v]).norm(), 1.5 * edge);
 }
 
+// Eight times as many vertices as are wanted and more: edges go in passes before they go in order.
+TEST(PreparedSurface, AVeryLargeSurfaceKeepsTopologyAndPlace) {
+  const Surface<3> torus = test::torus(2, 0.7, 240, 120);
+  AlignmentOptions options;
+  options.max_vertices = 1500;
+  const PreparedSurface prepared = prepare_surface(torus, options);
+  EXPECT_NEAR(static_cast<double>(prepared.surface.vertices.size()), 1500, 15);
+  EXPECT_EQ(n_open_edges(prepared.surface), 0u);
+  EXPECT_EQ(prepared.surface.facets.size(), 2 * prepared.surface.vertices.size());
+  const double area = test::boundary_measure(torus);
+  EXPECT_NEAR(test::boundary_measure(prepared.surface), area, 0.02 * area);
+  EXPECT_NEAR(enclosed_measure(prepared.surface), enclosed_measure(torus), 0.03 * enclosed_measure(torus));
+  for (const Vec<3>& x : prepared.surface.vertices) EXPECT_NEAR(std::hypot(std::hypot(x.x(), x.y()) - 2, x.z()), 0.7, 0.05);
+}
+
 TEST(PreparedSurface, ACoarseSurfaceIsDividedWithoutMoving) {
   const Surface<3> box = test::box({0, 0, 0}, {1, 2, 3});
   const PreparedSurface prepared = prepare_surface(box, {});

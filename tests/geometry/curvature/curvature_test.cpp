@@ -117,6 +117,14 @@ TEST(Curvature, IsNotANumberWhereThereAreTooFewVertices) {
   for (const VertexCurvature& c : curvatures) EXPECT_TRUE(std::isnan(c.k1));
 }
 
+TEST(Curvature, OfEverySecondVertexIsNoOther) {
+  const std::vector<VertexCurvature> all = vertex_curvatures(unit_sphere(2)), some = vertex_curvatures(unit_sphere(2), {.every = 2});
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    if (v % 2 == 0) EXPECT_EQ(some[v].k1, all[v].k1);
+    else EXPECT_TRUE(std::isnan(some[v].k1));
+  }
+}
+
 TEST(Curvature, FramesOnAHandAreOrthonormal) {
   const auto hand = data_surface("hands_makehuman/hand_woman_young.off");
   if (!hand) GTEST_SKIP() << "set SHELLMATCH_DATA to the data folder";

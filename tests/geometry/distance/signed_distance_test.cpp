@@ -173,6 +173,21 @@ TEST(SignedDistance, TakesTheFirstOfEquallyNearFacets) {
   }
 }
 
+TEST(SignedDistance, OfManyPointsFindsWhatItFindsOfEach) {
+  const SignedDistance<3> sphere(unit_sphere(3));
+  std::vector<Vec<3>> points;
+  for (int i = 0; i < 150; ++i) points.emplace_back(1.5 * std::sin(0.1 * i), std::cos(0.7 * i), 0.01 * i - 0.6);
+  std::vector<ClosestPoint<3>> found(points.size());
+  sphere.closest(points, found);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ClosestPoint<3> one = sphere.closest(points[i]);
+    EXPECT_EQ(found[i].facet, one.facet);
+    EXPECT_EQ(found[i].signed_distance, one.signed_distance);
+    EXPECT_EQ(found[i].point, one.point);
+    EXPECT_EQ(found[i].normal, one.normal);
+  }
+}
+
 TEST(SignedDistance, RefusesPointsThatAreNotFinite) {
   const SignedDistance<3> distance(unit_sphere(2));
   EXPECT_THROW(distance({std::nan(""), 0, 0}), std::logic_error);

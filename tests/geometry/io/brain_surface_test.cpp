@@ -129,6 +129,39 @@ TEST(FreeSurfer, LiesInTheScannersFrame) {
   EXPECT_NEAR((vertex(geometry("xras = 0 -1 0\nyras = 0 0 -1\nzras = -1 0 0\ncras = 1 2 3\n")) - Vec<3>(1, 3, 3)).norm(), 0, 1e-12);
 }
 
+std::string three_bytes(std::size_t n) { return number_bytes(static_cast<std::int32_t>(n), true).substr(1); }
+
+std::string quad_bytes(bool is_old) {
+  std::string bytes = (is_old ? "\xff\xff\xff" : "\xff\xff\xfd") + three_bytes(8) + three_bytes(6);
+  for (const Vec<3>& x : cube().vertices)
+    for (int k = 0; k < 3; ++k) bytes += is_old ? number_bytes(static_cast<std::int16_t>(-150 * x[k]), true) : number_bytes(static_cast<float>(-1.5 * x[k]), true);
+  for (const auto& polygon : cube().polygons)
+    for (const Index v : polygon) bytes += three_bytes(static_cast<std::size_t>(v));
+  return bytes;
+}
+
+TEST(FreeSurfer, QuadrilateralsOfOldAreRead) {
+  const TempFolder folder;
+  for (const bool is_old : {true, false}) {
+    const Shape<3> shape = read_mesh(folder.write("lh.orig", quad_bytes(is_old)));
+    for (std::size_t v = 0; v < 8; ++v) EXPECT_EQ(shape.original.vertices[v], Vec<3>(-1.5 * cube().vertices[v]));
+    ASSERT_EQ(shape.original.polygons.size(), 12u);
+    for (std::size_t f = 0; f < 6; ++f) {
+      const std::vector<Index> q = cube().polygons[f], t = shape.original.polygons[2 * f];
+      EXPECT_EQ(t, q[0] % 2 == 0 ? (std::vector<Index>{q[0], q[1], q[3]}) : (std::vector<Index>{q[0], q[1], q[2]}));
+    }
+    EXPECT_NEAR(volume(shape.surface), 1.5 * 1.5 * 1.5, 1e-6);
+    EXPECT_TRUE(has_note(shape, "says nothing of its volume"));
+  }
+  // Values at vertices have the mark of the old ones.
+  const std::string values = "\xff\xff\xff" + number_bytes(std::int32_t{8}, true) + number_bytes(std::int32_t{12}, true) + number_bytes(std::int32_t{1}, true) + std::string(32, '\0');
+  EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("lh.curv", values)); }), "not supported"));
+  EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("lh.orig", quad_bytes(false).substr(0, 60))); }), "8 vertices and 6 quadrilaterals"));
+  std::string wrong = quad_bytes(false);
+  wrong.back() = 8;
+  EXPECT_TRUE(contains(input_error_of([&] { read_mesh(folder.write("lh.orig", wrong)); }), "quadrilateral 5"));
+}
+
 TEST(FreeSurfer, IsKnownByItsContentsAndDamageIsSaid) {
   const TempFolder folder;
   const std::string whole = freesurfer_bytes(triangulated_cube(), geometry(standard_axes));

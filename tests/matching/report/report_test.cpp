@@ -134,6 +134,8 @@ TEST(SurfaceFigures, AreThoseOfAScaledSphere) {
     EXPECT_NEAR(figures.angle_change[v], 0, 1e-4);
     EXPECT_NEAR(figures.curvature_change[v], (1 / 0.375 - 1 / 0.25) / 2, 0.01);
   }
+  // From a few fits, too, of which the other vertices have theirs.
+  for (const double change : surface_figures(result, 100).curvature_change) EXPECT_NEAR(change, (1 / 0.375 - 1 / 0.25) / 2, 0.01);
 }
 
 // Stretched along an axis by 2: facets that contain the axis are sheared by 2 atan sqrt 2 - 90 degrees, those across it not at all.
