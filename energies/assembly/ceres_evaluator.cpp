@@ -70,7 +70,8 @@ double CeresEvaluator<Dim>::gradient(const TermValues& weights, std::size_t e, c
 template <int Dim>
 std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, double weight, std::size_t e, const Dofs& dofs,
                                                             std::size_t q, Dofs& gradient) const {
-  const auto& [name, term, own, material, own_fields] = energy_->terms()[t];
+  const auto& entry = energy_->terms()[t];
+  const CompiledTerm<Dim>& term = entry.term;
   if (std::holds_alternative<CornerCode<Dim>>(term.code) || std::holds_alternative<PointCode<Dim>>(term.code)) return std::nullopt;
   // The element with this point alone.
   ElementFields<Dim> fields = fields_of(t, e);
@@ -80,12 +81,12 @@ std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, doub
   one.points = {fields.shape->points[q]};
   fields.shape = &one;
   if (!fields.band.empty()) fields.band = {fields.band[q]};
-  const auto n = static_cast<std::size_t>(own_fields.n_components());
+  const auto n = static_cast<std::size_t>(entry.own_fields.n_components());
   fields.own = {fields.own.begin() + static_cast<std::ptrdiff_t>(q * n), fields.own.begin() + static_cast<std::ptrdiff_t>((q + 1) * n)};
   const double* const parameters[] = {dofs.data()};
   double* jacobians[] = {gradient.data()};
   double value;
-  return term.cost(fields, weight, material)->Evaluate(parameters, &value, jacobians) ? value
+  return term.cost(fields, weight, entry.material)->Evaluate(parameters, &value, jacobians) ? value
                                                                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -120,14 +121,14 @@ double CeresEvaluator<Dim>::natural_size(const TermValues& weights, std::size_t 
   double in_band = 0, size = 0;
   for (const auto& point : fields.band) in_band += point.weight;
   for (std::size_t t = 0; t < energy_->terms().size(); ++t) {
-    const auto& [name, term, own, material, own_fields] = energy_->terms()[t];
+    const CompiledTerm<Dim>& term = energy_->terms()[t].term;
     if (!(weights[t] > 0)) continue;
     if (const auto* points = std::get_if<PointCode<Dim>>(&term.code)) {
       for (const LocatedPair<Dim>& pair : points->pairs.pairs_of(e, e + 1)) size += 2 * weights[t] * pair.weight;
       continue;
     }
     const auto* band = std::get_if<BandCode<Dim>>(&term.code);
-    const double stress = weights[t] * term.modulus(material) * (band ? in_band : volume);
+    const double stress = weights[t] * term.modulus(energy_->terms()[t].material) * (band ? in_band : volume);
     const auto* cells = std::get_if<CellCode<Dim>>(&term.code);
     const bool reads_dphi = band ? band->reads_dphi : !cells || cells->reads_dphi;
     size += reads_dphi ? stress / side : stress;

@@ -59,7 +59,8 @@ template <int Dim>
 MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValues& weights) {
   MetricWeights sums{.mass = 0};
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const auto& [name, term, own, material, own_fields] = terms[t];
+    const CompiledTerm<Dim>& term = terms[t].term;
+    const Material<double>& material = terms[t].material;
     if (const auto* band = std::get_if<BandCode<Dim>>(&term.code)) {
       const double stiffness = weights[t] * term.modulus(material);
       if (band->reads_dphi)

@@ -52,6 +52,9 @@ EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options)
     const CompiledTerm<Dim>& term = all_compiled_terms<Dim>()[place];
     const double* own = options.terms.own_of(place);
     add(term, {own, own + term.own.size()});
+    entries_.back().weight = [scaled = term.info.scaled, factor = options.terms.factor(Term{t})](const TermScales& s) {
+      return scaled(factor, s);
+    };
   }
 }
 
@@ -66,17 +69,18 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
         SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
                          "one term reads roots of shape operators and another the shape operators themselves");
   check_options(term, {lambda_, mu_, own.data()});
-  Entry& entry = entries_.emplace_back(Entry{std::string(term.info.name), term, std::move(own), {}, UserFields<Dim>(std::move(fields))});
+  Entry& entry = entries_.emplace_back(Entry{std::string(term.info.name), term, std::move(own), {}, UserFields<Dim>(std::move(fields)), {}});
+  entry.weight = [scaled = term.info.scaled, factor = term.info.weight.value](const TermScales& s) { return scaled(factor, s); };
   SHELLMATCH_CHECK(entry.own_fields.n_components() == term.n_own_fields, "the term's own fields have as many components as it reads");
   entry.material = {lambda_, mu_, entry.own.data()};
   return Term{entries_.size() - 1};
 }
 
 template <int Dim>
-Term EnergyTerms<Dim>::add(std::string name, PairTerm<Dim> pairs) {
+Term EnergyTerms<Dim>::add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight) {
   CompiledTerm<Dim> term;
   term.code = PointCode<Dim>{std::move(pairs)};
-  entries_.push_back({std::move(name), std::move(term), {}, {}, {}});
+  entries_.push_back({std::move(name), std::move(term), {}, {}, {}, std::move(weight)});
   return Term{entries_.size() - 1};
 }
 
@@ -90,6 +94,13 @@ std::vector<std::string> EnergyTerms<Dim>::names() const {
   std::vector<std::string> names;
   for (const Entry& entry : entries_) names.push_back(entry.name);
   return names;
+}
+
+template <int Dim>
+TermValues EnergyTerms<Dim>::weights(const TermScales& scales) const {
+  TermValues weights(entries_.size());
+  for (std::size_t t = 0; t < entries_.size(); ++t) weights[t] = entries_[t].weight(scales);
+  return weights;
 }
 
 template <int Dim>

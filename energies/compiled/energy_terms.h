@@ -7,6 +7,7 @@
 #include "energies/options.h"
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ class EnergyTerms {
     std::vector<double> own;
     Material<double> material;  ///< refers to `own`
     UserFields<Dim> own_fields;
+    std::function<double(const TermScales&)> weight;  ///< at a step of the schedule
   };
 
   /// \throws InputError if a number is out of its range, and as add()
@@ -40,7 +42,8 @@ class EnergyTerms {
   Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {}, std::vector<std::shared_ptr<const UserField>> fields = {});
 
   /// Adds a term of point pairs, located on the grid of the energy.
-  Term add(std::string name, PairTerm<Dim> pairs);
+  /// \param weight  at a step of the schedule
+  Term add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight);
   /// Gives such a term other pairs. Not during an evaluation.
   void refresh(Term term, PairTerm<Dim> pairs);
 
@@ -50,6 +53,8 @@ class EnergyTerms {
   const std::deque<Entry>& entries() const { return entries_; }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   std::vector<std::string> names() const;
+  /// The weights at a step of the schedule: those of the options for the terms of the list, and of others what they were added with.
+  TermValues weights(const TermScales& scales) const;
 
   /// Is one of the terms with a positive weight infinite where det Dphi <= 0?
   bool forbid_folds(const TermValues& weights) const;

@@ -33,7 +33,6 @@ struct LevelEnergy {
   std::shared_ptr<EnergyTerms<Dim>> terms;
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
-  std::vector<double> pair_weights;  ///< in the energy, of the terms made from `pairs`
   std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where the constructor was asked for it
 
   /// \param pairs terms of their own, on all levels
@@ -47,23 +46,19 @@ struct LevelEnergy {
         terms(std::make_shared<EnergyTerms<Dim>>(options.energy)),
         energy(unknowns, geometry, terms, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns) {
-    for (const PairSet<Dim>& set : pairs) {
-      terms->add(set.name, PairTerm<Dim>(g, set.pairs));
-      pair_weights.push_back(set.factor / options.cascade.nu);
-    }
-    if (with_coverage) coverage = terms->add("coverage", PairTerm<Dim>());
+    for (const PairSet<Dim>& set : pairs)
+      terms->add(set.name, PairTerm<Dim>(g, set.pairs), [weight = set.factor / options.cascade.nu](const TermScales&) { return weight; });
+    if (with_coverage)
+      coverage = terms->add("coverage", PairTerm<Dim>(), [factor = is_covered(options) ? options.coverage.weight : 0](const TermScales& s) {
+        return factor / s.nu;
+      });
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
 
   /// Weights of all terms at one step of the schedule.
   TermValues weights(const ExperimentOptions& options, double nu, double volume_weight) const {
-    TermValues all = term_weights(options.energy, nu, volume_weight);
-    const std::size_t first = all.size();
-    all.extend_to(energy.n_terms());
-    for (std::size_t i = 0; i < pair_weights.size(); ++i) all[first + i] = pair_weights[i];
-    if (coverage && is_covered(options)) all[*coverage] = options.coverage.weight / nu;
-    return all;
+    return terms->weights({.nu = nu, .volume = volume_weight, .delta = options.energy.delta});
   }
 
   /// Lumped mass of each unknown node, in the order of unknowns.nodes().

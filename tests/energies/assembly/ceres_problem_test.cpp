@@ -43,7 +43,7 @@ struct Squares {
           if (i % 3 == 0) pair.normal = Vec<Dim>::LinSpaced(1, 2).normalized();
           pairs.pairs.push_back(pair);
         }
-        problem.terms->add("pairs", PairTerm<Dim>(grid, pairs));
+        problem.terms->add("pairs", PairTerm<Dim>(grid, pairs), [](const TermScales&) { return 1.0; });
       }
     weights = TermValues(energy.n_terms());
     for (std::size_t t = n_without; t < weights.size(); ++t) weights[t] = 0.3 + 0.1 * static_cast<double>(t);

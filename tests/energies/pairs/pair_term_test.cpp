@@ -56,7 +56,7 @@ struct WithPairs {
         fields(exact_fields<Dim>(grid, sphere<Dim>(0.28))),
         problem(grid, fields, fields, {.energy = with(boundary)}),
         pairs(random_pairs<Dim>(loss, n, tolerance)),
-        term(problem.terms->add("pairs", PairTerm<Dim>(grid, pairs))),
+        term(problem.terms->add("pairs", PairTerm<Dim>(grid, pairs), [](const TermScales&) { return 1.0; })),
         weights(problem.energy.n_terms()),
         phi(deformed<Dim>(grid, 0.03, 5, boundary == BoundaryCondition::dirichlet)) {
     weights[term] = 3;

@@ -212,6 +212,7 @@ double tight_minimum(const std::string& solver, Metric metric) {
   ExperimentOptions o = small(4);
   o.solver.name = solver;
   o.solver.metric = metric;
+  o.solver.ceres.function_tolerance = o.solver.ceres.gradient_tolerance = o.solver.ceres.parameter_tolerance = 0;
   o.solver.stop = {.max_iterations = 3000, .relative_decrease = 1e-9, .decrease_window = 20, .gradient_norm = 1e-9,
                    .max_seconds = 0};
   Steps steps;
