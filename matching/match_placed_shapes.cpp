@@ -8,6 +8,7 @@
 #include "matching/result/figures.h"
 #include "matching/result/nearest_faces.h"
 #include "matching/result/reference_map.h"
+#include "matching/result/spin_difference.h"
 #include "matching/result/verdict.h"
 
 #include <cmath>
@@ -206,6 +207,8 @@ class Matching {
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(carry);
     add_distortions(deformed);
+    summary_.spin_difference = spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
+                                                    summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
     OriginalShape<Dim> moved =
         deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface), map, template_distance_);
     moved.space = map.space;

@@ -4,12 +4,35 @@
 /// tells front from back and arms from legs, and unlike positions it does not depend on where limbs point.
 
 #include "alignment/spectrum/laplacian.h"
+#include "alignment/spectrum/vertex_normals.h"
+
+#include <vector>
 
 namespace shellmatch {
 
-/// Spin images of all vertices, columns of unit length (96 x n): histograms of the surface within a radius over distance, height along the
-/// smoothed normal and angle of the smoothed normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries are roots, so that
-/// differences are Hellinger's.
+/// Spin images of points of a surface: columns of unit length, histograms of the surface within a radius over distance, height along the
+/// normal and angle of the normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries are roots, so that differences are
+/// Hellinger's: their squares are 0 to 2.
+class SpinImages {
+ public:
+  static constexpr int n_entries = 96;
+
+  /// \param coordinates, normals n x 3; normals of unit length \param areas n, that the points stand for \param radius above 0
+  SpinImages(Rows3 coordinates, Rows3 normals, Eigen::VectorXd areas, double radius);
+
+  /// \param image of n_entries, is set to zero first
+  void compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const;
+  /// Points in the order in which neighbours come after one another.
+  const std::vector<Index>& order() const { return order_; }
+
+ private:
+  Rows3 coordinates_, normals_;
+  Eigen::VectorXd areas_;
+  double radius_;
+  std::vector<Index> order_, position_;  ///< ascending by the first coordinate; where each point stands in that order
+};
+
+/// Spin images of all vertices (96 x n), along smoothed normals.
 /// \param surface, laplacian of area 1, whose root is the unit of length
 /// \param radius above 0; the larger, the more a whole limb is seen, and the farther from a border something is missing
 Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius);

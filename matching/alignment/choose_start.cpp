@@ -12,6 +12,8 @@ namespace {
 // Shapes that lie as they belong may resemble each other more after half a turn, as two bent tori do. Another start has to be
 // better by this factor, in energy or in distance.
 constexpr double clearly_better = 1.5;
+// Or what corresponds has to look more alike: limbs in another pose cost energy, and yet they are the same limbs.
+constexpr double clearly_more_alike = 1.1;
 
 // In roots of the area.
 constexpr double most_landmark_distance = 0.15;
@@ -93,7 +95,8 @@ class Choosing {
   }
 
   static bool is_clearly_better(const Trial& chosen, const Trial& none) {
-    return clearly_better * chosen.energy < none.energy || clearly_better * chosen.template_distance < none.template_distance;
+    return clearly_better * chosen.energy < none.energy || clearly_better * chosen.template_distance < none.template_distance ||
+           (chosen.spin_difference && none.spin_difference && clearly_more_alike * *chosen.spin_difference < *none.spin_difference);
   }
 
   const Trial& trial(std::size_t i) {

@@ -20,10 +20,6 @@ namespace {
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
-// With more of one surface made up, maps by spectra of whole surfaces that look right are not. On three pairs of which a third had been
-// cut away, pairs found in spite of that made the errors six times as large as none at all.
-constexpr double most_invented = 0.02;
-
 // How much better the mirrored reference has to fit before the run speaks of it.
 constexpr double far_better = 3;
 
@@ -125,7 +121,7 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
 
 template <int Dim>
 bool has_large_gaps(const ShapePair<Dim>& shapes) {
-  return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > most_invented;
+  return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > least_of_part;
 }
 
 template bool has_large_gaps<2>(const ShapePair<2>&);

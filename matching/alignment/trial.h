@@ -18,6 +18,7 @@ struct Trial {
   double energy = std::numeric_limits<double>::infinity();             ///< without the term of the pairs found
   double with_pairs = std::numeric_limits<double>::infinity();
   double template_distance = std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
+  std::optional<double> spin_difference = {};                          ///< matching/result/spin_difference.h
 };
 
 /// Of a trial of one of both directions. Both infinite as above.

@@ -122,7 +122,7 @@ static void describe(S& s, Member&& member) {
       member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);
-  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets), member("flipped_share", s.flipped_share);
+  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets), member("flipped_share", s.flipped_share), member("spin_difference", s.spin_difference);
   member("levels", s.levels), member("gradient_checks", s.gradient_checks), member("run", s.run);
 }
 

@@ -53,6 +53,10 @@ struct LevelSummary {
   std::optional<TwoSidedDistance> distance;
 };
 
+/// Share of a surface that was made up to close it from which on the shape may be a part of the other. With more, maps by spectra of whole
+/// surfaces that look right are not.
+inline constexpr double least_of_part = 0.02;
+
 /// A shape as it was read.
 struct ShapeSummary {
   std::string file;
@@ -63,6 +67,8 @@ struct ShapeSummary {
   std::optional<double> invented = {};       ///< share of the area that was made up to close it; none where nothing was
   std::optional<double> buried = {};         ///< share of the area that was left out as it lies inside other parts; none where nothing was
 
+  /// Has so much of it been made up that it may be a part of the other shape?
+  bool may_be_part() const { return invented.value_or(0) > least_of_part; }
   bool is_measured_everywhere() const { return !invented && !buried; }
 };
 
@@ -156,6 +162,7 @@ struct MatchSummary {
   /// Number of facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;
   std::optional<double> flipped_share;  ///< of the reference's area (length)
+  std::optional<double> spin_difference;  ///< of corresponding points (matching/result/spin_difference.h), 0 to 2
   std::vector<LevelSummary> levels;  ///< from coarse to fine
   /// Only if they were requested.
   std::optional<std::vector<GradientCheckSummary>> gradient_checks;

@@ -17,17 +17,19 @@ namespace {
 struct Limits {
   double look, fail;
 };
-constexpr Limits mean_distance{0.005, 0.03};  // diagonals of the template
-constexpr Limits largest_distance{0.03, 0.2};
-constexpr Limits unreached{0.015, 0.05};      // share of the template's area
-constexpr Limits flipped{0.02, 0.08};         // share of the reference's area
-constexpr Limits turned_angles{20, 48};       // degrees; 95 % of the area have less
-// The same where the search has found a nearly isometric map that is clearly better than any other: limbs in another pose turn by so much.
-constexpr Limits turned_limbs{40, 48};
-constexpr double nearly_isometric = 0.6, clear_margin = 1.15;
-constexpr Limits stretched_areas{4, 12};      // factor; 95 % of the area have less; of lengths in the plane the square root
+/// Of all figures; lengths in diagonals of the template, shares of the area of the shape that is named, angles in degrees.
+struct AllLimits {
+  Limits mean_distance, largest_distance;
+  Limits unreached;        // share of the template
+  Limits flipped;          // share of the reference
+  Limits turned_angles;    // 95 % of the area have less
+  Limits stretched_areas;  // factor; 95 % of the area have less; of lengths in the plane the square root
+};
+constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
+// Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same.
+constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
+constexpr double nearly_isometric = 0.8, clear_margin = 1.15, alike = 0.4;
 constexpr double much_invented = 0.5;         // share of a shape's area
-constexpr double of_part = 0.02;              // share made up from which on a shape may be a part of the other
 constexpr double apart = 0.25;                // mean distance in diagonals, before a run
 // Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
@@ -72,9 +74,18 @@ class Reasons {
   std::vector<VerdictReason> look_, fail_;
 };
 
-// What a part lacks cannot reach the other shape: worth a look, and no failure.
-Limits limits_beside(const ShapeSummary& shape, Limits limits) {
-  if (shape.invented.value_or(0) > of_part) limits.fail = std::numeric_limits<double>::infinity();
+// A search has found a nearly isometric map that is clearly better than any other, and what corresponds in the end looks alike. Exchanged
+// sides look alike, too, but are not clearly better or worse than the right ones.
+bool is_vouched_for(const MatchSummary& summary) {
+  const auto& a = summary.alignment;
+  return a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score && *a->score <= nearly_isometric &&
+         a->margin.value_or(clear_margin) >= clear_margin && summary.spin_difference && *summary.spin_difference <= alike;
+}
+
+// What a part lacks cannot reach the other shape: worth a look unless the map is vouched for, and no failure.
+Limits limits_beside(const ShapeSummary& shape, Limits limits, bool is_vouched) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (shape.may_be_part()) limits = {is_vouched ? none : limits.look, none};
   return limits;
 }
 
@@ -85,43 +96,41 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
     reasons.fail({"nothing was measured: what the one shape has, the other lacks", "do they lie in one place (shellmatch inspect)?", "", {}});
     return;
   }
+  const bool is_vouched = is_vouched_for(summary);
+  const AllLimits& limits = is_vouched ? of_vouched : usual;
   const std::string whole = "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " + pose_advice(summary);
-  reasons.add(there.mean, mean_distance,
+  reasons.add(there.mean, limits.mean_distance,
               {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)), whole, "deformed",
                places.deformed});
-  reasons.add(back.mean, mean_distance,
+  reasons.add(back.mean, limits.mean_distance,
               {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)), whole, "template",
                places.template_shape});
   if (uncovered)
-    reasons.add(*uncovered, limits_beside(summary.reference, unreached),
+    reasons.add(*uncovered, limits_beside(summary.reference, limits.unreached, is_vouched),
                 {percent_text(*uncovered) + " of the template is not reached",
                  pose_advice(summary) + " can tell where to go", "template", places.template_shape});
-  reasons.add(there.max, limits_beside(summary.template_shape, largest_distance),
+  reasons.add(there.max, limits_beside(summary.template_shape, limits.largest_distance, is_vouched),
               {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
                "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
-  reasons.add(back.max, limits_beside(summary.reference, largest_distance),
+  reasons.add(back.max, limits_beside(summary.reference, limits.largest_distance, is_vouched),
               {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
                "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }
 
-bool is_clear(const MatchSummary& summary) {
-  const auto& a = summary.alignment;
-  return a && !a->doubtful && !a->as_it_lies && a->score && *a->score <= nearly_isometric && a->margin.value_or(clear_margin) >= clear_margin;
-}
-
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
+  const AllLimits& limits = is_vouched_for(summary) ? of_vouched : usual;
   if (summary.flipped_share)
-    reasons.add(*summary.flipped_share, flipped,
+    reasons.add(*summary.flipped_share, limits.flipped,
                 {fmt::format("{} of the {} faces away from the template next to it", percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
                  "look at the pictures; the parts may belong to different limbs", "", {}});
   if (summary.angle_distortion && summary.angle_distortion->p95)
-    reasons.add(*summary.angle_distortion->p95, is_clear(summary) ? turned_limbs : turned_angles,
+    reasons.add(*summary.angle_distortion->p95, limits.turned_angles,
                 {fmt::format("directions on a twentieth of the surface turn by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
                  "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
     const double factor = std::max(*area->p95, 1 / *area->p5);
-    reasons.add(summary.dimension == 2 ? factor * factor : factor, stretched_areas,
+    reasons.add(summary.dimension == 2 ? factor * factor : factor, limits.stretched_areas,
                 {fmt::format("{} change by a factor of more than {} on a twentieth of the {}", summary.dimension == 2 ? "lengths" : "areas",
                              figure_text(factor), summary.dimension == 2 ? "curve" : "surface"),
                  wrong, "deformed", places.distorted});

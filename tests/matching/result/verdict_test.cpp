@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <tuple>
 
 namespace shellmatch {
 namespace {
@@ -49,24 +50,57 @@ const std::vector<Case> cases = {
     {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
 };
 
-TEST(Verdict, LimbsInAnotherPoseMayTurnWhereTheSearchIsSure) {
+// Of limbs in another pose, which touch.
+MatchSummary vouched_summary() {
   MatchSummary s = good_summary();
-  s.angle_distortion->p95 = 39;
-  EXPECT_EQ(judge(s, places).outcome, "look-here") << "nothing was searched";
+  s.angle_distortion->p95 = 51;
+  s.flipped_share = 0.05;
+  s.distance->uncovered = 0.05;
+  s.distance->deformed_to_template.max = 0.11;
   s.alignment.emplace();
-  s.alignment->score = 0.4;
-  s.alignment->margin = 1.5;
-  EXPECT_EQ(judge(s, places).outcome, "matched");
-  s.angle_distortion->p95 = 41;
-  EXPECT_EQ(judge(s, places).outcome, "look-here");
-  s.angle_distortion->p95 = 39;
-  for (void (*const spoil)(AlignmentSummary&) : {+[](AlignmentSummary& a) { a.score = 0.7; }, +[](AlignmentSummary& a) { a.margin = 1.1; },
-                                                 +[](AlignmentSummary& a) { a.as_it_lies = true; }}) {
-    MatchSummary unsure = s;
-    spoil(*unsure.alignment);
-    EXPECT_EQ(judge(unsure, places).outcome, "look-here");
+  s.alignment->score = 0.7;
+  s.alignment->margin = 1.2;
+  s.alignment->n_pairs = 900;
+  s.spin_difference = 0.35;
+  return s;
+}
+
+TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAlike) {
+  EXPECT_EQ(judge(vouched_summary(), places).outcome, "matched");
+  for (void (*const spoil)(MatchSummary&) :
+       {+[](MatchSummary& s) { s.alignment->score = 0.85; }, +[](MatchSummary& s) { s.alignment->margin = 1.1; },
+        +[](MatchSummary& s) { s.alignment->as_it_lies = true; }, +[](MatchSummary& s) { s.alignment->doubtful = true; },
+        +[](MatchSummary& s) { s.alignment->n_pairs = 0; }, +[](MatchSummary& s) { s.alignment.reset(); },
+        +[](MatchSummary& s) { s.spin_difference = 0.45; }, +[](MatchSummary& s) { s.spin_difference.reset(); }}) {
+    MatchSummary unsure = vouched_summary();
+    spoil(unsure);
+    EXPECT_EQ(judge(unsure, places).outcome, "not-matched");
   }
-  s.alignment->fits_mirrored = true;
+  for (const auto& [set, look, fail] :
+       {std::tuple<void (*)(MatchSummary&, double), double, double>{cases[0].set, 0.008, 0.03}, {cases[2].set, 0.12, 0.25},
+        {cases[4].set, 0.06, 0.2}, {cases[5].set, 0.06, 0.15}, {cases[6].set, 52, 60}, {cases[7].set, 5, 12}})
+    for (const auto& [figure, outcome, below] : {std::tuple(look, "look-here", "matched"), {fail, "not-matched", "look-here"}}) {
+      MatchSummary s = vouched_summary();
+      set(s, 1.01 * figure);
+      EXPECT_EQ(judge(s, places).outcome, outcome) << figure;
+      set(s, 0.99 * figure);
+      EXPECT_EQ(judge(s, places).outcome, below) << figure;
+    }
+  MatchSummary mirrored = vouched_summary();
+  mirrored.alignment->fits_mirrored = true;
+  EXPECT_EQ(judge(mirrored, places).outcome, "look-here");
+}
+
+TEST(Verdict, WhatAPartLacksIsNoReasonWhereTheMapIsVouchedFor) {
+  MatchSummary s = vouched_summary();
+  s.distance->uncovered = 0.6;
+  s.distance->template_to_deformed.max = 0.5;
+  EXPECT_EQ(judge(s, places).outcome, "not-matched");
+  s.reference.invented = 0.1;
+  EXPECT_EQ(judge(s, places).outcome, "matched");
+  s.spin_difference = 0.45;
+  s.angle_distortion->p95 = 15;
+  s.flipped_share = 0.003;
   EXPECT_EQ(judge(s, places).outcome, "look-here");
 }
 
