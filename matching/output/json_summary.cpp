@@ -39,6 +39,10 @@ static void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, LibraryReport>
+static void describe(S& s, Member&& member) { member("brief", s.brief), member("full", s.full); }
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
 static void describe(S& s, Member&& member) {
   member("level", s.level), member("sigma", s.sigma), member("nu", s.nu),
@@ -51,6 +55,7 @@ static void describe(S& s, Member&& member) {
   member("linear_iterations", s.linear_iterations), member("regularised_systems", s.regularised_systems);
   member("l2_gradient_norm", s.l2_gradient_norm), member("solver", s.solver), member("fallbacks", s.fallbacks);
   member("stop_reason", s.stop_reason), member("stop_message", s.stop_message);
+  member("library_reports", s.library_reports);
   member("folds", s.folds), member("band", s.band), member("distance", s.distance);
 }
 

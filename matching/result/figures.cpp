@@ -69,6 +69,7 @@ LevelSummary level_summary(const LevelResult& r, const IterationRecord& last) {
   s.l2_gradient_norm = last.l2_gradient_norm;
   s.solver = r.last.solver;
   s.fallbacks = r.fallbacks;
+  if (!r.library_reports.empty()) s.library_reports = r.library_reports;
   s.stop_reason = enum_name(r.last.reason);
   s.stop_message = r.last.message;
   s.folds = r.folds;

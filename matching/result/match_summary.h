@@ -4,6 +4,7 @@
 
 #include "energies/assembly/band_report.h"
 #include "energies/assembly/folds.h"
+#include "solvers/minimizer.h"
 
 #include <cstdint>
 #include <optional>
@@ -47,6 +48,7 @@ struct LevelSummary {
   double l2_gradient_norm = 0;            ///< at the end, in L2
   std::string solver;                     ///< method that ended the last substep
   std::string stop_reason, stop_message;  ///< of the last substep; the message is that of the method or library
+  std::optional<std::vector<LibraryReport>> library_reports = {};  ///< of Ceres, by minimisation
   std::vector<std::string> fallbacks;     ///< of all substeps: method that gave up, why, and its successor
   FoldReport folds;
   BandReport band;
