@@ -18,6 +18,7 @@
 #include "matching/pairs/slicer_points.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>

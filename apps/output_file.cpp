@@ -4,6 +4,7 @@
 #include "geometry/io/write_shape.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>

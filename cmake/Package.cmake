@@ -27,12 +27,16 @@ set(folder lib/shellmatch)
 if(SHELLMATCH_ARCHITECTURE MATCHES "^x86-64-v[234]$")
   set(folder lib/shellmatch/glibc-hwcaps/${SHELLMATCH_ARCHITECTURE})
 endif()
+if(SHELLMATCH_PYTHON)
+  target_link_options(shellmatch_core PRIVATE ${link_options})
+endif()
 install(TARGETS shellmatch_program LIBRARY DESTINATION ${folder} COMPONENT vector_code NAMELINK_SKIP)
 install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # The notices of the libraries whose code is compiled into ours, as Debian has them.
-foreach(package libboost1.74-dev libceres-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libnanoflann-dev libspectra-dev
+foreach(package libboost-dev libceres-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libnanoflann-dev libspectra-dev
         nlohmann-json3-dev libjs-three node-chart.js)
-  install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences RENAME ${package} COMPONENT program)
+  string(REPLACE boost boost${Boost_VERSION_MAJOR}.${Boost_VERSION_MINOR} installed ${package})
+  install(FILES /usr/share/doc/${installed}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences RENAME ${package} COMPONENT program)
 endforeach()
 
 set(CPACK_GENERATOR DEB)

@@ -6,6 +6,7 @@
 #include "matching/derivative_check/gradient_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 

@@ -1,10 +1,15 @@
 #include "bench/own_code/alternatives.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <cmath>
 #include <fstream>
@@ -15,7 +20,11 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Kernel::Triangle_3>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>>>;
+#else
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+#endif
 
 struct Built {
   Triangles triangles;

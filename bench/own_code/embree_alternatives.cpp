@@ -1,7 +1,11 @@
 #include "bench/own_code/alternatives.h"
 #include "geometry/surface/facet_point.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <limits>
 

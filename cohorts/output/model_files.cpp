@@ -8,6 +8,7 @@
 #include "matching/result/deformed_shape.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "matching/experiment/several_errors.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glob.h>
 
 #include <algorithm>

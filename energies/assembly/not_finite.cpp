@@ -4,6 +4,7 @@
 #include "energies/assembly/ceres_evaluator.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,8 @@
 #include "geometry/distance/crossing_number.h"
 
+#include "geometry/distance/cgal_triangle_tree.h"
 #include "geometry/distance/winding_number.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
@@ -19,7 +17,6 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using ExactPoint = Kernel::Point_3;
 using ExactTriangle = Kernel::Triangle_3;
-using TrianglePrimitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<ExactTriangle>::const_iterator>;
 
 constexpr int most_segments = 8;
 
@@ -45,7 +42,7 @@ struct CrossingNumber::Tree {
   const Surface<3>& surface;
   Box<3> box;
   std::vector<ExactTriangle> triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, TrianglePrimitive>> tree;
+  CgalTriangleTree<Kernel, std::vector<ExactTriangle>::const_iterator> tree;
 };
 
 CrossingNumber::CrossingNumber(const Surface<3>& surface) : tree_(std::make_unique<Tree>(surface)) {}

@@ -11,6 +11,7 @@
 #include "geometry/surface/mesh_details.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 

@@ -4,6 +4,8 @@
 #include "base/printable.h"
 #include "base/text.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -7,6 +7,8 @@
 #include "geometry/outline/svg_text.h"
 #include "geometry/scene/pugixml_node.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,11 +5,16 @@
 #include "geometry/surface/border_loops.h"
 #include "geometry/surface/facet_edges.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/version.h>
+#if __has_include(<CGAL/boost/graph/border.h>)
+#include <CGAL/boost/graph/border.h>
+#else
+#include <CGAL/Polygon_mesh_processing/border.h>
+#endif
 
 #include <iterator>
 #include <utility>
@@ -20,6 +25,12 @@ namespace shellmatch {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+// CGAL 6.2 moves the cycles of a border, and its old header makes stitch_borders() ambiguous.
+#if __has_include(<CGAL/boost/graph/border.h>)
+namespace borders = CGAL;
+#else
+namespace borders = PMP;
+#endif
 
 // The search for the best triangles takes the third power of a hole's edges where the one among Delaunay triangles fails: that one alone is
 // used beyond `most_searched`. It takes seconds for some thousand edges.
@@ -49,6 +60,17 @@ std::size_t length_of(CgalMesh::Halfedge_index begin, const CgalMesh& mesh) {
   std::size_t n = 0;
   for (CgalMesh::Halfedge_index h = begin; n == 0 || h != begin; h = mesh.next(h)) ++n;
   return n;
+}
+
+// Fills the hole and returns its triangles; none where that fails.
+std::vector<CgalMesh::Face_index> fill_hole(CgalMesh& mesh, CgalMesh::Halfedge_index hole, bool quickly) {
+  std::vector<CgalMesh::Face_index> patch;
+#if CGAL_VERSION_NR >= 1050601000
+  PMP::triangulate_hole(mesh, hole, CGAL::parameters::do_not_use_cubic_algorithm(quickly).face_output_iterator(std::back_inserter(patch)));
+#else
+  PMP::triangulate_hole(mesh, hole, std::back_inserter(patch), CGAL::parameters::do_not_use_cubic_algorithm(quickly));
+#endif
+  return patch;
 }
 
 FilledHoles with_share(FilledHoles filled) {
@@ -94,15 +116,13 @@ std::optional<FilledHoles> fill_mesh(const Surface<3>& open) {
   const std::size_t n_before = mesh.number_of_faces();
   if (n_before == 0) return std::nullopt;
   std::vector<CgalMesh::Halfedge_index> holes;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+  borders::extract_boundary_cycles(mesh, std::back_inserter(holes));
   EdgeBudget budget;
   for (const CgalMesh::Halfedge_index hole : holes) {
     const std::size_t length = length_of(hole, mesh);
     if (!budget.allows(length)) return std::nullopt;
     stop_if_wanted();
-    std::vector<CgalMesh::Face_index> patch;
-    PMP::triangulate_hole(mesh, hole, std::back_inserter(patch), CGAL::parameters::do_not_use_cubic_algorithm(length > most_searched));
-    if (patch.empty()) return std::nullopt;
+    if (fill_hole(mesh, hole, length > most_searched).empty()) return std::nullopt;
   }
   if (!CGAL::is_closed(mesh)) return std::nullopt;
   return with_share({surface_of(mesh), holes.size(), mesh.number_of_faces() - n_before});

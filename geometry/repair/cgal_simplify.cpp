@@ -3,11 +3,16 @@
 #include "geometry/repair/simplify.h"
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1050601000
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_count_stop_predicate.h>
+#else
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +23,23 @@ namespace {
 
 namespace simplification = CGAL::Surface_mesh_simplification;
 
+#if CGAL_VERSION_NR >= 1050601000
+using StopAtEdges = simplification::Edge_count_stop_predicate<CgalMesh>;
+#else
+using StopAtEdges = simplification::Count_stop_predicate<CgalMesh>;
+#endif
+
 // Tells how far the collapses are, and stops them on request: each edge is taken up once, then edges go until enough have gone.
 class CollapseVisitor : public simplification::Edge_collapse_visitor_base<CgalMesh> {
  public:
   CollapseVisitor(Activity& activity, std::size_t n_edges, std::size_t n_left) : activity_(activity), n_edges_(n_edges), n_left_(n_left) {}
-  void OnCollected(const Profile&, const boost::optional<FT>&) { count(++n_collected_); }
-  void OnSelected(const Profile&, const boost::optional<FT>&, std::size_t, std::size_t n_current) {
+  // The cost is optional, by Boost in CGAL 5 and by the standard library in CGAL 6.
+  template <class Cost>
+  void OnCollected(const Profile&, const Cost&) {
+    count(++n_collected_);
+  }
+  template <class Cost>
+  void OnSelected(const Profile&, const Cost&, std::size_t, std::size_t n_current) {
     count(n_edges_ + share_of_collapses * (n_edges_ - std::max(n_current, n_left_)));
   }
   // A collapse takes about so many times as long as taking an edge up.
@@ -115,7 +131,7 @@ Surface<3> simplified(const Surface<3>& surface, std::size_t n_vertices) {
   }
   // A closed triangle mesh has about three edges for each vertex.
   const std::size_t n_edges = mesh.number_of_edges(), n_left = std::min(3 * n_vertices, n_edges);
-  const simplification::Count_stop_predicate<CgalMesh> stop(n_left);
+  const StopAtEdges stop(n_left);
   Activity simplifying("simplifying", n_edges + CollapseVisitor::share_of_collapses * (n_edges - n_left));
   CollapseVisitor visitor(simplifying, n_edges, n_left);
   simplification::edge_collapse(mesh, stop,

@@ -31,6 +31,26 @@ bool read_file_beside(std::vector<unsigned char>* bytes, std::string* error, con
   return stream.good();
 }
 
+[[maybe_unused]] bool size_of_file_beside(std::size_t* n_bytes, std::string* error, const std::string& path, void*) {
+  std::error_code code;
+  *n_bytes = std::filesystem::file_size(path, code);
+  if (code) *error = "cannot be read";
+  return !code;
+}
+
+// tinygltf 2.9 also asks for sizes, and takes its own functions where one is missing.
+template <class Callbacks>
+Callbacks files_beside(std::string* folder) {
+  Callbacks files{};
+  files.FileExists = is_file_beside;
+  files.ExpandFilePath = tinygltf::ExpandFilePath;
+  files.ReadWholeFile = read_file_beside;
+  files.WriteWholeFile = tinygltf::WriteWholeFile;
+  if constexpr (requires { files.GetFileSizeInBytes; }) files.GetFileSizeInBytes = size_of_file_beside;
+  files.user_data = folder;
+  return files;
+}
+
 class GltfReader {
  public:
   GltfReader(const std::string& path, std::string_view bytes) : path_(path), shape_(path) {
@@ -39,7 +59,7 @@ class GltfReader {
     loader.SetImageLoader([](auto...) { return true; }, nullptr);  // textures are not looked at
     std::string error, warning;
     std::string folder = std::filesystem::path(path).parent_path().string();
-    loader.SetFsCallbacks({is_file_beside, tinygltf::ExpandFilePath, read_file_beside, tinygltf::WriteWholeFile, &folder});
+    loader.SetFsCallbacks(files_beside<tinygltf::FsCallbacks>(&folder));
     const auto n = static_cast<unsigned>(bytes.size());
     const bool is_read = bytes.starts_with("glTF")
         ? loader.LoadBinaryFromMemory(&model_, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), n, folder)

@@ -3,9 +3,8 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "grid/fits/lattice_fit.h"
+#include "grid/fits/nearest_nodes.h"
 #include "grid/fits/quadratic_fit.h"
-
-#include <nanoflann.hpp>
 
 #include <algorithm>
 
@@ -20,71 +19,21 @@ std::size_t n_neighbours(const CoefficientOptions& options) {
 
 namespace {
 
-// The free nodes in integer coordinates, in which equal distances compare equal.
-template <int Dim>
-struct FreeNodes {
-  std::vector<std::array<double, Dim>> points;
-  explicit FreeNodes(const Octree<Dim>& grid) : points(grid.free_nodes().size()) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (int k = 0; k < Dim; ++k) points[i][k] = grid.node_coord(grid.free_nodes()[i])[k];
-  }
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return points[i][k]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-template <int Dim>
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FreeNodes<Dim>>,
-                                                 FreeNodes<Dim>, Dim, Index>;
-
-// Working memory of one thread.
-struct Scratch {
-  std::vector<std::pair<Index, double>> ball;
-  std::vector<double> squares;
-  std::vector<Index> lattice;
-  double guess = 0;  // squared radius of a ball that contains enough nodes
-};
-
-// Fills scratch.ball with the free nodes that are no farther from the node than its n-th nearest neighbour.
-// Returns the squared distances of the nearest and of the farthest of them. \pre there are at least n + 1
-// free nodes
-template <int Dim>
-std::pair<double, double> find_ball(const Tree<Dim>& tree, const std::array<double, Dim>& centre,
-                                    std::size_t n, Scratch& scratch) {
-  auto& ball = scratch.ball;
-  auto& squares = scratch.squares;
-  double& guess = scratch.guess;
-  // Squared distances are integers, and the search returns what is strictly nearer.
-  while (tree.radiusSearch(centre.data(), guess + 0.5, ball, nanoflann::SearchParams(0, 0.f, false)) <= n)
-    guess = 2 * guess + 1;
-  squares.clear();
-  for (const auto& member : ball) squares.push_back(member.second);
-  std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(n));  // squares[0] is the node itself
-  const double farthest = guess = squares[n];
-  std::erase_if(ball, [&](const auto& member) { return member.second > farthest; });
-  double nearest = farthest;
-  for (const auto& member : ball)
-    if (member.second > 0) nearest = std::min(nearest, member.second);
-  return {nearest, farthest};
-}
-
 template <int Fields>
 using FieldPointers = std::array<const double*, Fields>;
 
 // Returns one Hessian for each field.
 template <int Dim, int Fields>
-std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, const Tree<Dim>& tree,
+std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, const NearestNodes<Dim>& nodes,
                                                     const FieldPointers<Fields>& fields, Index node,
-                                                    std::size_t n_others, double exponent, Scratch& scratch) {
+                                                    std::size_t n_others, double exponent,
+                                                    typename NearestNodes<Dim>::Scratch& scratch) {
   const auto free = grid.free_nodes();
   std::array<double, Dim> centre;
   for (int k = 0; k < Dim; ++k) centre[k] = grid.node_coord(node)[k];
   while (true) {
     const std::size_t n = std::min(n_others, free.size() - 1);
-    const auto [nearest, farthest] = find_ball<Dim>(tree, centre, n, scratch);
+    const auto [nearest, farthest] = nodes.find(centre, n, scratch);
     const double per_radius = 1 / std::sqrt(farthest);
     QuadraticFit<Dim, Fields> fit;
     for (const auto& [position, square] : scratch.ball) {
@@ -118,23 +67,23 @@ template <int Dim, int Fields>
 std::array<Hessians<Dim>, Fields> fit_all(const Octree<Dim>& grid, const FieldPointers<Fields>& fields,
                                           const CoefficientOptions& options, std::span<const Index> nodes) {
   const std::size_t n_others = n_neighbours<Dim>(options);
-  const FreeNodes<Dim> points(grid);
-  const Tree<Dim> tree(Dim, points, nanoflann::KDTreeSingleIndexAdaptorParams(12));
+  const NearestNodes<Dim> free_nodes(grid);
   const LatticeFit<Dim> lattice(grid, n_others, options.fit_weight);
   std::array<Hessians<Dim>, Fields> hessians;
   for (auto& h : hessians) h.resize(nodes.size());
   parallel_chunks(nodes.size(), 512, [&](const Chunk& chunk) {
-    Scratch scratch;
+    typename NearestNodes<Dim>::Scratch scratch;
+    std::vector<Index> lattice_nodes;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       SHELLMATCH_CHECK(grid.free_index(nodes[i]) != no_index, "quadratics are fitted at free nodes");
-      if (const double side = lattice.find_neighbours(nodes[i], scratch.lattice); side > 0) {
+      if (const double side = lattice.find_neighbours(nodes[i], lattice_nodes); side > 0) {
         for (int f = 0; f < Fields; ++f)
           hessians[f][i] = lattice.hessian({fields[f], static_cast<std::size_t>(grid.n_nodes())}, nodes[i], side,
-                                           scratch.lattice);
+                                           lattice_nodes);
         continue;
       }
       const auto at_node =
-          fit_at<Dim, Fields>(grid, tree, fields, nodes[i], n_others, options.fit_weight, scratch);
+          fit_at<Dim, Fields>(grid, free_nodes, fields, nodes[i], n_others, options.fit_weight, scratch);
       for (int f = 0; f < Fields; ++f) hessians[f][i] = at_node[f];
     }
   });

@@ -5,6 +5,7 @@
 #include "matching/derivative_check/random_field.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

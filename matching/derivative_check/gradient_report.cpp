@@ -1,6 +1,7 @@
 #include "matching/derivative_check/gradient_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

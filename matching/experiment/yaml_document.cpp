@@ -6,6 +6,7 @@
 #include "matching/experiment/yaml_syntax.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>

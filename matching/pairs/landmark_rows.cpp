@@ -5,6 +5,8 @@
 #include "base/text.h"
 #include "geometry/io/input_file.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,6 +6,8 @@
 #include "geometry/io/input_file.h"
 #include "geometry/mesh_text/read_text.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace shellmatch {

@@ -33,9 +33,9 @@ def _project():
     return project
 
 
-def _tag():
+def _tag(platform=None):
     version = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    return f"{version}-{version}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+    return f"{version}-{version}-{platform or sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 
 
 def _run(*command):
@@ -92,20 +92,21 @@ def _metadata(project):
     return "\n".join(lines) + "\n"
 
 
-def _info(project):
+def _info(project, tag):
     """The files of the folder .dist-info but RECORD."""
     folder = f"{project['name']}-{project['version']}.dist-info"
-    wheel = f"Wheel-Version: 1.0\nGenerator: shellmatch_backend\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    wheel = f"Wheel-Version: 1.0\nGenerator: shellmatch_backend\nRoot-Is-Purelib: false\nTag: {tag}\n"
     return folder, [(f"{folder}/METADATA", _metadata(project).encode()), (f"{folder}/WHEEL", wheel.encode())]
 
 
-def _wheel(folder, files):
-    """Writes a wheel of these files, (name, bytes)."""
+def write_wheel(folder, files, platform=None):
+    """Writes a wheel of these files, (name, bytes), for this machine or another platform."""
     project = _project()
-    info, own = _info(project)
+    tag = _tag(platform)
+    info, own = _info(project, tag)
     files = files + own
     record = ""
-    name = f"{project['name']}-{project['version']}-{_tag()}.whl"
+    name = f"{project['name']}-{project['version']}-{tag}.whl"
     with zipfile.ZipFile(pathlib.Path(folder) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, contents in files:
             digest = base64.urlsafe_b64encode(hashlib.sha256(contents).digest()).rstrip(b"=").decode()
@@ -123,7 +124,7 @@ def _add(wheel, path, contents):
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    folder, files = _info(_project())
+    folder, files = _info(_project(), _tag())
     (pathlib.Path(metadata_directory) / folder).mkdir()
     for name, contents in files:
         (pathlib.Path(metadata_directory) / name).write_bytes(contents)
@@ -141,12 +142,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         for path in (root / "python" / "shellmatch").iterdir()
         if path.suffix in (".py", ".pyi") or path.name == "py.typed"
     )
-    return _wheel(wheel_directory, [(f"shellmatch/{name}", (package / name).read_bytes()) for name in names + [module]])
+    return write_wheel(wheel_directory, [(f"shellmatch/{name}", (package / name).read_bytes()) for name in names + [module]])
 
 
 def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
     folder = os.fspath(_build(config_settings).parent)
-    return _wheel(wheel_directory, [("shellmatch.pth", f"{folder}\n".encode())])
+    return write_wheel(wheel_directory, [("shellmatch.pth", f"{folder}\n".encode())])
 
 
 def build_sdist(sdist_directory, config_settings=None):

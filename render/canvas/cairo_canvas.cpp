@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "render/canvas/canvas.h"
+#include "render/canvas/fontconfig_fonts.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -32,6 +33,7 @@ struct Canvas::State {
   }
   void set_color(const Color& c, double alpha) { cairo_set_source_rgba(cairo, c.r, c.g, c.b, alpha); }
   void set_font(const TextStyle& style) {
+    use_fonts_beside_the_program();
     cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, style.size);

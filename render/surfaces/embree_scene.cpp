@@ -1,7 +1,11 @@
 #include "base/error.h"
 #include "render/surfaces/ray_scene.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <limits>
@@ -46,6 +50,23 @@ namespace {
   throw_environment_error("the ray caster cannot work on this machine (Embree error {})", static_cast<int>(error));
 }
 
+// Embree 3 takes a context where Embree 4 has optional arguments.
+#if RTC_VERSION_MAJOR >= 4
+void intersect(RTCScene scene, RTCRayHit& query) { rtcIntersect1(scene, &query); }
+void occlude(RTCScene scene, RTCRay& query) { rtcOccluded1(scene, &query); }
+#else
+void intersect(RTCScene scene, RTCRayHit& query) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+}
+void occlude(RTCScene scene, RTCRay& query) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &query);
+}
+#endif
+
 }  // namespace
 
 RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::make_unique<State>()) {
@@ -88,23 +109,19 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit query;
+  RTCRayHit query{};
   query.ray = state_->single(ray, 0, std::numeric_limits<double>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state_->scene, &context, &query);
+  intersect(state_->scene, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return RayHit{static_cast<int>(query.hit.geomID), static_cast<Index>(query.hit.primID), query.hit.u,
                 query.hit.v, query.ray.tfar / state_->scale};
 }
 
 bool RayScene::is_blocked(const Ray& ray, double near, double far) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay query = state_->single(ray, near, far);
-  rtcOccluded1(state_->scene, &context, &query);
+  occlude(state_->scene, query);
   return query.tfar < 0;
 }
 

@@ -1,7 +1,8 @@
-# A minimal Debian 12 in a folder, for scripts that check what a fresh machine needs. Read it with `.` in the repository's folder, in a
+# A minimal Debian in a folder, for scripts that check what a fresh machine needs. Read it with `.` in the repository's folder, in a
 # shell with `set -eu`; needs root and debootstrap, and takes the mirror and the apt settings of this machine.
 #
 #   root=DIR; keep=0   before: DIR, or "" for a temporary folder; keep=1 leaves it there
+#   suite=NAME         before: bookworm (Debian 12), trixie (13), forky (testing); "" for that of this machine
 #   make_root          makes it, unless there is one; removes it or says where it is when the shell ends
 #   inside COMMAND     runs a shell command in it, in its folder /src
 
@@ -31,18 +32,23 @@ make_root() {
   trap clean_up_root EXIT
   trap 'exit 130' INT TERM
 
-  # The mirror from which this machine's apt installs bookworm.
+  # The mirror from which this machine's apt installs its own release.
+  own=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+  suite=${suite:-$own}
   mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(CREATED_BY)' |
-    awk '$2 == "bookworm" && $3 == "Packages" { print $1; exit }')
-  [ -n "$mirror" ] || fail "apt on this machine knows no source for bookworm; add one under /etc/apt"
+    awk -v own="$own" '$2 == own && $3 == "Packages" { print $1; exit }')
+  [ -n "$mirror" ] || fail "apt on this machine knows no source for '$own'; add one under /etc/apt"
   proxy=$(apt-config shell proxy Acquire::http::Proxy)
   eval "$proxy"
   [ -z "${proxy:-}" ] || { http_proxy=$proxy; export http_proxy; }
 
   if [ ! -x "$root/usr/bin/apt-get" ]; then
-    echo "Making a minimal Debian 12 ..."
+    echo "Making a minimal Debian, $suite ..."
     start=$(date +%s)
-    debootstrap --variant=minbase bookworm "$root" "$mirror" >"$root.log" 2>&1 || {
+    # A release that is newer than this debootstrap is made as unstable is.
+    recipe=/usr/share/debootstrap/scripts/$suite
+    [ -e "$recipe" ] || recipe=/usr/share/debootstrap/scripts/sid
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" "$recipe" >"$root.log" 2>&1 || {
       tail -n 20 "$root.log" >&2
       fail "debootstrap failed (its last lines are above; all of them in $root.log)"
     }
@@ -50,14 +56,18 @@ make_root() {
     echo "  $(minutes $(($(date +%s) - start)))"
   fi
 
-  # Copies the sources, keys and transport settings of apt, and the settings of name resolution.
+  # Copies the keys and transport settings of apt, the sources where they are for the same release, and the settings of name resolution.
   rm -rf "$root/etc/apt/sources.list" "$root/etc/apt/sources.list.d"
   mkdir -p "$root/etc/apt/sources.list.d" "$root/etc/apt/apt.conf.d" "$root/usr/share/keyrings"
-  for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
-    [ -f "$file" ] && cp "$file" "$root$file"
-  done
+  if [ "$suite" = "$own" ]; then
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
+      [ -f "$file" ] && cp "$file" "$root$file"
+    done
+  else
+    echo "deb $mirror $suite main" >"$root/etc/apt/sources.list"
+  fi
   for file in /usr/share/keyrings/*.gpg /etc/apt/trusted.gpg.d/*; do
-    [ -f "$file" ] && cp "$file" "$root$file"
+    if [ -f "$file" ] && [ ! -e "$root$file" ]; then cp "$file" "$root$file"; fi
   done
   apt-config dump --format '%F "%v";%n' | grep -E '^(Acquire::(http|https|ftp|Check)|APT::Sandbox)' \
     >"$root/etc/apt/apt.conf.d/00of-this-machine" || true

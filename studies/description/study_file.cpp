@@ -6,6 +6,7 @@
 #include "studies/description/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

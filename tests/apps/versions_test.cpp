@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <fstream>
+#include <memory>
 
 namespace shellmatch {
 namespace {
@@ -46,6 +48,19 @@ TEST(Versions, AreThoseOfTheLinkedLibraries) {
     EXPECT_TRUE(has(verbose.out, library.name) && has(verbose.out, library.version) && has(verbose.out, library.licence)) << library.name;
     EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(library.version[0]))) << library.name << " " << library.version;
   }
+}
+
+// CMake packages of other libraries may put all of VTK, with Qt, Java, Python and MPI, among what is linked (ITK 5.4 does).
+TEST(Versions, NothingIsLinkedThatIsNotNeeded) {
+  const std::string command = std::string("LD_TRACE_LOADED_OBJECTS=1 '") + SHELLMATCH_PROGRAM + "'";
+  const std::unique_ptr<FILE, int (*)(FILE*)> listing(popen(command.c_str(), "r"), pclose);
+  ASSERT_TRUE(listing);
+  std::string all;
+  int n_lines = 0;
+  for (char line[4096]; std::fgets(line, sizeof line, listing.get()); ++n_lines) all += line;
+  EXPECT_GT(n_lines, 20);
+  EXPECT_LT(n_lines, 130) << all;
+  for (const char* name : {"libQt", "libjvm", "libpython", "libmpi", "libvtkRendering"}) EXPECT_FALSE(has(all, name)) << all;
 }
 
 TEST(Versions, SayWhichVectorCodeRuns) {

@@ -3,15 +3,17 @@
 scripts/package --repeat --check."""
 
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(root / "tests/support")]
+sys.path[:0] = [str(root / "tests/support"), str(root / "scripts/lib")]
 
 from script_test import ScriptTest  # noqa: E402
 
@@ -48,6 +50,44 @@ class Package(ScriptTest):
             self.assertIn(option, self.run_script(name, "--help").stdout)
             self.assert_refused(self.run_script(name, "--nothing"), name, 3, ["'--nothing'", f"scripts/{name} --help"])
             self.assert_refused(self.run_script(name, "--root"), name, 3, ["--root", "folder"])
+        self.assert_refused(self.run_script("debootstrap-check", "--suite", "woody"), "debootstrap-check", 3, ["'woody'", "trixie"])
+        self.assert_refused(self.run_script("debootstrap-check", "--package", "none.deb"), "debootstrap-check", 3, ["--package", "file"])
+
+    def test_a_system_without_the_packages_is_refused(self):
+        # Stand-ins of a system on which nothing is installed and root installs: its sources have no CGAL, or an old Ceres.
+        for name, text_of_it in (("dpkg-query", ""), ("id", "echo 0"), ("apt-get", ""),
+                                 ("apt-cache", 'case "$2" in libcgal-dev) v="(none)" ;; libceres-dev) v=$CERES ;; *) v=4:99 ;; esac\n'
+                                               'echo "  Candidate: $v"')):
+            stand_in = pathlib.Path(self.folder, name)
+            stand_in.write_text(f"#!/bin/sh\n{text_of_it}\n")
+            stand_in.chmod(0o755)
+        environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}", "SHELLMATCH_SKIP_DEPENDENCIES": "0"}
+
+        def install(ceres):
+            return subprocess.run([root / "scripts/install-dependencies"], capture_output=True, text=True, env={**environment, "CERES": ceres})
+
+        self.assert_refused(install("2.2"), "install-dependencies", 3, ["do not have: libcgal-dev.", "--list"])
+        cgal = pathlib.Path(self.folder, "apt-cache")
+        cgal.write_text(cgal.read_text().replace("(none)", "6.0"))
+        self.assert_refused(install("2.0.0"), "install-dependencies", 3, ["libceres-dev 2.0.0 is older than 2.1"])
+        self.assertEqual(install("2.2.0+dfsg").returncode, 0)
+
+    def test_libraries_are_put_beside_a_program(self):
+        if shutil.which("patchelf") is None:
+            self.skipTest("patchelf is not installed (scripts/install-dependencies --package)")
+        import bundle
+        program, libraries = pathlib.Path(self.folder, "bin/python"), pathlib.Path(self.folder, "lib")
+        program.parent.mkdir()
+        shutil.copyfile(pathlib.Path("/usr/bin/python3").resolve(), program)
+        program.chmod(0o755)
+        copied = bundle.bundle([program], libraries)
+        self.assertIn("libz.so.1", {name for path in copied for name in (path.name, f"{path.name.split('.so')[0]}.so.1")})
+        loaded = bundle.loaded_libraries(program)
+        ours = {name for name, path in loaded.items() if path.parent == libraries.resolve()}
+        self.assertEqual(ours, set(loaded) - bundle.C_LIBRARY)
+        self.assertTrue(all(re.fullmatch(r".+-[0-9a-f]{8}\.so[.0-9]*", name) for name in ours), ours)
+        run = subprocess.run([program, "-c", "import zlib; print(zlib.crc32(b'a'))"], capture_output=True, text=True)
+        self.assertEqual(run.stdout, "3904355907\n", run.stderr)
 
     def test_the_licence_is_the_same_everywhere(self):
         self.assertTrue(text("LICENSE").split()[:4] == ["GNU", "GENERAL", "PUBLIC", "LICENSE"] and "Version 3, 29 June 2007" in text("LICENSE"))
@@ -58,7 +98,7 @@ class Package(ScriptTest):
 
     def test_each_variant_has_a_preset_and_is_packed_once(self):
         presets = {p["name"]: p for p in json.loads(text("CMakePresets.json"))["configurePresets"]}
-        variants = re.search(r"for variant in ([^;]+);", text("scripts/package")).group(1).split()
+        variants = re.search(r'^variants="([^"]+)"', text("scripts/package"), re.M).group(1).split()
         self.assertEqual(set(variants), {"x86-64", "x86-64-v3", "x86-64-v4"})
         trees = {}
         for variant in variants:

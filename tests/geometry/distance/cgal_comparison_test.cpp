@@ -1,11 +1,9 @@
 // Distances and self-intersections against CGAL's own, on a real mesh where there is one.
 #include "geometry/surface/self_intersections.h"
+#include "geometry/distance/cgal_triangle_tree.h"
 #include "geometry/distance/signed_distance.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,12 +21,11 @@ Kernel::Point_3 to_cgal(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
 void expect_cgal_distances(const Surface<3>& surface) {
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
   Triangles triangles;
   for (const auto& [a, b, c] : surface.facets)
     triangles.emplace_back(to_cgal(surface.vertices[a]), to_cgal(surface.vertices[b]),
                            to_cgal(surface.vertices[c]));
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.cbegin(), triangles.cend());
+  const CgalTriangleTree<Kernel, Triangles::const_iterator> tree(triangles.cbegin(), triangles.cend());
   const SignedDistance<3> distance(surface);
   for (const Vec<3>& x : query_points(surface, 1000, 4))
     EXPECT_NEAR(std::abs(distance(x)), std::sqrt(tree.squared_distance(to_cgal(x))), 1e-12);

@@ -5,6 +5,7 @@
 #include "geometry/surface/mesh_details.h"
 #include "tests/geometry/io/files.h"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -5,6 +5,8 @@
 #include "geometry/io/read_shape.h"
 #include "tests/geometry/io/files.h"
 
+#include <fmt/ranges.h>
+
 #include <bit>
 #include <cstdint>
 #include <string>

@@ -7,6 +7,7 @@
 #include "tests/geometry/io/files.h"
 #include "tests/support/expect_input_error.h"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

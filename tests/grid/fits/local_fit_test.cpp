@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "grid/fields/sample.h"
+#include "grid/fits/nearest_nodes.h"
 #include "tests/grid/test_grids.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +51,39 @@ TYPED_TEST(LocalFitTest, ExactForQuadraticsOnAllGrids) {
           ASSERT_LE((unpack_symmetric<Dim>(h) - expected).norm(),
                     1e-13 * std::pow(4.0, grid.finest_level() + 2));
       }
+}
+
+// By ascending position: versions of the library find equally near nodes in other orders, in which sums would have other bits.
+TYPED_TEST(LocalFitTest, NearestNodesAreThoseOfASearchInTheirOrder) {
+  constexpr int Dim = TypeParam::value;
+  const auto grid = random_grid<Dim>(2, 3, 0.3, 4);
+  const auto free = grid.free_nodes();
+  const NearestNodes<Dim> nodes(grid);
+  typename NearestNodes<Dim>::Scratch scratch;
+  for (const std::size_t n : {std::size_t{1}, std::size_t{12}, std::size_t{40}})
+    for (std::size_t i = 0; i < free.size(); i += 7) {
+      std::array<double, Dim> centre;
+      for (int k = 0; k < Dim; ++k) centre[k] = grid.node_coord(free[i])[k];
+      const auto square_to = [&](Index node) {
+        double sum = 0;
+        for (int k = 0; k < Dim; ++k) sum += std::pow(grid.node_coord(node)[k] - centre[k], 2);
+        return sum;
+      };
+      std::vector<double> squares;
+      for (const Index node : free) squares.push_back(square_to(node));
+      std::ranges::sort(squares);
+      const auto [nearest, farthest] = nodes.find(centre, n, scratch);
+      EXPECT_EQ(nearest, squares[1]);
+      EXPECT_EQ(farthest, squares[n]);
+      std::vector<Index> expected, found;
+      for (std::size_t k = 0; k < free.size(); ++k)
+        if (square_to(free[k]) <= farthest) expected.push_back(static_cast<Index>(k));
+      for (const auto& [position, square] : scratch.ball) {
+        found.push_back(position);
+        EXPECT_EQ(square, square_to(free[position]));
+      }
+      ASSERT_EQ(found, expected);
+    }
 }
 
 TYPED_TEST(LocalFitTest, TwoFieldsAtOnceAreThoseFieldsEach) {
