@@ -56,7 +56,7 @@ class Matching {
                                  (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     const auto as_it_lies = [](const Surface<Dim>& surface) { return surface; };
     summary_.distance_before = two_sided_distance<Dim>(reference_.surface, as_it_lies, template_distance_, observed_of_result(),
-                                                       std::ldexp(1.0, -options_.cascade.max_level))
+                                                       std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
                                    .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
@@ -108,7 +108,7 @@ class Matching {
     const ReferenceMap<Dim> carry = reference_map(state.grid, state.phi);
     const Surface<Dim> deformed = carry(reference_.surface);
     if (options_.report) levels_.push_back({s.level, deformed.vertices});
-    s.distance = measure_distance(carry);
+    s.distance = measure_distance(carry, s.level < options_.cascade.max_level ? on_the_way : all_points);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.warn(*warning);
@@ -124,10 +124,10 @@ class Matching {
   }
 
   // The distances, and where they are greatest.
-  TwoSidedDistance measure_distance(const ReferenceMap<Dim>& carry) {
+  TwoSidedDistance measure_distance(const ReferenceMap<Dim>& carry, std::size_t most_points) {
     const LocatedDistance<Dim> distance =
         two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return carry(surface); }, template_distance_,
-                                observed_of_result(), carry.finest_side());
+                                observed_of_result(), carry.finest_side(), most_points);
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
@@ -205,7 +205,7 @@ class Matching {
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(carry);
+    if (places_.deformed.empty()) measure_distance(carry, all_points);
     add_distortions(deformed);
     summary_.spin_difference = spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
                                                     summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
@@ -243,6 +243,8 @@ class Matching {
     clock_.state(s.run);
     return s;
   }
+
+  static constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
 
   MatchInputs<Dim> inputs_;
   const Shape<Dim>&reference_ = inputs_.shapes.reference, &template_ = inputs_.shapes.template_shape;

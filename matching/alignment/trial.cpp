@@ -84,7 +84,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
     const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
     const bool one_is_part = std::max(shapes_.reference.invented_share, shapes_.template_shape.invented_share) > least_of_part;
     result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, one_is_part);
-    result.template_distance = two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side()).figures.template_to_deformed.mean;
+    result.template_distance = two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), on_the_way).figures.template_to_deformed.mean;
   });
   return result;
 }
@@ -99,7 +99,7 @@ DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried ca
     const auto deform = [&](const Surface<Dim>& surface) { return inverse ? (*inverse)(surface) : deformed_surface(surface, end.grid, end.phi); };
     const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
     const TwoSidedDistance figures =
-        two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side()).figures;
+        two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side(), on_the_way).figures;
     result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
     result.energy = end.levels.back().minimised.sum();
   });
