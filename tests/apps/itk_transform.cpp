@@ -8,6 +8,8 @@
 
 namespace shellmatch {
 
+int itk_version() { return 100 * ITK_VERSION_MAJOR + ITK_VERSION_MINOR; }
+
 std::vector<LpsPoint> moved_by_itk(const std::string& file, const std::vector<LpsPoint>& points) {
   using Transform = itk::DisplacementFieldTransform<double, 3>;
   using Reader = itk::ImageFileReader<Transform::DisplacementFieldType>;

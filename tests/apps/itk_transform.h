@@ -8,6 +8,9 @@
 
 namespace shellmatch {
 
+/// 502 for 5.2.
+int itk_version();
+
 using LpsPoint = std::array<double, 3>;
 
 /// The points moved by itk::DisplacementFieldTransform with the field in the file.

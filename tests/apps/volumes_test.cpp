@@ -214,7 +214,11 @@ TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
         const std::array<int, 3> at{5, 3, 2};
         const Vec<3> index(5, 3, 2), ours = read.grid.position(index);
         if (choice == ItkChoice::refused) {
-          EXPECT_ANY_THROW(voxel_by_itk(other / "model.nii", at));
+          // Axes of other lengths than pixdim says are refused by ITK 5.2; ITK 5.4 warns, and takes the lengths of pixdim.
+          if (name == "unit" && itk_version() >= 504)
+            EXPECT_LT((lps(voxel_by_itk(other / "model.nii", at)) - straight.position(index)).norm(), 1e-4);
+          else
+            EXPECT_ANY_THROW(voxel_by_itk(other / "model.nii", at));
           EXPECT_FALSE(volume_notes(read.grid).empty());
           continue;
         }
