@@ -190,7 +190,9 @@ solvers: [newton]
     EXPECT_EQ(entries, (std::vector<std::string>{"config.yaml", "files.json", "log.txt", "result.json"}));
     std::ifstream log(run / "log.txt");
     std::string first;
-    std::getline(log, first);
+    // Lines of progress come before it on a busy machine.
+    while (std::getline(log, first) && !first.starts_with("level")) {
+    }
     EXPECT_TRUE(first.starts_with("level 3/13")) << first;
   }
 }
