@@ -10,9 +10,9 @@ namespace shellmatch {
 namespace {
 
 // Shapes that lie as they belong may resemble each other more after half a turn, as two bent tori do. Another start has to be
-// better by this factor, in energy or in distance.
+// better by this factor, in energy or in distance,
 constexpr double clearly_better = 1.5;
-// Or what corresponds has to look more alike: limbs in another pose cost energy, and yet they are the same limbs.
+// or what corresponds has to look more alike by this one: limbs in another pose cost energy, and yet they are the same limbs.
 constexpr double clearly_more_alike = 1.1;
 
 // In roots of the area.

@@ -65,7 +65,8 @@ struct StartChoice {
 /// The first usable start; of outlines, tries the first and those whose scores are less than align.clear_margin times the least, if these are
 /// several. The start as the outlines lie is preferred by align.search.identity_preference, and by as much any other to a mirrored one. If what
 /// is chosen is doubtful, or another than the shapes as they lie and not clearly the best, these are tried without pairs, too, with align.mode
-/// auto, and win unless it is better than that by half in energy or in the distance of the template, or landmarks all over the template agree
+/// auto, and win unless it is better than that by half in energy or in the distance of the template, or what corresponds looks more alike by a
+/// tenth (Trial::spin_difference), or landmarks all over the template agree
 /// with it.
 template <int Dim>
 StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials);
