@@ -16,9 +16,9 @@ get_filename_component(to_sources ${to_sources} DIRECTORY)
 target_compile_options(shellmatch_flags INTERFACE -fvisibility=hidden -ffile-prefix-map=${to_sources}/=
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/)
 # Without the table of symbols (-s), which has the names of files in it and enters the build's identifier.
-set(link_options -s -Wl,--as-needed -Wl,-z,defs -Wl,-z,relro,-z,now)
-target_link_options(shellmatch_program PRIVATE ${link_options} -Wl,--version-script=${exports})
-target_link_options(shellmatch PRIVATE ${link_options})
+set(link_options -s -Wl,--as-needed -Wl,-z,relro,-z,now)
+target_link_options(shellmatch_program PRIVATE ${link_options} -Wl,-z,defs -Wl,--version-script=${exports})
+target_link_options(shellmatch PRIVATE ${link_options} -Wl,-z,defs)
 set_target_properties(shellmatch_program PROPERTIES LINK_DEPENDS ${exports} OUTPUT_NAME shellmatch SOVERSION ${PROJECT_VERSION})
 # In the build tree, too, the library is found relative to the executable: installing replaces the path but not the space that it takes.
 set_target_properties(shellmatch PROPERTIES BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../lib/shellmatch")
@@ -28,7 +28,7 @@ if(SHELLMATCH_ARCHITECTURE MATCHES "^x86-64-v[234]$")
   set(folder lib/shellmatch/glibc-hwcaps/${SHELLMATCH_ARCHITECTURE})
 endif()
 if(SHELLMATCH_PYTHON)
-  target_link_options(shellmatch_core PRIVATE ${link_options})
+  target_link_options(shellmatch_core PRIVATE ${link_options})  # functions of Python are those of the process
 endif()
 install(TARGETS shellmatch_program LIBRARY DESTINATION ${folder} COMPONENT vector_code NAMELINK_SKIP)
 install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
