@@ -23,7 +23,9 @@ constexpr std::size_t n_least_vertices = 500;
 struct PointCloud {
   PointCloud(const Surface<3>& surface, double unit) : samples(sample_vertices<3>(surface, n_points, [](const Vec<3>&) { return true; })) {
     const auto n = static_cast<Eigen::Index>(samples.size());
-    x.resize(n, 3), normals.resize(n, 3), areas.resize(n);
+    x.resize(n, 3);
+    normals.resize(n, 3);
+    areas.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const SurfaceSample<3>& s = samples[static_cast<std::size_t>(i)];
       x.row(i) = s.x / unit;
@@ -89,7 +91,10 @@ std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surf
   double sum = 0;
   std::size_t n = 0;
   for (const double square : squares)
-    if (square >= 0) sum += square, ++n;
+    if (square >= 0) {
+      sum += square;
+      ++n;
+    }
   if (n < n_least_compared) return std::nullopt;
   return sum / static_cast<double>(n);
 }
