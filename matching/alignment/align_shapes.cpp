@@ -54,7 +54,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
   Outcome<Dim> outcome = choice_among(search_starts(shapes, landmarks, options), options, trials);
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
-    if (!has_large_gaps(shapes) && outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
+    if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
       Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
       if (!poses.choice.is_doubtful) return poses;
     }
@@ -93,7 +93,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   Start<Dim>& best = outcome.best();
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
-    if (!options.search.mirror && options.mode == AlignMode::automatic && !has_large_gaps(shapes) && is_worth_mirroring(best, choice))
+    if (!options.search.mirror && options.mode == AlignMode::automatic && !shapes.one_is_part() && is_worth_mirroring(best, choice))
       fits_mirrored = fits_far_better_mirrored(shapes, options, best);
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;

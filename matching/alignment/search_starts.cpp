@@ -119,16 +119,8 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
 
 }  // namespace
 
-template <int Dim>
-bool has_large_gaps(const ShapePair<Dim>& shapes) {
-  return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > least_of_part;
-}
-
-template bool has_large_gaps<2>(const ShapePair<2>&);
-template bool has_large_gaps<3>(const ShapePair<3>&);
-
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
-  if (has_large_gaps(shapes)) return search_partial_starts(shapes, landmarks, options);
+  if (shapes.one_is_part()) return search_partial_starts(shapes, landmarks, options);
   const std::vector<CorrespondingPoints> known = points_of(landmarks);
   const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
   StartSearch<3> search{{}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};

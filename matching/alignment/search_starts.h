@@ -8,10 +8,6 @@
 
 namespace shellmatch {
 
-/// Whether so much of a shape had to be made up that it is searched as a part of the other: spectra are those of whole surfaces.
-template <int Dim>
-bool has_large_gaps(const ShapePair<Dim>& shapes);
-
 /// By spectra for surfaces, one with large gaps as a part of the other and without what was made up, by elastic paths for
 /// outlines: starts with pairs. \param landmarks for find_pairs(); outlines need none
 /// \throws InputError as find_pairs(), find_partial_pairs(), find_outline_pairs()

@@ -82,8 +82,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
     const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
     result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
     const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
-    const bool one_is_part = std::max(shapes_.reference.invented_share, shapes_.template_shape.invented_share) > least_of_part;
-    result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, one_is_part);
+    result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, shapes_.one_is_part());
     result.template_distance = two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), on_the_way).figures.template_to_deformed.mean;
   });
   return result;

@@ -8,7 +8,9 @@
 #include "matching/input/shape_source.h"
 #include "matching/pairs/landmark_file.h"
 #include "matching/progress/observer.h"
+#include "matching/result/match_summary.h"
 
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -19,6 +21,9 @@ struct ShapePair {
   Shape<Dim> reference, template_shape;
   /// The frame of the reference's file, where the shapes name one; both shapes are then given in the template's, `original.space`.
   Space reference_file_space = Space::unsaid;
+
+  /// Had so much of a shape to be made up that it may be a part of the other? Spectra are those of whole surfaces.
+  bool one_is_part() const { return std::max(reference.invented_share, template_shape.invented_share) > least_of_part; }
 
   /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns the
   /// similarity that does the latter.
