@@ -1,5 +1,5 @@
 // What is written here although a library does it, held against the library: speed, memory, results and what damaged
-// files do. Prints the tables of docs/own-code.md; a minute or two. Each trial is a process of its own, ours and the
+// files do. Prints the tables of docs/decisions.md; a minute or two. Each trial is a process of its own, ours and the
 // libraries' in turn; seconds are CPU seconds of one thread, medians.
 //
 // Usage: own_code [ROUNDS]        5 if not given

@@ -49,7 +49,9 @@ def doubt_counts(results):
                                f"{share(n[False, 'doubtful'], wrong)} are called so (recall).\n")
 
 
-def doubt_table(results):
+def doubt_table(results, unexpected_only=False):
+    if unexpected_only:
+        results = [row for row in results if called(row[2]) != ("used" if is_right(row[1]) else "doubtful")]
     lines = ["| reference | template | mean error | map | alignment | score | margin |", "| --- | --- | ---: | --- | --- | ---: | ---: |"]
     for (reference, template), error, alignment in results:
         score, margin = (f"{alignment[key]:.3g}" if alignment.get(key) is not None else "" for key in ("score", "margin"))

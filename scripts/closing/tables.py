@@ -20,7 +20,7 @@ def run(program, *arguments):
 def words_of(done, path):
     """The one message of a refusal, without the file's name."""
     lines = [line for line in done.stderr.splitlines() if "error:" in line]
-    return re.sub(r"^.*?error: ", "", lines[0]).replace(f"{path}: ", "").split("; close its holes")[0] if lines else "ended without a message"
+    return re.sub(r"^.*?error: ", "", lines[0]).replace(f"{path}: ", "").split("; close its holes")[0].split(", one from")[0] if lines else "ended without a message"
 
 
 def result_of(folder):
@@ -57,10 +57,10 @@ def dirty_row(program, path, folder):
 
 def dirty_table(program, data, folder):
     rows = ["| file | strictly | made up | now | mean error | s |", "| --- | --- | --- | --- | --- | --- |"]
-    for path in sorted((data / "dirty").iterdir()):
-        if path.name != "SOURCES.md":
-            rows.append("| " + " | ".join(dirty_row(program, path, folder / path.name)) + " |")
-    return rows
+    paths = sorted(path for path in (data / "dirty").iterdir() if path.name != "SOURCES.md")
+    of_files = [dirty_row(program, path, folder / path.name) for path in paths]
+    rows += ["| " + " | ".join(row) + " |" for row in of_files if row[1] != "read"]
+    return [*rows, "", f"{sum(row[1] == 'read' for row in of_files)} other files are read strictly."]
 
 
 # Reference, template with the same numbers of vertices, and the direction whose farthest third is cut away.

@@ -21,9 +21,13 @@ def row(result):
             f"{angle['p95']:.0f}" if angle else "", f"{area['p5']:.2g} to {area['p95']:.2g}"]
 
 
-def table_text(results):
+def as_expected(result):
+    return outcome(result) == ("matched" if result.is_right else "not-matched")
+
+
+def table_text(results, unexpected_only=False):
     head = ["pair", "shapes", "error", "map", "verdict", "to template", "back", "back, largest", "not reached %", "flipped %", "angles 95 %, degrees", "areas, 5 to 95 %"]
-    lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error]
+    lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error and not (unexpected_only and as_expected(r))]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""What fuzzing has done: the sources of each target, executions and seconds, the kept corpus as text, and the table of docs/testing.md."""
+"""What fuzzing has done: the sources of each target, executions and seconds, the kept corpus as text, and what each target has reached."""
 import json
 import os
 import shutil
@@ -45,7 +45,6 @@ READERS = {
     "fcsv": ["matching/pairs/fcsv_points.cpp"], "markups": ["matching/pairs/json_markups.cpp"],
     "correspondence": ["matching/result/correspondence.cpp"],
 }
-BEGIN, END = "<!-- table of scripts/fuzz -->", "<!-- end of the table of scripts/fuzz -->"
 ESCAPES = {10: "\\n", 13: "\\r", 9: "\\t", 0: "\\z", 92: "\\\\"}
 lock = threading.Lock()
 
@@ -119,7 +118,7 @@ def found_by_target():
     return found
 
 
-def write_table(build, kept, document):
+def print_table(build, kept):
     record, found, all_files = load(build), found_by_target(), coverage(build, kept)
     share = lambda covered, n: f"{100 * covered / n:.1f}" if n else "-"
     rows, n_executions, n_seconds = [], 0, 0
@@ -137,7 +136,4 @@ def write_table(build, kept, document):
     head = ["| target | executions | minutes | lines of its sources, % | branches, % | least covered source, % of lines | found and mended | open |",
             "|---|---:|---:|---:|---:|---|---:|---:|"]
     total = f"| all | {n_executions:,} | {n_seconds / 60:.1f} | | | | {sum(map(len, found.values()))} | |"
-    text = document.read_text()
-    before, rest = text.split(BEGIN)
-    document.write_text(before + "\n".join([BEGIN, *head, *rows, total, END]) + rest.split(END)[1])
     print("\n".join([*head, *rows, total]))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""docs/pictures/README.md names for every picture of the documentation the script that makes it, and documents show every picture."""
+"""docs/gallery.md names for every picture of the documentation the script that makes it, and documents show every picture;
+docs/index.md leads to each page."""
 
 import fnmatch
 import os
@@ -13,7 +14,7 @@ endings = {".png", ".svg", ".webp", ".gif", ".jpg"}
 
 def table():
     """Pattern to script."""
-    rows = re.findall(r"^\| `([^`]+)` \| `(scripts/[^`]+)` \|", (root / "docs/pictures/README.md").read_text(), re.M)
+    rows = re.findall(r"^\| `([^`]+)` \| `(scripts/[^`]+)` \|", (root / "docs/gallery.md").read_text(), re.M)
     return {"docs/" + pattern: script for pattern, script in rows}
 
 
@@ -48,6 +49,12 @@ class Pictures(unittest.TestCase):
             if "*" not in pattern and script != "scripts/bench":
                 texts = (root / script).read_text() + (root / "scripts/make-docs").read_text()
                 self.assertIn(pattern, texts, script)
+
+
+class Index(unittest.TestCase):
+    def test_it_leads_to_each_page(self):
+        linked = re.findall(r"\]\(([\w-]+\.md)", (root / "docs/index.md").read_text())
+        self.assertEqual(sorted(path.name for path in (root / "docs").glob("*.md") if path.name != "index.md"), sorted(linked))
 
 
 if __name__ == "__main__":

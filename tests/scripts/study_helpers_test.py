@@ -6,6 +6,7 @@ import random
 import sys
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
@@ -14,6 +15,7 @@ sys.path.insert(0, str(root / "scripts"))
 from alignments import cases, tables, wrong_landmarks  # noqa: E402
 from lib import meshes, transforms  # noqa: E402
 from lib.document import put_between  # noqa: E402
+from verdicts.table import table_text  # noqa: E402
 
 corners = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, 3.0)]
 sides = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -63,6 +65,23 @@ class Documents(unittest.TestCase):
                 put_between(path, "<!-- a -->", "<!-- c -->", "")
 
 
+class VerdictStudy(unittest.TestCase):
+    def test_a_page_lists_unexpected_verdicts(self):
+        distances = {"deformed_to_template": {"mean": 0.1}, "template_to_deformed": {"mean": 0.1, "max": 0.2}, "uncovered": 0}
+        results = [
+            SimpleNamespace(
+                error=None,
+                is_right=is_right,
+                case=SimpleNamespace(name=name, kind=""),
+                summary={"verdict": {"outcome": outcome}, "distance": distances, "flipped_share": 0, "area_distortion": {"p5": 1, "p95": 2}},
+            )
+            for name, is_right, outcome in (("a", True, "matched"), ("b", True, "look-here"), ("c", False, "matched"), ("d", False, "not-matched"))
+        ]
+        self.assertEqual(len(table_text(results).splitlines()), 6)
+        listed = [line.split(" | ")[0] for line in table_text(results, unexpected_only=True).splitlines()[2:]]
+        self.assertEqual(listed, ["| b", "| c"])
+
+
 class AlignmentStudy(unittest.TestCase):
     def test_sixty_pairs_are_distinct(self):
         self.assertEqual((len(cases.poses()), len(cases.kinds())), (35, 25))
@@ -79,6 +98,8 @@ class AlignmentStudy(unittest.TestCase):
         self.assertIn("67 % are wrong (precision)", text)
         self.assertIn("67 % are called so (recall)", text)
         self.assertIn("| a | torus/thick | other kind | wrong | doubtful |", tables.doubt_table(rows))
+        unexpected = tables.doubt_table(rows, unexpected_only=True).splitlines()[2:]
+        self.assertEqual([line.split(" | ")[1] for line in unexpected], ["c", "e"])
 
     def test_wrong_landmarks_are_as_wrong_as_they_are_said_to_be(self):
         source = random.Random(2)

@@ -49,7 +49,7 @@ TEST(GaussRule, RefusesNumbersOfPointsThatDoNotExist) {
   EXPECT_THROW(gauss_rule<3>(6), std::logic_error);
 }
 
-// The largest error that docs/quadrature.md states for sigma = 2h: planes parallel to the faces of the cells,
+// The largest error that docs/curvature.md states for sigma = 2h: planes parallel to the faces of the cells,
 // the worst case, at all offsets; there the sum over the cells is one-dimensional.
 TEST(GaussRule, BandIntegralsAreAsGoodAsDocumented) {
   constexpr std::array documented{8.0e-3, 6.1e-3, 3.8e-3, 1.5e-3, 3.5e-4};
