@@ -10,22 +10,18 @@ from paper.numbers import level_of, seconds, table, text
 from paper.plots import write_oscillations, write_penalty_plots
 
 
-def ended_by(level):
-    return f"{level['stop_reason'].replace('_', ' ')}, {level['iterations']}"
-
-
 def cells_of(summary):
     """The entries of the tables for a run's finest level, by name."""
-    last, times, distance = summary["levels"][-1], summary["run"]["level_seconds"], summary["levels"][-1]["distance"]
+    last, distance = summary["levels"][-1], summary["levels"][-1]["distance"]
     known = summary.get("correspondence_error")
     return {
-        "nodes": f"{last['nodes']}", "free nodes": f"{last['free_nodes']}",
-        "below": seconds(sum(times[:-1])), "finest": seconds(times[-1]),
+        "free nodes": f"{last['free_nodes']}",
+        "finest": seconds(summary["run"]["level_seconds"][-1]),
         "to template": text(distance["deformed_to_template"]["mean"]),
         "from template": text(distance["template_to_deformed"]["mean"]),
         "correspondence": f"{text(summary['correspondence_error_before'])}, {text(known)}" if known is not None else "",
-        "normals": f"{last['band']['normal_angle']:.1f}", "folded band": f"{100 * last['band']['folded_share']:.2g} %",
-        "folded cells": f"{last['folds']['folded_cells']}", "ended by": ended_by(last)}
+        "folded cells": f"{last['folds']['folded_cells']}",
+    }
 
 
 def papers_level(name):
@@ -68,7 +64,6 @@ class Page:
         self.introduction()
         self.claims()
         self.papers_table()
-        self.cost()
         self.bending()
         self.figures()
         self.oscillations()
@@ -84,18 +79,15 @@ class Page:
 
     def introduction(self):
         self.add("# The paper's experiments", "Made by `scripts/paper-results`; do not edit.")
-        self.add("The paper's scans are not public. Here the built-in shapes stand in their place, with the paper's",
-                 "weights, levels and schedule (`configs/paper/*.yaml`) and with `profile: paper`; where the default",
-                 "profile ran on the same pair, without coverage, its numbers stand beside. Distances are relative to the diagonal of the",
-                 "template's bounding box, both ways, means; *correspondence* is the mean distance of vertices from where",
-                 "the generator, or the common connectivity of two meshes, knows that they belong. Times are those of the",
-                 "minimisation on one busy machine: ratios say more than seconds.")
         threads = sorted({summary["run"]["threads"] for summary in self.results.summaries.values()})
-        self.add(f"One command, `scripts/paper-results`, runs them all, unattended. Those on this page took {self.results.seconds / 3600:.1f}",
-                 f"hours, one after the other, with {' or '.join(map(str, threads))} thread{'' if threads == [1] else 's'} on a machine that others used as well.",
-                 "Started again it repeats nothing that is finished.")
-        if len(self.results.programs) > 1:
-            self.add(f"They were made by {len(self.results.programs)} builds of the program.")
+        builds = f", by {len(self.results.programs)} builds of the program" if len(self.results.programs) > 1 else ""
+        self.add("The scans of the paper are not public. Built-in shapes stand in their place, with the weights,",
+                 "levels and schedule of the paper (`configs/paper/*.yaml`) and `profile: paper`; beside them is",
+                 "the default profile without coverage. Distances are means over the diagonal of the bounding box",
+                 "of the template. *Correspondence* is the mean distance of vertices from where they are known to",
+                 "belong. Times are those of the minimisation on one busy machine: ratios say more than seconds.",
+                 "`scripts/paper-results` runs all experiments; those on this page took",
+                 f"{self.results.seconds / 3600:.1f} hours with {' or '.join(map(str, threads))} thread{'' if threads == [1] else 's'}{builds}.")
         lower = [f"{name} ({summary['levels'][-1]['level']})" for name, _, _ in experiments for summary in [self.results.get(name)]
                  if summary and summary["levels"][-1]["level"] < papers_level(name)]
         if lower:
@@ -113,12 +105,12 @@ class Page:
         self.add("## What the paper says, and what is found here")
         self.add(table(["claim", "reproduced", "by"],
                        [[claim.words, "yes" if claim.holds else "**no**", claim.numbers] for claim in found]))
-        self.add("An energy *oscillates* here if the normals that the map carries along are further off the template's than",
-                 "with the model on the same grid, and ten times as much of the band folds over. *P2 left out* is W(Dphi P1 +",
-                 "n2 n1^T), the letter of the caption of fig:cubes. With n2 held fixed it is still convex along rank-one lines",
-                 "(`tests/energies/terms/comparison_test.cpp`) and need not oscillate; what section 4.1 proves to oscillate is W of",
-                 "the Cauchy-Green tensor. The curves [eq:varphik] close exactly only for a start radius that is smaller than",
-                 "the paper's r0 by a share of order 1/k (`tests/energies/terms/oscillation_test.cpp`).")
+        self.add("An energy *oscillates* here if the normals that the map carries are further off than with the",
+                 "model on the same grid, and ten times as much of the band folds. *P2 left out* is W(Dphi P1 + n2",
+                 "n1^T). With n2 held fixed it is convex along rank-one lines and need not oscillate",
+                 "(`tests/energies/terms/comparison_test.cpp`); section 4.1 proves that W of the Cauchy-Green",
+                 "tensor oscillates. The curves [eq:varphik] close exactly only for a start radius that is smaller",
+                 "than r0 of the paper by a share of order 1/k (`tests/energies/terms/oscillation_test.cpp`).")
 
     def papers_table(self):
         rows = []
@@ -136,10 +128,13 @@ class Page:
                              f"{last['folds']['folded_cells']}"])
         if rows:
             self.add("## Table tab:parstimes",
-                     "The paper's DOFs are nodes: its 178584 of the dolphin are the 1.1 % of the full grid's 257^3 that it names. Its times",
-                     "are those of six cores of a Xeon E5-1650, on its own scans.")
+                     "The DOFs of the paper are nodes. Its times are those of six cores of a Xeon E5-1650, on its own",
+                     "scans.")
             self.add(table(["", "finest level", "nodes", "free nodes", "below the finest level", "at the finest", "distance from template",
                             "folded cells"], rows))
+            self.add("The paper names no limit of iterations. Here 1000 on each level are the most with its profile,",
+                     "and most runs use them up: they do not end at a minimum, to which the rows of the default",
+                     "profile are nearer.")
 
     def bending(self):
         pairs = [(name, prefix + name, f"{prefix}{name}_no_bending") for name in built_in_pairs for prefix in ("coarse_", "")]
@@ -149,48 +144,23 @@ class Page:
             a, b = self.results.get(with_term, profile), self.results.get(without, profile)
             if not a or not b or a["levels"][-1]["level"] != b["levels"][-1]["level"]:
                 continue
-            ends = [run["levels"][-1] for run in (a, b)]
-            rows.append([words, profile, f"{ends[0]['level']}", text(a["correspondence_error_before"]),
-                         text(a["correspondence_error"]), text(b["correspondence_error"]),
-                         *(text(end["distance"]["template_to_deformed"]["mean"]) for end in ends),
-                         *(f"{end['folds']['folded_cells']}" for end in ends)])
+            rows.append([words, profile, f"{a['levels'][-1]['level']}", text(a["correspondence_error_before"]),
+                         text(a["correspondence_error"]), text(b["correspondence_error"])])
         if rows:
             self.add("## With and without the bending term",
-                     "The paper calls the influence of the curvature matching indispensable where it matches hand, dolphins and beets",
-                     "(section 6), by eye; it gives no number. Here every pair has a known correspondence. The real ones have",
-                     "one connectivity for both meshes (hand outlines: registered points) and run with the dolphin's weights.")
-            self.add(table(["pair", "profile", "level", "correspondence before", "with", "without", "from template: with", "without",
-                            "folded cells: with", "without"], rows))
-            self.add("The term pulls edges onto edges, which nothing else does: without it the cube slides along itself. But it asks for equal",
-                     "curvatures, and is as good as the curvatures that it is given and the minimiser that follows it. In the paper's profile",
-                     "these are crude on coarse grids ([curvature.md](curvature.md)) and the method stops short of a minimum; the default",
-                     "profile reads the shapes as smooth splines and converges. Compare the profiles, and one pair on two levels. Where the true",
-                     "correspondence changes curvatures, the membrane term, which asks for equal lengths, may do better by itself.")
-
-    def cost(self):
-        rows = []
-        for name, dimension, _ in experiments:
-            for profile in ("paper", "default"):
-                summary = self.results.get(name, profile)
-                if not summary:
-                    continue
-                levels, cells = summary["levels"], cells_of(summary)
-                rows.append([name, profile, f"{levels[0]['level']}:{levels[-1]['level']}",
-                             *(cells[c] for c in ("nodes", "free nodes", "below", "finest")),
-                             cells["to template"] + " / " + cells["from template"],
-                             *(cells[c] for c in ("correspondence", "normals", "folded band", "folded cells", "ended by"))])
-        if rows:
-            self.add("## Size, time and quality")
-            self.add(table(["experiment", "profile", "levels", "nodes", "free nodes", "below the finest level", "at the finest", "distance to / from template", "correspondence",
-                            "normals off (degrees)", "band folded", "folded cells", "finest level ended by"], rows))
-            self.add("The paper names no limit of iterations; here 1000 on each level are the most with its profile, and most of its runs",
-                     "use them up: its method is slow, and where it ends is not a minimum. What the minimum is, the default profile's",
-                     "rows are nearer to.")
+                     "The paper calls curvature matching indispensable for hand, dolphins and beets (section 6), by",
+                     "eye. Here every pair has a known correspondence. Real pairs have one connectivity for both",
+                     "meshes (hand outlines: registered points) and run with the weights of the dolphin.")
+            self.add(table(["pair", "profile", "level", "correspondence before", "with", "without"], rows))
+            self.add("The term pulls edges onto edges; without it the cube slides along itself. It is as good as the",
+                     "curvatures that it is given, which are crude on coarse grids in the profile of the paper",
+                     "([curvature.md](curvature.md)). Where the true correspondence changes curvatures, the membrane",
+                     "term may do better by itself.")
 
     def figures(self):
         self.add("## Figures",
-                 "Each row: reference, template and deformed reference with a pattern that the deformation carries along,",
-                 "deformed reference and template one over the other, and the distance between them.")
+                 "Each row: reference, template and deformed reference with a pattern that the deformation carries",
+                 "along, deformed reference and template one over the other, and the distance between them.")
         for name, dimension, levels in experiments:
             summary = self.results.get(name)
             if not summary or not levels:
@@ -203,15 +173,16 @@ class Page:
             if len(levels) == 1:
                 self.picture(name, "result.png", f"{name}, level {summary['levels'][-1]['level']}")
             if name == "leaves":
-                self.add("Grid (fig:grids) and deformed grid (fig:leaves): cells of less than three pixels, which are those along the contour, are",
-                         "not drawn.")
+                self.add("Grid (fig:grids) and deformed grid (fig:leaves): cells of less than three pixels, which are",
+                         "those along the contour, are not drawn.")
             if name == "dolphin":
                 self.add("Slices of the finest grid (fig:grids); reference orange, template blue:")
                 self.picture(name, "grid.png", "slices of the dolphin's grid")
 
     def oscillations(self):
         self.add("### fig:oscillation", "The curves [eq:varphik] for R = 0.95 and k = 6, 20, 50, each with the start radius for which it closes, and the",
-                 "circle that they tend to. What the two membranes charge for them is in `tests/energies/terms/oscillation_test.cpp`.")
+                 "circle that they tend to. What the two membranes charge for them is in",
+                 "`tests/energies/terms/oscillation_test.cpp`.")
         write_oscillations(self.own_picture("oscillation.png"), self.plots)
         self.add("![oscillating curves of unit speed](pictures/paper/oscillation.png)")
         self.add("### fig:Dtt and fig:detDtt", "Drawings of definitions. The numbers in them, det(Dtg id + n2 n1^T) = 0 and < 0, are in",
@@ -222,14 +193,13 @@ class Page:
         if not rows:
             return
         self.add("## The limit of small nu",
-                 "A circle onto an ellipse in the plane, one grid and one band, phi = id on the boundary, the full volume term",
-                 "W_hat. nu is lowered in steps of 1/2.15, and each minimisation starts from the end of the one before, so that",
-                 "a minimiser is followed; started from the identity, small nu end in other local minima. Every third step:")
+                 "A circle onto an ellipse in the plane, one grid and one band, phi = id on the boundary, the full",
+                 "volume term W_hat. nu is lowered in steps of 1/2.15, each minimisation starting from the end of",
+                 "the one before. Every third step:")
         self.add(table(["nu", "mismatch: integral of eta (d2(phi) - d1)^2", "mismatch / nu", "membrane + bending + volume", "total"],
                        [[f"{nu:.2g}", text(a, 3), text(a / nu, 3), f"{b:.4f}", f"{c:.4f}"] for nu, a, b, c in rows[::3]]))
-        self.add("The total can only rise as nu falls, and stays below the energy of any map that takes one shape onto the other",
-                 "exactly; mismatch / nu, the match term, goes to zero, and what is left settles. No map on the grid matches exactly: where",
-                 "mismatch / nu begins to rise again, nu has become too small for this grid.")
+        self.add("mismatch / nu, the match term, goes to zero, and the rest settles. No map on the grid matches",
+                 "exactly: where mismatch / nu begins to rise again, nu is too small for this grid.")
         write_penalty_plots(rows, self.own_picture("penalty_mismatch.png"), self.own_picture("penalty_energies.png"), self.plots)
         self.add("![mismatch over nu](pictures/paper/penalty_mismatch.png)", "![energies over nu](pictures/paper/penalty_energies.png)")
 
@@ -242,14 +212,14 @@ class Page:
                     continue
                 last, cells = summary["levels"][-1], cells_of(summary)
                 at_once = at_once or (last["stop_reason"] == "gradient_norm" and last["iterations"] < 5)
-                rows.append([name, config, profile, f"{last['level']}",
-                             *(cells[c] for c in ("nodes", "free nodes", "below", "finest", "to template", "from template",
-                                                  "normals", "correspondence", "folded cells", "ended by"))])
+                rows.append([name, profile, f"{last['level']}",
+                             *(cells[c] for c in ("free nodes", "finest", "to template", "from template", "correspondence", "folded cells"))])
         if rows:
             self.add("## Real shapes", "The nearest public ones (`SHELLMATCH_DATA`), with the weights of the experiment named.")
-            self.add(table(["pair", "as", "profile", "level", "nodes", "free nodes", "below", "at the finest", "to template",
-                            "from template", "normals off (degrees)", "correspondence", "folded cells", "finest level ended by"], rows))
+            self.add(table(["pair", "profile", "level", "free nodes", "at the finest", "to template", "from template", "correspondence",
+                            "folded cells"], rows))
             if at_once:
-                self.add("Where the gradient's norm ended a level after a step or two, the level began with a bending term of an astronomical",
-                         "size, exp(1 - det) of an argument that the new grid's curvatures turn inside out; the gradient of the start, against",
-                         "which the others are measured, is as large. That level did nothing more.")
+                self.add("Where the gradient's norm ended a level after a step or two, the level began with a bending term",
+                         "of an astronomical size, exp(1 - det) of an argument that the new grid's curvatures turn inside",
+                         "out; the gradient of the start, against which the others are measured, is as large. That level",
+                         "did nothing more.")

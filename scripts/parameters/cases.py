@@ -70,9 +70,6 @@ parameters = {
         [space(f"volume-{weight}", f"`cascade.volume={weight}`", fist, f"--set cascade.volume={weight}") for weight in ("0", "0.2", "200", "2000")],
         [Picture("volume-0", "0: looks the same, for forty times the steps", bent), Picture("volume-0.2", "0.2: on the template", bent),
          Picture("volume-2000", "2000, too much: fingers stay straight", bent)]),
-    "others": (
-        [Run(f"first-{level}", f"`--levels {level}:5`", fist, f"--levels {level}:5 --align none") for level in (2, 3, 4, 5)] +
-        [space(f"{name}-{value}", f"`energy.{name}={value}`", fist, f"--set energy.{name}={value}") for name in ("lambda", "mu") for value in (0.1, 10)], []),
 }
 
 generated = {

@@ -13,6 +13,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "scripts"))
 
 from alignments import cases, tables, wrong_landmarks  # noqa: E402
+from closing import tables as closing  # noqa: E402
 from lib import meshes, transforms  # noqa: E402
 from lib.document import put_between  # noqa: E402
 from verdicts.table import table_text  # noqa: E402
@@ -80,6 +81,19 @@ class VerdictStudy(unittest.TestCase):
         self.assertEqual(len(table_text(results).splitlines()), 6)
         listed = [line.split(" | ")[0] for line in table_text(results, unexpected_only=True).splitlines()[2:]]
         self.assertEqual(listed, ["| b", "| c"])
+
+
+class ClosingStudy(unittest.TestCase):
+    def test_files_are_counted_by_what_becomes_of_them(self):
+        rows = [
+            "| file | strictly | made up | now | mean error | s |",
+            "| --- |",
+            "| a | read | - | matched | 1e-3 | 1 |",
+            "| b | open | 8 % | look-here | 2e-3 | 1 |",
+            "| c | no faces |  | no faces |  | 0 |",
+        ]
+        counts = closing.dirty_counts(rows)
+        self.assertEqual(counts, "Of 3 files 1 are read strictly, 1 are matched after closing, and 1 are refused.")
 
 
 class AlignmentStudy(unittest.TestCase):
