@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """docs/gallery.md names for every picture of the documentation the script that makes it, and documents show every picture;
-docs/index.md leads to each page."""
+docs/index.md leads to each page; code that a page shows is that of the example."""
 
 import fnmatch
 import os
@@ -55,6 +55,18 @@ class Index(unittest.TestCase):
     def test_it_leads_to_each_page(self):
         linked = re.findall(r"\]\(([\w-]+\.md)", (root / "docs/index.md").read_text())
         self.assertEqual(sorted(path.name for path in (root / "docs").glob("*.md") if path.name != "index.md"), sorted(linked))
+
+
+def without_blanks(text):
+    return re.sub(r"\s", "", text)
+
+
+class Excerpts(unittest.TestCase):
+    def test_the_term_is_that_of_the_example(self):
+        page = (root / "docs/adding-an-energy.md").read_text()
+        blocks = re.findall(r"(?:^    .*\n|^\n(?=    ))+", page, re.M)
+        excerpt = next(block for block in blocks if "operator()" in block)
+        self.assertIn(without_blanks(excerpt), without_blanks((root / "examples/normal_alignment.h").read_text()))
 
 
 if __name__ == "__main__":
