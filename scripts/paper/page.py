@@ -185,8 +185,6 @@ class Page:
                  "`tests/energies/terms/oscillation_test.cpp`.")
         write_oscillations(self.own_picture("oscillation.png"), self.plots)
         self.add("![oscillating curves of unit speed](pictures/paper/oscillation.png)")
-        self.add("### fig:Dtt and fig:detDtt", "Drawings of definitions. The numbers in them, det(Dtg id + n2 n1^T) = 0 and < 0, are in",
-                 "`tests/energies/densities/theory_test.cpp`: in the plane that determinant is n1 . n2.")
 
     def penalty(self):
         rows = self.results.penalty_rows()

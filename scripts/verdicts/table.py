@@ -16,9 +16,18 @@ def row(result):
     there, back = s["distance"]["deformed_to_template"], s["distance"]["template_to_deformed"]
     angle, area = s.get("angle_distortion"), s["area_distortion"]
     error = s.get("correspondence_error")
-    return [result.case.name, result.case.kind, f"{error:.1e}" if error is not None else "", "right" if result.is_right else "wrong", outcome(result), f"{there['mean']:.1e}", f"{back['mean']:.1e}", f"{back['max']:.1e}",
-            percent(s["distance"]["uncovered"]), percent(s["flipped_share"]),
-            f"{angle['p95']:.0f}" if angle else "", f"{area['p5']:.2g} to {area['p95']:.2g}"]
+    return [
+        result.case.name,
+        f"{error:.1e}" if error is not None else "",
+        "right" if result.is_right else "wrong",
+        outcome(result),
+        f"{there['mean']:.1e}",
+        f"{back['mean']:.1e}, {back['max']:.1e}",
+        percent(s["distance"]["uncovered"]),
+        percent(s["flipped_share"]),
+        f"{angle['p95']:.0f}" if angle else "",
+        f"{area['p5']:.2g} to {area['p95']:.2g}",
+    ]
 
 
 def as_expected(result):
@@ -26,7 +35,8 @@ def as_expected(result):
 
 
 def table_text(results, unexpected_only=False):
-    head = ["pair", "shapes", "error", "map", "verdict", "to template", "back", "back, largest", "not reached %", "flipped %", "angles 95 %, degrees", "areas, 5 to 95 %"]
+    head = ["pair", "error", "map", "verdict", "to template", "back: mean, largest", "not reached, %", "flipped, %"]
+    head += ["angles, 95 %", "areas, 5 to 95 %"]
     lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error and not (unexpected_only and as_expected(r))]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
 
