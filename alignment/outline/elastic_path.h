@@ -17,7 +17,7 @@ using ElasticPath = std::vector<std::pair<std::size_t, std::size_t>>;
 /// \param stretching weight of the squared logarithm of the ratio of both steps, in the unit of `costs`
 /// \param[out] total mean cost of a sample, the stretching included
 /// \return empty where infinite costs leave no way
-/// \source T. B. Sebastian, P. N. Klein, B. B. Kimia: On aligning curves. IEEE PAMI 25, 2003
+/// Source: T. B. Sebastian, P. N. Klein, B. B. Kimia: On aligning curves. IEEE PAMI 25, 2003
 ElasticPath elastic_path(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching,
                          double* total = nullptr);
 

@@ -11,8 +11,8 @@ namespace shellmatch {
 
 struct XmlTag {
   std::string_view name;
-  bool closes = false;       ///< </name>
-  bool is_complete = false;  ///< <name ... />
+  bool closes = false;       ///< of the form `</name>`
+  bool is_complete = false;  ///< of the form `<name ... />`
   std::vector<std::pair<std::string_view, std::string_view>> attributes;
 
   /// The value of the attribute; nothing where there is none.

@@ -18,7 +18,7 @@ struct EnumNames<CeresMethod> {
 };
 
 /// A line search method of Ceres, with its own tolerances and line search. Its iterates are recorded, and its last one is
-/// returned. StopReason::converged and ::library (Ceres failed) come with Ceres' message; the summary has Ceres' reports. The
+/// returned. StopReason::converged and StopReason::library (Ceres failed) come with Ceres' message; the summary has Ceres' reports. The
 /// common stop rules are a callback (CeresOptions::common_stop_rules); StopOptions::max_iterations and max_seconds are limits
 /// of Ceres itself. Exceptions of the objective and of the callback are passed to the caller.
 ///

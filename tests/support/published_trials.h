@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Every method on every published problem: for the tests, and for the table in docs/solvers.md.
+/// Every method on every published problem.
 
 #include "solvers/options.h"
 #include "tests/support/test_problems.h"
