@@ -30,14 +30,15 @@ def row(result):
     ]
 
 
-def as_expected(result):
-    return outcome(result) == ("matched" if result.is_right else "not-matched")
+def is_wrong(result):
+    """What the verdict says is not true; 'look-here' never is."""
+    return outcome(result) == ("not-matched" if result.is_right else "matched")
 
 
-def table_text(results, unexpected_only=False):
+def table_text(results, wrong_only=False):
     head = ["pair", "error", "map", "verdict", "to template", "back: mean, largest", "not reached, %", "flipped, %"]
     head += ["angles, 95 %", "areas, 5 to 95 %"]
-    lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error and not (unexpected_only and as_expected(r))]
+    lines = [head, ["---"] * len(head)] + [row(r) for r in results if not r.error and (is_wrong(r) or not wrong_only)]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
 
 

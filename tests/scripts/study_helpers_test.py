@@ -67,7 +67,7 @@ class Documents(unittest.TestCase):
 
 
 class VerdictStudy(unittest.TestCase):
-    def test_a_page_lists_unexpected_verdicts(self):
+    def test_a_page_lists_wrong_verdicts(self):
         distances = {"deformed_to_template": {"mean": 0.1}, "template_to_deformed": {"mean": 0.1, "max": 0.2}, "uncovered": 0}
         results = [
             SimpleNamespace(
@@ -76,10 +76,10 @@ class VerdictStudy(unittest.TestCase):
                 case=SimpleNamespace(name=name, kind=""),
                 summary={"verdict": {"outcome": outcome}, "distance": distances, "flipped_share": 0, "area_distortion": {"p5": 1, "p95": 2}},
             )
-            for name, is_right, outcome in (("a", True, "matched"), ("b", True, "look-here"), ("c", False, "matched"), ("d", False, "not-matched"))
+            for name, is_right, outcome in (("a", True, "matched"), ("b", True, "not-matched"), ("c", False, "matched"), ("d", False, "look-here"))
         ]
         self.assertEqual(len(table_text(results).splitlines()), 6)
-        listed = [line.split(" | ")[0] for line in table_text(results, unexpected_only=True).splitlines()[2:]]
+        listed = [line.split(" | ")[0] for line in table_text(results, wrong_only=True).splitlines()[2:]]
         self.assertEqual(listed, ["| b", "| c"])
 
 
