@@ -49,8 +49,7 @@ def cells(row):
         folds = f"{folds} ({row['uncertified_cells']} uncertified)"
     both = [" / ".join(filter(None, (scientific(row[f"{way}_mean"]), scientific(row[f"{way}_max"])))) for way in ("dt", "td")]
     return [row["pair"], row["method"], fixed(row["before"], digits), fixed(row["mean"], digits), fixed(row["p95"], digits),
-            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), row["alignment"], f"{row['seconds']:.0f}",
-            f"{row['cpu_seconds']:.0f}"]
+            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), row["alignment"], f"{row['cpu_seconds']:.0f}"]
 
 
 def mean_row(method, part, rows):
@@ -78,7 +77,7 @@ def markdown(rows, failed):
             continue
         limit = "10" if metric == "geodesic" else "0.1"
         head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "d->t mean / max", "t->d mean / max", "folds",
-                "alignment", "s", "CPU s"]
+                "alignment", "CPU s"]
         methods = list(dict.fromkeys(row["method"] for row in chosen))
         parts_of_list = list(dict.fromkeys(row["part"] for row in chosen))
         lines = []
@@ -86,7 +85,7 @@ def markdown(rows, failed):
             of_part = [row for row in chosen if row["part"] == part]
             means = [mean_row(method, part, of_method) for method in methods if (of_method := [row for row in of_part if row["method"] == method])]
             lines += [cells(row) for row in (of_part + means if len(of_part) > len(means) else of_part)]
-        keep = [k for k in range(len(head)) if any(line[k] for line in lines)]
+        keep = [k for k in range(len(head)) if any(line[k] for line in lines) and (head[k] != "method" or methods != ["shellmatch"])]
         table = [[head[k] for k in keep], ["---"] * len(keep)] + [[line[k] for k in keep] for line in lines]
         parts.append(f"Unit: {unit}.\n\n" + "\n".join("| " + " | ".join(line) + " |" for line in table) + "\n")
     parts += [f"Failed: {method.name}, {pair.name}: {reason}\n" for method, pair, reason in failed]

@@ -13,17 +13,6 @@ experiments = [
 ]
 # Experiments without a second derivative, which Newton's method of the default profile needs.
 first_order = {"cubes_cauchy_green", "cubes_no_p2", "cubes_quadratic"}
-# Real shapes nearest to the paper's: the experiment whose weights they take, and two files below the data's folder.
-data_pairs = [
-    ("heads", "faces", 3, "heads_ict/head_neutral.off", "heads_ict/head_sample.off"),
-    ("hands", "hand", 3, "hands_makehuman/hand_woman_young.off", "hands_makehuman/hand_man_old_spread.off"),
-    ("fish", "dolphin", 3, "fish_two_poses/fish_aligned_to_low_resolution.off", "fish_two_poses/fish_low_resolution.obj"),
-    ("vertebrae", "beet", 3, "vertebra_L1_verse/sub-verse016_segment_20.ply",
-     "vertebra_L1_verse/verse018_aligned_to_016.ply"),
-    ("grape_leaves", "leaves", 2, "leaves2d_vitis/000_CHARDONNAY_aligned_mask.png",
-     "leaves2d_vitis/000_ALICANTEBOUSCHET_aligned_mask.png"),
-    ("hand_outlines", "leaves", 2, "hands2d_basel/hand00_registered_mask.png", "hands2d_basel/hand03_registered_mask.png"),
-]
 # Pairs of SHELLMATCH_DATA of one connectivity, so that every vertex is known to belong to that of its number: the experiment whose
 # weights they take (those with a large delta), and two files. They run with and without the bending term.
 bending_pairs = [
@@ -36,10 +25,6 @@ bending_pairs = [
     ("hand_outlines", "leaves", 2, "hands2d_basel/hand00_registered.csv", "hands2d_basel/hand03_registered.csv"),
 ]
 bending_levels = 6, 8  # the finest, in space and in the plane
-# Built-in pairs of known correspondence that run with and without bending, also on a coarse level that hardly resolves
-# their shape.
-built_in_pairs = "cubes", "hand", "dolphin"
-coarse_level = 5
 # Claims, by their beginnings, that do not hold on the reduced levels: the page says "no", and --check --reduced accepts
 # it.
 open_when_reduced = ("Bending is indispensable",)

@@ -1,27 +1,12 @@
 """Writes docs/paper.md from the summaries."""
 
-import itertools
 import shutil
 import subprocess
 
 from paper.claims import judged
-from paper.experiments import bending_pairs, built_in_pairs, data_pairs, experiments, papers_table, root
+from paper.experiments import experiments, papers_table, root
 from paper.numbers import level_of, seconds, table, text
 from paper.plots import write_oscillations, write_penalty_plots
-
-
-def cells_of(summary):
-    """The entries of the tables for a run's finest level, by name."""
-    last, distance = summary["levels"][-1], summary["levels"][-1]["distance"]
-    known = summary.get("correspondence_error")
-    return {
-        "free nodes": f"{last['free_nodes']}",
-        "finest": seconds(summary["run"]["level_seconds"][-1]),
-        "to template": text(distance["deformed_to_template"]["mean"]),
-        "from template": text(distance["template_to_deformed"]["mean"]),
-        "correspondence": f"{text(summary['correspondence_error_before'])}, {text(known)}" if known is not None else "",
-        "folded cells": f"{last['folds']['folded_cells']}",
-    }
 
 
 def papers_level(name):
@@ -64,11 +49,9 @@ class Page:
         self.introduction()
         self.claims()
         self.papers_table()
-        self.bending()
         self.figures()
         self.oscillations()
         self.penalty()
-        self.data()
         self.path.parent.mkdir(parents=True, exist_ok=True)
         partial = self.path.with_name(self.path.name + ".partial")
         partial.write_text("\n".join(self.parts).rstrip() + "\n")
@@ -136,27 +119,6 @@ class Page:
                      "and most runs use them up: they do not end at a minimum, to which the rows of the default",
                      "profile are nearer.")
 
-    def bending(self):
-        pairs = [(name, prefix + name, f"{prefix}{name}_no_bending") for name in built_in_pairs for prefix in ("coarse_", "")]
-        pairs += [(f"{name}, real", f"bending_{name}", f"bending_{name}_without") for name, *_ in bending_pairs]
-        rows = []
-        for (words, with_term, without), profile in itertools.product(pairs, ("paper", "default")):
-            a, b = self.results.get(with_term, profile), self.results.get(without, profile)
-            if not a or not b or a["levels"][-1]["level"] != b["levels"][-1]["level"]:
-                continue
-            rows.append([words, profile, f"{a['levels'][-1]['level']}", text(a["correspondence_error_before"]),
-                         text(a["correspondence_error"]), text(b["correspondence_error"])])
-        if rows:
-            self.add("## With and without the bending term",
-                     "The paper calls curvature matching indispensable for hand, dolphins and beets (section 6), by",
-                     "eye. Here every pair has a known correspondence. Real pairs have one connectivity for both",
-                     "meshes (hand outlines: registered points) and run with the weights of the dolphin.")
-            self.add(table(["pair", "profile", "level", "correspondence before", "with", "without"], rows))
-            self.add("The term pulls edges onto edges; without it the cube slides along itself. It is as good as the",
-                     "curvatures that it is given, which are crude on coarse grids in the profile of the paper",
-                     "([curvature.md](curvature.md)). Where the true correspondence changes curvatures, the membrane",
-                     "term may do better by itself.")
-
     def figures(self):
         self.add("## Figures",
                  "Each row: reference, template and deformed reference with a pattern that the deformation carries",
@@ -200,24 +162,3 @@ class Page:
                  "exactly: where mismatch / nu begins to rise again, nu is too small for this grid.")
         write_penalty_plots(rows, self.own_picture("penalty_mismatch.png"), self.own_picture("penalty_energies.png"), self.plots)
         self.add("![mismatch over nu](pictures/paper/penalty_mismatch.png)", "![energies over nu](pictures/paper/penalty_energies.png)")
-
-    def data(self):
-        rows, at_once = [], False
-        for name, config, dimension, _, _ in data_pairs:
-            for profile in ("paper", "default"):
-                summary = self.results.get(name, profile)
-                if not summary:
-                    continue
-                last, cells = summary["levels"][-1], cells_of(summary)
-                at_once = at_once or (last["stop_reason"] == "gradient_norm" and last["iterations"] < 5)
-                rows.append([name, profile, f"{last['level']}",
-                             *(cells[c] for c in ("free nodes", "finest", "to template", "from template", "correspondence", "folded cells"))])
-        if rows:
-            self.add("## Real shapes", "The nearest public ones (`SHELLMATCH_DATA`), with the weights of the experiment named.")
-            self.add(table(["pair", "profile", "level", "free nodes", "at the finest", "to template", "from template", "correspondence",
-                            "folded cells"], rows))
-            if at_once:
-                self.add("Where the gradient's norm ended a level after a step or two, the level began with a bending term",
-                         "of an astronomical size, exp(1 - det) of an argument that the new grid's curvatures turn inside",
-                         "out; the gradient of the start, against which the others are measured, is as large. That level",
-                         "did nothing more.")

@@ -9,8 +9,7 @@ import subprocess
 import sys
 import time
 
-from paper.experiments import (bending_levels, bending_pairs, built_in_pairs, coarse_level, data_pairs, experiments,
-                               first_order, root)
+from paper.experiments import bending_levels, bending_pairs, experiments, first_order, root
 
 
 class Results:
@@ -33,8 +32,6 @@ class Results:
             high = max(low, min(high, self.arguments.max_level[3 - dimension]))
         if name.startswith("bending_"):
             high = min(high, bending_levels[3 - dimension])
-        if name.startswith("coarse_"):
-            high = min(high, coarse_level)
         return low, high
 
     def run(self, name, config, dimension, profile, changes=(), more=()):
@@ -85,13 +82,6 @@ class Results:
                  if profile == "paper" or name not in first_order]
         if profile == "paper":
             works.append(("penalty", "penalty", 2, (), ()))
-        for name, config, dimension, reference, template in data_pairs:
-            files = self.data_files(reference, template)
-            if files:
-                places = (f"input.reference={files[0]}", f"input.template={files[1]}")
-                if (reference, template) in {pair[3:] for pair in bending_pairs}:
-                    places += (f"input.correspondence={self.correspondence(name, files[1])}",)
-                works.append((name, config, dimension, places, ("--placement", "fit")))
         for name, config, dimension, reference, template in bending_pairs:
             files = self.data_files(reference, template)
             if files:
@@ -100,13 +90,10 @@ class Results:
                 works.append((f"bending_{name}", config, dimension, places, ("--placement", "fit")))
                 places += ("energy.bending_weight=0",)
                 works.append((f"bending_{name}_without", config, dimension, places, ("--placement", "fit")))
-        if profile == "paper" and self.arguments.max_level[0] > coarse_level:
-            for name in built_in_pairs:
-                works += [(f"coarse_{run}", run, 3, (), ()) for run in (name, f"{name}_no_bending")]
         only = self.arguments.only
         if not only:
             return works
-        return [work for name in only for work in works if work[0] == name or name == "bending" and work[0].startswith(("bending_", "coarse_"))]
+        return [work for name in only for work in works if work[0] == name or name == "bending" and work[0].startswith("bending_")]
 
     def correspondence(self, name, template):
         """Writes a correspondence file that maps vertex i to the template's vertex i."""
@@ -129,9 +116,8 @@ class Results:
 
     def read_all(self):
         """All finished runs that were made by the present configuration."""
-        configs = {name: name for name, _, _ in experiments} | {name: config for name, config, _, _, _ in data_pairs}
+        configs = {name: name for name, _, _ in experiments}
         configs |= {f"bending_{name}{kind}": config for name, config, _, _, _ in bending_pairs for kind in ("", "_without")}
-        configs |= {f"coarse_{run}": run for name in built_in_pairs for run in (name, f"{name}_no_bending")}
         for name, config in [*configs.items(), ("penalty", "penalty")]:
             for profile in ("paper", "default"):
                 folder = self.output / f"{name}-{profile}"
