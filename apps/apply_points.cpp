@@ -47,7 +47,10 @@ OriginalShape<Dim> table_of(const PointSet<Dim>& set, Space space) {
 void check_points_output(const std::string& path, int dimension, bool force) {
   const PointFormat format = point_format(path);
   if (format == PointFormat::none) return check_output_file(path, dimension, force);
-  if (dimension == 2 && is_of_slicer(format)) throw_input_error("{}: holds points of space, but this deformation is one of the plane; give a name ending in .csv, .tps or .txt", path);
+  if (dimension == 2 && is_of_slicer(format))
+    throw_input_error(
+        "{}: holds points of space, but this deformation is one of the plane; give a name ending in .csv, .tps or .txt",
+        path);
   check_report_file(path, force);
 }
 
@@ -73,17 +76,21 @@ void write_points(const ApplyCommand& command, PointSet<Dim> set, Space space) {
   const auto n_unknown = static_cast<std::size_t>(std::ranges::count_if(set.points, [](const auto& x) { return !x; }));
   if (format == PointFormat::none) {
     if (n_unknown == set.points.size()) throw_input_error("{}: none of its points has a position", command.file);
-    if (n_unknown > 0) say_line(fmt::format("{}: {} without position left out", path, counted(n_unknown, "point", "points")));
+    if (n_unknown > 0)
+      say_line(fmt::format("{}: {} without position left out", path, counted(n_unknown, "point", "points")));
     const OriginalShape<Dim> shape = table_of(set, space);
     if constexpr (Dim == 3)
-      if (!left_out(path, shape).empty()) say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
+      if (!left_out(path, shape).empty())
+        say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
     return write_output_file(path, shape, command.force);
   }
   if (is_of_slicer(format) && space == Space::unsaid) {
     space = slicer_default_space;
-    say_line(fmt::format("{}: written as {}, in which 3D Slicer takes shapes that name no frame to be", path, space_name(space)));
+    say_line(fmt::format("{}: written as {}, in which 3D Slicer takes shapes that name no frame to be", path,
+                         space_name(space)));
   }
-  if (!is_of_slicer(format)) say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
+  if (!is_of_slicer(format))
+    say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
   write_report_file(path, point_sets_text<Dim>(format, {std::move(set)}, space), command.force);
 }
 

@@ -33,20 +33,26 @@ Existing existing(const ApplyCommand& command) { return command.force ? Existing
 template <class Body>
 void for_each_voxel(const VoxelGrid& grid, Body&& body) {
   const std::size_t n_lines = static_cast<std::size_t>(grid.size[1]) * grid.size[2];
-  parallel_for(n_lines, [&](std::size_t line) {
-    const int j = static_cast<int>(line % grid.size[1]), k = static_cast<int>(line / grid.size[1]);
-    for (int i = 0; i < grid.size[0]; ++i) body(grid.number(i, j, k), grid.position(Vec<3>(i, j, k)));
-  }, 16);
+  parallel_for(
+      n_lines,
+      [&](std::size_t line) {
+        const int j = static_cast<int>(line % grid.size[1]), k = static_cast<int>(line / grid.size[1]);
+        for (int i = 0; i < grid.size[0]; ++i) body(grid.number(i, j, k), grid.position(Vec<3>(i, j, k)));
+      },
+      16);
 }
 
 Sampling chosen_sampling(const ApplyCommand& command, const Volume& volume) {
   if (command.sampling == "nearest") return Sampling::nearest;
   if (command.sampling == "label") return Sampling::label;
   if (command.sampling == "linear") return Sampling::linear;
-  if (!command.sampling.empty()) throw_input_error("--sampling {}: expected nearest, label or linear", command.sampling);
+  if (!command.sampling.empty())
+    throw_input_error("--sampling {}: expected nearest, label or linear", command.sampling);
   const bool is_label = is_label_volume(volume);
-  say_line(fmt::format("{}: {}", command.file, is_label ? "whole numbers, of which few differ: carried as labels (--sampling linear for grey values)"
-                                                    : "grey values: carried by linear interpolation (--sampling label for labels)"));
+  say_line(fmt::format("{}: {}", command.file,
+                       is_label
+                           ? "whole numbers, of which few differ: carried as labels (--sampling linear for grey values)"
+                           : "grey values: carried by linear interpolation (--sampling label for labels)"));
   return is_label ? Sampling::label : Sampling::linear;
 }
 
@@ -77,8 +83,9 @@ PendingFile carried(const ApplyCommand& command, const Deformation<3>& deformati
     result.values[voxel] = sampler(exchange_with_ras(deformation, *from), 0.0f);
   });
   if (n_inside == 0)
-    throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?", command.like.empty() ? command.file : command.like,
-                      command.inverse ? "reference" : "template", command.like.empty() ? "; --like gives the voxels of another volume" : "");
+    throw_input_error("{}: none of its voxels lies where the map is defined: is it in the coordinates of the {}{}?",
+                      command.like.empty() ? command.file : command.like, command.inverse ? "reference" : "template",
+                      command.like.empty() ? "; --like gives the voxels of another volume" : "");
   return volume_file(command.output, result, existing(command));
 }
 
@@ -90,11 +97,15 @@ void say_what_ends(const std::string& path, const VoxelGrid& grid, const std::ve
       for (int i = 0; i < grid.size[0]; ++i) {
         if (i % (grid.size[0] - 1) != 0 && j % (grid.size[1] - 1) != 0 && k % (grid.size[2] - 1) != 0) continue;
         const float* const u = &values[3 * grid.number(i, j, k)];
-        largest = std::max(largest, std::hypot(static_cast<double>(u[0]), static_cast<double>(u[1]), static_cast<double>(u[2])));
+        largest = std::max(largest,
+                           std::hypot(static_cast<double>(u[0]), static_cast<double>(u[1]), static_cast<double>(u[2])));
       }
   if (largest > 0.5 * grid.least_spacing())
-    say_line(fmt::format("{}: ends at the border of its voxels, where it moves points by up to {:.3g}: ITK, ANTs and elastix move nothing beyond; give --like a "
-                         "volume that reaches further where that matters", path, largest));
+    say_line(
+        fmt::format("{}: ends at the border of its voxels, where it moves points by up to {:.3g}: ITK, ANTs and "
+                    "elastix move nothing beyond; give --like a "
+                    "volume that reaches further where that matters",
+                    path, largest));
 }
 
 PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid) {
@@ -110,12 +121,15 @@ PendingFile displacement_file(const ApplyCommand& command, const Deformation<3>&
     const Vec<3> displacement = exchange_space(Vec<3>(exchange_with_ras(deformation, *y) - x));
     for (int k = 0; k < 3; ++k) values[3 * voxel + static_cast<std::size_t>(k)] = static_cast<float>(displacement[k]);
   });
-  if (n_lost > 0) say_line(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement, n_lost.load(), grid.n_voxels()));
+  if (n_lost > 0)
+    say_line(fmt::format("{}: {} of {} voxels are the image of no point, and do not move", command.displacement,
+                         n_lost.load(), grid.n_voxels()));
   say_what_ends(command.displacement, grid, values);
   return vector_volume_file(command.displacement, grid, values, existing(command));
 }
 
-PendingFile determinant_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid, const std::string& path, bool logarithm) {
+PendingFile determinant_file(const ApplyCommand& command, const Deformation<3>& deformation, const VoxelGrid& grid,
+                             const std::string& path, bool logarithm) {
   const UserMap<3> map(deformation, command.inverse ? Toward::reference : Toward::template_shape, command.keep_pose);
   Volume result{grid, VoxelType::float32, std::vector<float>(grid.n_voxels(), logarithm ? 0.0f : 1.0f)};
   std::atomic<std::size_t> n_folded{0};
@@ -123,9 +137,11 @@ PendingFile determinant_file(const ApplyCommand& command, const Deformation<3>& 
     auto determinant = map.determinant(exchange_with_ras(deformation, x));
     if (!determinant) return;
     if (*determinant <= 0) ++n_folded;
-    result.values[voxel] = static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
+    result.values[voxel] =
+        static_cast<float>(logarithm ? std::log(std::max(*determinant, least_determinant)) : *determinant);
   });
-  if (n_folded > 0) say_line(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
+  if (n_folded > 0)
+    say_line(fmt::format("{}: the map is folded at {} of {} voxels", path, n_folded.load(), grid.n_voxels()));
   return volume_file(path, result, existing(command));
 }
 
@@ -136,17 +152,24 @@ bool has_fields(const ApplyCommand& command) {
 }  // namespace
 
 bool is_about_volumes(const ApplyCommand& command) {
-  return has_fields(command) || (!command.file.empty() && parse_volume_name(command.file) && parse_volume_name(command.output));
+  return has_fields(command) ||
+         (!command.file.empty() && parse_volume_name(command.file) && parse_volume_name(command.output));
 }
 
 void apply_to_volumes(const ApplyCommand& command) {
-  if (deformation_dimension(command.deformation) != 3) throw_input_error("{}: a map of the plane; volumes need one of space", command.deformation);
+  if (deformation_dimension(command.deformation) != 3)
+    throw_input_error("{}: a map of the plane; volumes need one of space", command.deformation);
   const bool carries = !command.file.empty();
   if (carries && !is_volume_file(command.file) && parse_volume_name(command.file))
-    throw_input_error("{}: a volume is carried as a whole; name the file alone, or write a mesh of the labels (-o moved.ply)", command.file);
+    throw_input_error(
+        "{}: a volume is carried as a whole; name the file alone, or write a mesh of the labels (-o moved.ply)",
+        command.file);
   if (carries && !is_volume_file(command.file))
-    throw_input_error("{}: fields of the map are written without a file to move; give --like the volume whose voxels they are to have, and move this in a "
-                      "command of its own", command.file);
+    throw_input_error(
+        "{}: fields of the map are written without a file to move; give --like the volume whose voxels they are to "
+        "have, and move this in a "
+        "command of its own",
+        command.file);
   std::set<std::filesystem::path> outputs;
   for (const std::string& output : {command.output, command.displacement, command.jacobian, command.log_jacobian})
     if (!output.empty()) {
@@ -155,8 +178,10 @@ void apply_to_volumes(const ApplyCommand& command) {
       if (!outputs.insert(std::filesystem::weakly_canonical(output)).second)
         throw_input_error("{}: is named for two results; give each a file of its own", output);
     }
-  if (!carries && !command.sampling.empty()) throw_input_error("apply: --sampling {} is for a volume that is carried, and there is none", command.sampling);
-  if (has_fields(command) && command.like.empty() && !carries) throw_input_error("apply: say on which voxels: --like VOLUME");
+  if (!carries && !command.sampling.empty())
+    throw_input_error("apply: --sampling {} is for a volume that is carried, and there is none", command.sampling);
+  if (has_fields(command) && command.like.empty() && !carries)
+    throw_input_error("apply: say on which voxels: --like VOLUME");
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   std::vector<PendingFile> results;
   if (carries) results.push_back(carried(command, deformation));
@@ -166,8 +191,10 @@ void apply_to_volumes(const ApplyCommand& command) {
     for (const std::string& path : {command.displacement, command.jacobian, command.log_jacobian})
       if (!path.empty()) say_notes(path, written_notes(path, grid));
     if (!command.displacement.empty()) results.push_back(displacement_file(command, deformation, grid));
-    if (!command.jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.jacobian, false));
-    if (!command.log_jacobian.empty()) results.push_back(determinant_file(command, deformation, grid, command.log_jacobian, true));
+    if (!command.jacobian.empty())
+      results.push_back(determinant_file(command, deformation, grid, command.jacobian, false));
+    if (!command.log_jacobian.empty())
+      results.push_back(determinant_file(command, deformation, grid, command.log_jacobian, true));
   }
   publish_together(results);
 }

@@ -35,7 +35,8 @@ OriginalShape<2> read(const std::string& path, std::vector<std::string>& notes, 
   return read_points_or_outline_2d(path, &notes);
 }
 
-OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, Space space, std::integral_constant<int, 3>) {
+OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, Space space,
+                      std::integral_constant<int, 3>) {
   if (const auto volume = parse_volume_name(path)) {
     Shape<3> shape = volume_shape(*volume, path, space);
     notes = std::move(shape.notes);
@@ -52,7 +53,8 @@ void move(const Deformation<Dim>& deformation, std::vector<Vec<Dim>>& points) {
     n_outside += (y.array() < 0).any() || (y.array() > 1).any();
   }
   if (n_outside > 0)
-    fmt::print(stderr, "{} of {} points lie outside the domain; they move with its nearest point\n", n_outside, points.size());
+    fmt::print(stderr, "{} of {} points lie outside the domain; they move with its nearest point\n", n_outside,
+               points.size());
   parallel_for(points.size(), [&](std::size_t v) { points[v] = deformation.apply(points[v]); });
 }
 
@@ -65,8 +67,11 @@ void move_back(const PointMap<Dim>& map, const std::string& file, std::vector<Ve
   });
   const auto first = std::find(is_lost.begin(), is_lost.end(), 1);
   if (first != is_lost.end())
-    throw_input_error("{}: {} of {} points are the image of none, the first of them {}, counted from 0: they lie beyond what the deformed domain covers; "
-                      "leave them out", file, std::count(first, is_lost.end(), 1), points.size(), first - is_lost.begin());
+    throw_input_error(
+        "{}: {} of {} points are the image of none, the first of them {}, counted from 0: they lie beyond what the "
+        "deformed domain covers; "
+        "leave them out",
+        file, std::count(first, is_lost.end(), 1), points.size(), first - is_lost.begin());
 }
 
 /// Moves points, in the user's coordinates, as the command says.
@@ -83,11 +88,14 @@ void carry(const Deformation<Dim>& deformation, const ApplyCommand& command, std
     for (Vec<Dim>& x : points) x = deformation.to_reference_pose(x);
 }
 
-// The frame of a map whose shapes name none: that in which what is moved lies on them, or that of 3D Slicer. \pre own is said
-Space space_of_map(const Deformation<3>& deformation, const ApplyCommand& command, const std::vector<Vec<3>>& points, Space own) {
+// The frame of a map whose shapes name none: that in which what is moved lies on them, or that of 3D Slicer. \pre own
+// is said
+Space space_of_map(const Deformation<3>& deformation, const ApplyCommand& command, const std::vector<Vec<3>>& points,
+                   Space own) {
   namespace fs = std::filesystem;
   if (deformation.space != Space::unsaid) return deformation.space;
-  const fs::path place = command.deformation, file = (fs::is_directory(place) ? place : place.parent_path()) / "deformed.ply";
+  const fs::path place = command.deformation,
+                 file = (fs::is_directory(place) ? place : place.parent_path()) / "deformed.ply";
   Space found = Space::unsaid;
   if (fs::exists(file)) {
     const PointMap<3> map(deformation, Toward::template_shape);
@@ -109,12 +117,15 @@ template <int Dim>
 void apply(const ApplyCommand& command) {
   const Deformation<Dim> deformation = read_deformation<Dim>(command.deformation);
   std::vector<std::string> notes;
-  OriginalShape<Dim> shape = read(command.file, notes, or_default(deformation.space), std::integral_constant<int, Dim>());
+  OriginalShape<Dim> shape =
+      read(command.file, notes, or_default(deformation.space), std::integral_constant<int, Dim>());
   for (const std::string& note : notes) say_line(note);
   if constexpr (Dim == 3) {
-    const Space own = shape.space, common = own == Space::unsaid ? own : space_of_map(deformation, command, shape.vertices, own);
+    const Space own = shape.space,
+                common = own == Space::unsaid ? own : space_of_map(deformation, command, shape.vertices, own);
     if (change_space(shape.vertices, own, common))
-      say_line(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file, space_name(own), space_name(common)));
+      say_line(fmt::format("{}: from {} to {}, the frame of the map, and back: x and y change their sign", command.file,
+                           space_name(own), space_name(common)));
     carry(deformation, command, shape.vertices);
     change_space(shape.vertices, common, own);
   } else {
@@ -129,19 +140,24 @@ void apply(const ApplyCommand& command) {
   write_output_file(command.output, shape, command.force);
 }
 
-// Control points go out as they came in, in their own frame; in other formats those of other programs than Slicer are in that of the map.
+// Control points go out as they came in, in their own frame; in other formats those of other programs than Slicer are
+// in that of the map.
 void apply_to_slicer_points(const ApplyCommand& command) {
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
   const SlicerPoints file = read_slicer_points(command.file);
-  const Space space = space_of_map(deformation, command, positions_in(slicer_default_space, file), slicer_default_space);
+  const Space space =
+      space_of_map(deformation, command, positions_in(slicer_default_space, file), slicer_default_space);
   const PointFormat format = point_format(command.output);
-  const bool is_same = format == point_format(command.file), keeps_frame = is_same || format == PointFormat::fcsv || format == PointFormat::markups;
-  if (const std::string note = space_note(file, space); !note.empty()) say_line(note + (keeps_frame ? "; they are written in their own frame" : ""));
+  const bool is_same = format == point_format(command.file),
+             keeps_frame = is_same || format == PointFormat::fcsv || format == PointFormat::markups;
+  if (const std::string note = space_note(file, space); !note.empty())
+    say_line(note + (keeps_frame ? "; they are written in their own frame" : ""));
   std::vector<Vec<3>> points;
   for (const SlicerPoint& p : file.points)
     if (p.has_position) points.push_back(in_space(p.position, p.space, space));
   if (points.size() < file.points.size())
-    say_line(fmt::format("{}: {} without position not moved", command.file, counted(file.points.size() - points.size(), "point", "points")));
+    say_line(fmt::format("{}: {} without position not moved", command.file,
+                         counted(file.points.size() - points.size(), "point", "points")));
   carry(deformation, command, points);
   if (!is_same) {
     const Space out = keeps_frame ? file.points.front().space : space;
@@ -167,10 +183,13 @@ void execute(const ApplyCommand& command) {
   catch_interrupts();
   if (is_about_volumes(command)) return apply_to_volumes(command);
   if (!command.like.empty() || !command.sampling.empty())
-    throw_input_error("apply: --like and --sampling are for volumes: give a volume, as {}, to move, and one to write (-o)", volume_endings);
+    throw_input_error(
+        "apply: --like and --sampling are for volumes: give a volume, as {}, to move, and one to write (-o)",
+        volume_endings);
   const int dimension = deformation_dimension(command.deformation);
   if (is_slicer_file(command.file)) {
-    if (dimension == 2) throw_input_error("{}: holds points of space, but this deformation is one of the plane", command.file);
+    if (dimension == 2)
+      throw_input_error("{}: holds points of space, but this deformation is one of the plane", command.file);
     check_points_output(command.output, dimension, command.force);
     return apply_to_slicer_points(command);
   }

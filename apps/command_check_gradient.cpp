@@ -28,7 +28,8 @@ void execute(const CheckGradientCommand& command) {
   progress.finished();
   if (command.settings.verbosity != Verbosity::quiet) std::cout << gradient_report_text(report);
   if (!command.json.empty()) write_report_file(command.json, gradient_report_json(report), command.settings.force);
-  if (!report.passed()) throw CheckFailed(fmt::format("{}: wrong derivatives: {}", command.config, report.failed_terms()));
+  if (!report.passed())
+    throw CheckFailed(fmt::format("{}: wrong derivatives: {}", command.config, report.failed_terms()));
 }
 
 }  // namespace shellmatch

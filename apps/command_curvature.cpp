@@ -41,8 +41,8 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
   OutputFolder folder(command.settings.output, command.settings.force);
   const double scale =
       options.input.placement == PlacementKind::fit ? fit_placement(shape, shape, options.input.margin).scale : 1;
-  check_size<Dim>({.phi = surface_measure(shape.surface) * std::pow(scale, Dim - 1)}, options.cascade.min_level, options.cascade.max_level,
-                  folder.final_path());
+  check_size<Dim>({.phi = surface_measure(shape.surface) * std::pow(scale, Dim - 1)}, options.cascade.min_level,
+                  options.cascade.max_level, folder.final_path());
   const auto comparison =
       compare_curvatures<Dim>(shape, formula_of<Dim>(shape.source), options, fit, [&](const CurvatureLevel& l) {
         stop_if_wanted();
@@ -53,7 +53,8 @@ void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const Cu
   write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
   write_curvature_mesh(comparison, folder.path_of(Dim == 2 ? "curvature.csv" : "curvature.ply"));
   Progress progress(command.settings.verbosity, options.cascade.max_level);
-  draw(folder, "pictures/scatter.png", progress, [&](const std::string& path) { write_curvature_scatter(comparison, path); });
+  draw(folder, "pictures/scatter.png", progress,
+       [&](const std::string& path) { write_curvature_scatter(comparison, path); });
   const std::string name =
       is_generated_source(shape.source) ? shape.source : std::filesystem::path(shape.source).filename().string();
   draw(folder, "pictures/curvature.png", progress, [&](const std::string& path) {

@@ -32,7 +32,8 @@ void list_all() {
     for (const GeneratorVariant& variant : info.variants)
       std::cout << fmt::format("  {:<24}{}\n", info.name + "/" + variant.name, variant.meaning);
   }
-  std::cout << "The first variant of each is the one without a name. `shellmatch generate NAME --list` lists parameters.\n";
+  std::cout
+      << "The first variant of each is the one without a name. `shellmatch generate NAME --list` lists parameters.\n";
 }
 
 void list_one(const GeneratorInfo& info) {

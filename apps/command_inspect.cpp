@@ -39,7 +39,8 @@ void execute(const InspectCommand& command) {
   progress.finished();
   std::cout << (command.json ? inspection_json(inspection) : inspection_text(inspection));
   if (const double height = command.json ? 0 : picture_height(command.file); height > 0)
-    std::cout << fmt::format("  y axis                upward, from 0 at the bottom of the picture to {:g} at its top, in pixels\n", height);
+    std::cout << fmt::format(
+        "  y axis                upward, from 0 at the bottom of the picture to {:g} at its top, in pixels\n", height);
 }
 
 }  // namespace shellmatch

@@ -37,8 +37,8 @@ void match(const ExperimentOptions& options, const std::string& output, const Ru
   progress.note(fmt::format("written: {}", output));
   if (std::ranges::find(failing, summary.verdict->outcome) == failing.end()) return;
   progress.finished();
-  throw CheckFailed(fmt::format("{}: the verdict is {} (--fail-on {}): {}", output, summary.verdict->outcome, settings.fail_on,
-                                summary.verdict->reasons.front().what));
+  throw CheckFailed(fmt::format("{}: the verdict is {} (--fail-on {}): {}", output, summary.verdict->outcome,
+                                settings.fail_on, summary.verdict->reasons.front().what));
 }
 
 }  // namespace

@@ -61,9 +61,11 @@ Frames frames_of(const RenderCommand& command) {
   const int quality = command.quality.empty() ? 80 : whole_number(command.quality, "--quality", 1, 100);
   for (const auto& [option, text] : {std::pair{"--seconds", command.seconds}, std::pair{"--quality", command.quality}})
     if (!text.empty() && (command.motion.empty() || !is_one_file(command)))
-      throw_input_error("{} {}: is of an animation in one file: --motion morph or turntable, -o NAME.webp", option, text);
+      throw_input_error("{} {}: is of an animation in one file: --motion morph or turntable, -o NAME.webp", option,
+                        text);
   if (command.motion.empty()) {
-    if (!command.frames.empty()) throw_input_error("--frames {}: say which motion: --motion morph or turntable", command.frames);
+    if (!command.frames.empty())
+      throw_input_error("--frames {}: say which motion: --motion morph or turntable", command.frames);
     return {};
   }
   if (command.motion == "morph") return {Motion::morph, n, seconds, quality};
@@ -76,7 +78,8 @@ CanvasKind kind_of(const std::string& file) {
   if (ending == ".png") return CanvasKind::raster;
   if (ending == ".svg") return CanvasKind::svg;
   if (ending == ".pdf") return CanvasKind::pdf;
-  throw_input_error("{}: pictures are written as .png, .svg, .pdf; animations (--motion) as .webp, or as a folder of PNGs", file);
+  throw_input_error(
+      "{}: pictures are written as .png, .svg, .pdf; animations (--motion) as .webp, or as a folder of PNGs", file);
 }
 
 // The last picture of a turn would be the first one again; a morph ends with the result.
@@ -98,12 +101,14 @@ void write_animation(const RenderCommand& command, const ResultView& view, const
   check_report_file(command.output, command.force);
   // Before anything is drawn: captions and scales need a little more.
   if (const int n_panels = view.show == ShownShapes::all ? 3 : 1; n_panels * view.size > Animation::largest_side)
-    throw_input_error("--size {}: pictures of an animation end at {} pixels a side", view.size, Animation::largest_side);
+    throw_input_error("--size {}: pictures of an animation end at {} pixels a side", view.size,
+                      Animation::largest_side);
   const ResultShapes<Dim> shapes = read_result_shapes<Dim>(command.folder);
   Animation animation(frames.quality);
   for (int i = 0; i < frames.n; ++i) {
     stop_if_wanted();
-    animation.add(draw_result(shapes, view_of_frame(view, frames, i), CanvasKind::raster).to_image(), seconds_of_frame(frames, i));
+    animation.add(draw_result(shapes, view_of_frame(view, frames, i), CanvasKind::raster).to_image(),
+                  seconds_of_frame(frames, i));
   }
   write_report_file(command.output, animation.bytes(), command.force);
 }
@@ -112,26 +117,35 @@ template <int Dim>
 void write_frames(const RenderCommand& command, const ResultView& view, const Frames& frames) {
   for (const char* ending : {".png", ".svg", ".pdf", ".gif", ".apng", ".mp4", ".webm", ".avi", ".mkv", ".mov"})
     if (ending_of(command.output) == ending)
-      throw_input_error("{}: an animation is written as one file .webp, or as numbered PNGs in a folder, whose name does not end like that of a file", command.output);
+      throw_input_error(
+          "{}: an animation is written as one file .webp, or as numbered PNGs in a folder, whose name does not end "
+          "like that of a file",
+          command.output);
   std::error_code ignored;
   if (std::filesystem::exists(std::filesystem::path(command.output) / "deformation.vtu", ignored))
-    throw_input_error("{}: holds the result of a run, which an animation would replace; choose another folder with -o", command.output);
+    throw_input_error("{}: holds the result of a run, which an animation would replace; choose another folder with -o",
+                      command.output);
   OutputFolder folder(command.output, command.force);
   const ResultShapes<Dim> shapes = read_result_shapes<Dim>(command.folder);
   for (int i = 0; i < frames.n; ++i) {
     stop_if_wanted();
-    write_file(folder.path_of(fmt::format("frame_{:04d}.png", i)), draw_result(shapes, view_of_frame(view, frames, i), CanvasKind::raster).bytes());
+    write_file(folder.path_of(fmt::format("frame_{:04d}.png", i)),
+               draw_result(shapes, view_of_frame(view, frames, i), CanvasKind::raster).bytes());
   }
   folder.commit();
 }
 
 template <int Dim>
 void render(const RenderCommand& command, const ResultView& view, const Frames& frames) {
-  if (Dim == 2 && frames.motion == Motion::turntable) throw_input_error("--motion turntable: {} is a result in the plane; morph is possible", command.folder);
-  if (frames.motion != Motion::none) return is_one_file(command) ? write_animation<Dim>(command, view, frames) : write_frames<Dim>(command, view, frames);
+  if (Dim == 2 && frames.motion == Motion::turntable)
+    throw_input_error("--motion turntable: {} is a result in the plane; morph is possible", command.folder);
+  if (frames.motion != Motion::none)
+    return is_one_file(command) ? write_animation<Dim>(command, view, frames)
+                                : write_frames<Dim>(command, view, frames);
   const CanvasKind kind = kind_of(command.output);
   check_report_file(command.output, command.force);
-  write_report_file(command.output, draw_result(read_result_shapes<Dim>(command.folder), view, kind).bytes(), command.force);
+  write_report_file(command.output, draw_result(read_result_shapes<Dim>(command.folder), view, kind).bytes(),
+                    command.force);
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ void execute(const SelfTestCommand& command) {
   });
   if (command.verbosity != Verbosity::quiet) std::cout << self_test_text(checks);
   const auto n_failed = std::ranges::count_if(checks, [](const SelfCheck& c) { return !c.passed(); });
-  if (n_failed > 0) throw CheckFailed(fmt::format("self-test: {} of {} checks failed: {}", n_failed, checks.size(), failed_checks(checks)));
+  if (n_failed > 0)
+    throw CheckFailed(
+        fmt::format("self-test: {} of {} checks failed: {}", n_failed, checks.size(), failed_checks(checks)));
 }
 
 }  // namespace shellmatch

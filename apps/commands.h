@@ -14,12 +14,12 @@ namespace shellmatch {
 
 /// The settings that `match` and `run` share. A setting that was not given is an empty text.
 struct RunSettings {
-  std::string output;                ///< output folder
+  std::string output;  ///< output folder
   std::string levels, align, placement, profile, threads;
   std::string landmarks, template_landmarks;  ///< files
-  bool strict = false;                   ///< input.close=never
-  std::vector<std::string> assignments;  ///< values of --set, in their order
-  std::string fail_on;                   ///< verdict from which on the program fails (run and match)
+  bool strict = false;                        ///< input.close=never
+  std::vector<std::string> assignments;       ///< values of --set, in their order
+  std::string fail_on;                        ///< verdict from which on the program fails (run and match)
   Verbosity verbosity = Verbosity::normal;
   bool force = false, restart = false;
 };
@@ -35,8 +35,8 @@ struct RunCommand {
 };
 
 struct GenerateCommand {
-  std::string shape;    ///< "hand" or "hand/bent"; empty to list all shapes
-  std::string output;   ///< output file
+  std::string shape;                     ///< "hand" or "hand/bent"; empty to list all shapes
+  std::string output;                    ///< output file
   std::vector<std::string> assignments;  ///< PARAMETER=VALUE
   std::string edge_length;
   bool list = false, force = false;
@@ -47,8 +47,8 @@ struct ApplyCommand {
   std::string like;      ///< a volume whose voxels the output has
   std::string sampling;  ///< of a volume: nearest, label, linear; empty for what its values ask for
   std::string displacement, jacobian, log_jacobian;  ///< volumes to write
-  bool inverse = false;  ///< from the template back to the reference
-  bool keep_pose = false;  ///< points on the template are in the pose of the reference
+  bool inverse = false;                              ///< from the template back to the reference
+  bool keep_pose = false;                            ///< points on the template are in the pose of the reference
   bool force = false;
 };
 
@@ -100,7 +100,7 @@ struct StudyCommand {
 };
 
 struct CohortCommand {
-  std::vector<std::string> shapes;   ///< files and patterns, or the one YAML file of a cohort
+  std::vector<std::string> shapes;  ///< files and patterns, or the one YAML file of a cohort
   std::string table, output, atlas, kind, atlas_landmarks, levels;
   std::vector<std::string> assignments;  ///< values of --set: options of the cohort, or of the experiment
   std::vector<std::string> only;         ///< ids; empty for all
@@ -115,7 +115,8 @@ struct PrintCommand {
 };
 
 using Command = std::variant<MatchCommand, RunCommand, GenerateCommand, ApplyCommand, InspectCommand, CurvatureCommand,
-                             CheckGradientCommand, SelfTestCommand, ViewCommand, RenderCommand, ConfigCommand, StudyCommand, CohortCommand, PrintCommand>;
+                             CheckGradientCommand, SelfTestCommand, ViewCommand, RenderCommand, ConfigCommand,
+                             StudyCommand, CohortCommand, PrintCommand>;
 
 /// A check was performed and failed: exit code 1.
 class CheckFailed : public std::runtime_error {
@@ -123,7 +124,8 @@ class CheckFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Executes a command. \throws InputError, EnvironmentError, CheckFailed, or Stopped (base/stop.h) if a signal stopped it
+/// Executes a command. \throws InputError, EnvironmentError, CheckFailed, or Stopped (base/stop.h) if a signal stopped
+/// it
 void execute(const MatchCommand& command);
 void execute(const RunCommand& command);
 void execute(const GenerateCommand& command);

@@ -34,16 +34,21 @@ std::vector<Override> overrides_of(const RunSettings& settings) {
 
 namespace {
 
-// A profile stands for defaults, and a file that sets all options leaves nothing to them: the profile would only be recorded.
-void check_profile_acts(const std::string& config, const RunSettings& settings, const ExperimentOptions& options, std::vector<Override> overrides) {
+// A profile stands for defaults, and a file that sets all options leaves nothing to them: the profile would only be
+// recorded.
+void check_profile_acts(const std::string& config, const RunSettings& settings, const ExperimentOptions& options,
+                        std::vector<Override> overrides) {
   if (settings.profile.empty()) return;
   std::erase_if(overrides, [](const Override& change) { return change.key == "profile"; });
   ExperimentOptions without = read_experiment(config, std::move(overrides));
   if (without.profile == options.profile) return;
   without.profile = options.profile;
   if (to_yaml(without) == to_yaml(options))
-    throw_input_error("--profile {}: {} sets every option in which the profiles differ, so that nothing would change; leave it out, or give "
-                      "options with --set", settings.profile, config);
+    throw_input_error(
+        "--profile {}: {} sets every option in which the profiles differ, so that nothing would change; leave it out, "
+        "or give "
+        "options with --set",
+        settings.profile, config);
 }
 
 }  // namespace
@@ -52,8 +57,8 @@ ExperimentOptions read_run_options(const std::string& config, const RunSettings&
   const std::vector<Override> overrides = overrides_of(settings);
   const ExperimentOptions options = read_experiment(config, overrides);
   check_profile_acts(config, settings, options, overrides);
-  for (const auto& [key, source] : {std::pair{"reference", &options.input.reference},
-                                    std::pair{"template", &options.input.template_file}})
+  for (const auto& [key, source] :
+       {std::pair{"reference", &options.input.reference}, std::pair{"template", &options.input.template_file}})
     if (source->empty())
       throw_input_error("{}: input.{}: is missing; expected the file of the shape, or a built-in one as generate:hand",
                         config, key);

@@ -17,9 +17,11 @@ void check_report_file(const std::string& path, bool force) {
   namespace fs = std::filesystem;
   if (fs::is_directory(path)) throw_input_error("{}: is a folder; expected the name of a file", path);
   // A pipe or device is no file that could be replaced as a whole.
-  if (fs::exists(path) && !fs::is_regular_file(path)) throw_input_error("{}: is a pipe or device; expected the name of a file", path);
+  if (fs::exists(path) && !fs::is_regular_file(path))
+    throw_input_error("{}: is a pipe or device; expected the name of a file", path);
   // A link that leads nowhere is a name that is taken, too.
-  if (fs::exists(fs::symlink_status(path)) && !force) throw_input_error("{}: exists already; choose another name or give --force", path);
+  if (fs::exists(fs::symlink_status(path)) && !force)
+    throw_input_error("{}: exists already; choose another name or give --force", path);
   const fs::path folder = fs::absolute(path).parent_path();
   if (!fs::is_directory(folder)) throw_input_error("{}: there is no folder {}", path, folder.string());
 }
@@ -27,7 +29,8 @@ void check_report_file(const std::string& path, bool force) {
 void check_output_file(const std::string& path, int dimension, bool force) {
   namespace fs = std::filesystem;
   const std::vector<std::string> endings =
-      dimension == 2 ? std::vector<std::string>{".csv"} : std::vector<std::string>{".ply", ".obj", ".off", ".stl", ".vtk", ".vtp", ".csv"};
+      dimension == 2 ? std::vector<std::string>{".csv"}
+                     : std::vector<std::string>{".ply", ".obj", ".off", ".stl", ".vtk", ".vtp", ".csv"};
   std::string ending = fs::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
@@ -46,6 +49,8 @@ void write_output_file(const std::string& path, const OriginalShape<3>& shape, b
   write_shape(path, shape, existing_file(force));
 }
 
-void write_report_file(const std::string& path, const std::string& text, bool force) { publish_file(path, existing_file(force), text); }
+void write_report_file(const std::string& path, const std::string& text, bool force) {
+  publish_file(path, existing_file(force), text);
+}
 
 }  // namespace shellmatch

@@ -9,14 +9,15 @@
 namespace shellmatch {
 
 /// Checks before any work is done that the file can be written. \throws InputError if it exists and `force` is false,
-/// if it is a folder, a pipe or a device or lies in no folder, or if its extension stands for no format of that dimension
+/// if it is a folder, a pipe or a device or lies in no folder, or if its extension stands for no format of that
+/// dimension
 void check_output_file(const std::string& path, int dimension, bool force);
 
 /// The same for a report, whose extension is arbitrary. \throws InputError
 void check_report_file(const std::string& path, bool force);
 
-/// Writes a shape in the format of the file's extension, atomically. \throws EnvironmentError, and InputError if `force` is false
-/// and the file has come into being since the check
+/// Writes a shape in the format of the file's extension, atomically. \throws EnvironmentError, and InputError if
+/// `force` is false and the file has come into being since the check
 void write_output_file(const std::string& path, const OriginalShape<2>& shape, bool force);
 void write_output_file(const std::string& path, const OriginalShape<3>& shape, bool force);
 

@@ -10,8 +10,9 @@ namespace shellmatch {
 
 std::string versions_text() {
   const std::string revision = build_revision();
-  std::string text = fmt::format("shellmatch {}{}, made by {}\nlicence: GPL-3.0-or-later\nvector code: {}\n\n", program_version(),
-                                 revision.empty() ? "" : fmt::format(" ({})", revision), compiler_name(), vector_code());
+  std::string text =
+      fmt::format("shellmatch {}{}, made by {}\nlicence: GPL-3.0-or-later\nvector code: {}\n\n", program_version(),
+                  revision.empty() ? "" : fmt::format(" ({})", revision), compiler_name(), vector_code());
   constexpr const char* row = "{:<14} {:<10} {:<20} {}\n";
   text += fmt::format(row, "library", "version", "binds", "licence");
   for (const LinkedLibrary& library : linked_libraries())

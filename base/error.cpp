@@ -8,8 +8,8 @@ std::string without_nul(std::string text) {
 }
 
 void invariant_failed(const char* condition, const char* file, int line, std::string_view what) {
-  throw std::logic_error(fmt::format("internal error: {} ({} does not hold at {}:{}); please report it", what,
-                                     condition, file, line));
+  throw std::logic_error(
+      fmt::format("internal error: {} ({} does not hold at {}:{}); please report it", what, condition, file, line));
 }
 
 }  // namespace shellmatch

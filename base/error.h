@@ -28,8 +28,8 @@ class EnvironmentError : public std::runtime_error {
   explicit EnvironmentError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}
 };
 
-/// There is not enough memory for something that the text names. A command for which the user has set a limit of memory ends
-/// as at that limit.
+/// There is not enough memory for something that the text names. A command for which the user has set a limit of memory
+/// ends as at that limit.
 class MemoryError : public EnvironmentError {
  public:
   using EnvironmentError::EnvironmentError;
@@ -53,7 +53,7 @@ template <class... Args>
 }  // namespace shellmatch
 
 /// Throws, in every build, unless `condition` holds.
-#define SHELLMATCH_CHECK(condition, what)                                              \
-  do {                                                                                 \
+#define SHELLMATCH_CHECK(condition, what)                                                   \
+  do {                                                                                      \
     if (!(condition)) ::shellmatch::invariant_failed(#condition, __FILE__, __LINE__, what); \
   } while (false)

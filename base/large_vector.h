@@ -37,8 +37,7 @@ class LargePageAllocator {
   void construct(U* at, Args&&... args) {
     if constexpr (sizeof...(Args) == 0 && std::is_trivially_default_constructible_v<U>)
       ::new (static_cast<void*>(at)) U;
-    else
-      ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+    else ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
   }
 
   template <class U>

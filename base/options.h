@@ -16,8 +16,8 @@
 ///
 /// `Self` is const for visitors that print and not const for visitors that assign. A visitor is a template
 /// over the member's type: bool, int, double, std::string, an enum with EnumNames or a Choice (below),
-/// std::vector of the first five, or another option struct, which becomes a YAML section. YAML, `shellmatch config`, error messages
-/// and docs/options.md are generated from this description.
+/// std::vector of the first five, or another option struct, which becomes a YAML section. YAML, `shellmatch config`,
+/// error messages and docs/options.md are generated from this description.
 
 #include <limits>
 #include <string>

@@ -19,17 +19,20 @@
 namespace shellmatch {
 
 namespace {
-// Never destroyed: when a limit ends, TBB starts the threads that it withheld, and a program that is about to end would be
-// terminated where the system has no room for them.
+// Never destroyed: when a limit ends, TBB starts the threads that it withheld, and a program that is about to end would
+// be terminated where the system has no room for them.
 tbb::global_control* limit = nullptr;
 int threads = 0;
 
 // TBB tells that the system refuses a thread by a std::runtime_error of this text alone.
-bool says_no_thread(const std::runtime_error& error) { return std::string_view(error.what()).find("pthread_create") != std::string_view::npos; }
+bool says_no_thread(const std::runtime_error& error) {
+  return std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
 
 #if defined(__SANITIZE_THREAD__)
-// The thread sanitizer does not see how TBB, whose libraries are not compiled with it, hands calls to threads and waits for them: it would
-// report every loop. These threads it sees begin and end, and nothing else orders the calls of different threads.
+// The thread sanitizer does not see how TBB, whose libraries are not compiled with it, hands calls to threads and waits
+// for them: it would report every loop. These threads it sees begin and end, and nothing else orders the calls of
+// different threads.
 template <class Call>
 void run_on_threads(std::size_t count, const Call& call) {
   std::atomic<std::size_t> next = 0;
@@ -37,7 +40,9 @@ void run_on_threads(std::size_t count, const Call& call) {
   std::exception_ptr first;
   const auto work = [&] {
     try {
-      for (std::size_t k = next.fetch_add(1, std::memory_order_relaxed); k < count; k = next.fetch_add(1, std::memory_order_relaxed)) call(k);
+      for (std::size_t k = next.fetch_add(1, std::memory_order_relaxed); k < count;
+           k = next.fetch_add(1, std::memory_order_relaxed))
+        call(k);
     } catch (...) {
       next.store(count, std::memory_order_relaxed);
       const std::lock_guard lock(mutex);
@@ -55,8 +60,9 @@ void run_on_threads(std::size_t count, const Call& call) {
 template <class Call>
 void run_on_threads(std::size_t count, const Call& call) {
   tbb::parallel_for(std::size_t{0}, count, call);
-  // Where a body of an enclosing loop has thrown, TBB cancels the loops within the others: they return without an exception and with chunks
-  // left out. Whoever goes on would compute with half of the data. The enclosing loop throws what came first.
+  // Where a body of an enclosing loop has thrown, TBB cancels the loops within the others: they return without an
+  // exception and with chunks left out. Whoever goes on would compute with half of the data. The enclosing loop throws
+  // what came first.
   if (tbb::is_current_task_group_canceling()) throw Stopped("stopped, as another part of the computation has ended");
 }
 #endif
@@ -85,7 +91,8 @@ void parallel_chunks(std::size_t n, std::size_t chunk_size, const std::function<
   try {
     run_on_threads(count, run);
   } catch (const std::runtime_error& error) {
-    if (says_no_thread(error)) throw_environment_error("the system starts no further thread ({}); --threads 1 needs none", error.what());
+    if (says_no_thread(error))
+      throw_environment_error("the system starts no further thread ({}); --threads 1 needs none", error.what());
     throw;
   }
 }

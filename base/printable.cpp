@@ -16,7 +16,10 @@ Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
   if (lead < 0x80) return {1, lead};
-  const std::size_t n = lead >= 0xF0 && lead < 0xF5 ? 4 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xC2 && lead < 0xE0 ? 2 : 0;
+  const std::size_t n = lead >= 0xF0 && lead < 0xF5   ? 4
+                        : lead >= 0xE0 && lead < 0xF0 ? 3
+                        : lead >= 0xC2 && lead < 0xE0 ? 2
+                                                      : 0;
   if (n == 0 || text.size() < n) return {};
   char32_t code = lead & (0x7F >> n);
   for (std::size_t i = 1; i < n; ++i) {
@@ -24,13 +27,17 @@ Character first_character(std::string_view text) {
     code = code << 6 | (byte(i) & 0x3F);
   }
   // Longer than needed, half of a pair, or beyond the last character.
-  const bool wrong = code < (n == 2 ? 0x80u : n == 3 ? 0x800u : 0x10000u) || (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF;
+  const bool wrong = code < (n == 2   ? 0x80u
+                             : n == 3 ? 0x800u
+                                      : 0x10000u) ||
+                     (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF;
   return wrong ? Character{} : Character{n, code};
 }
 
 bool is_shown(char32_t code) {
   const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-  const bool turns = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0x200E || code == 0x200F;
+  const bool turns =
+      (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0x200E || code == 0x200F;
   return !control && !turns && code != 0x2028 && code != 0x2029;
 }
 
@@ -51,7 +58,8 @@ std::string printable(std::string_view text, std::size_t most) {
       if (c.n_bytes > 0 && is_shown(c.code)) shown += part.substr(0, n);
       else if (part[0] == '\n') shown += "\\n";
       else if (part[0] == '\t') shown += "\\t";
-      else for (const char b : part.substr(0, n)) shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(b));
+      else
+        for (const char b : part.substr(0, n)) shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(b));
       part.remove_prefix(n);
     }
   };

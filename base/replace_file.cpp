@@ -39,9 +39,11 @@ constexpr std::string_view partial_infix = ".partial-";
 constexpr std::size_t n_random_digits = 16;
 constexpr std::size_t longest_stem = 190;  // file systems take names of 255 bytes
 
-// What the names for `path` begin with. Of long names the end is left out: leftovers of other names that begin in the same way
-// are removed as well, unless they are locked.
-std::string beginning(const fs::path& path) { return "." + path.filename().string().substr(0, longest_stem) + std::string(partial_infix); }
+// What the names for `path` begin with. Of long names the end is left out: leftovers of other names that begin in the
+// same way are removed as well, unless they are locked.
+std::string beginning(const fs::path& path) {
+  return "." + path.filename().string().substr(0, longest_stem) + std::string(partial_infix);
+}
 
 int lock(int file) {
   return error_of([&] { return ::flock(file, LOCK_EX | LOCK_NB); });
@@ -65,7 +67,8 @@ void remove_leftovers_of(const fs::path& path) {
   }
 }
 
-// Whether a file that was just created is still there: before it was locked, another process may have taken it for a leftover.
+// Whether a file that was just created is still there: before it was locked, another process may have taken it for a
+// leftover.
 bool is_safe(int file) {
   if (const int error = lock(file); error != 0) return error != EWOULDBLOCK;  // there are no locks, and leftovers stay
   struct stat status {};
@@ -94,7 +97,8 @@ int write_bytes(int descriptor, std::string_view bytes) {
 
 int synchronise(const std::string& path) {
   int descriptor = -1;
-  if (const int error = error_of([&] { return descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }); error != 0) return error;
+  if (const int error = error_of([&] { return descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }); error != 0)
+    return error;
   // With delayed allocation, a full disk may be reported only here.
   const int error = error_of([&] { return ::fsync(descriptor); });
   ::close(descriptor);
@@ -111,7 +115,10 @@ int rename_to_new(const std::string& from, const std::string& to) {
     if (!is_missing(error)) return error;
   }
   int file = -1;
-  error = error_of([&] { return folder ? ::mkdir(to.c_str(), 0777) : file = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
+  error = error_of([&] {
+    return folder ? ::mkdir(to.c_str(), 0777)
+                  : file = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  });
   if (error != 0) return error;
   if (file >= 0) ::close(file);
   error = error_of([&] { return ::rename(from.c_str(), to.c_str()); });
@@ -135,7 +142,8 @@ PartialFile::PartialFile(const std::string& path) {
   if (extension.size() > 16) extension.clear();
   std::random_device random;
   for (int attempt = 0; file_ < 0; ++attempt) {
-    name_ = (place.parent_path() / fmt::format("{}{:08x}{:08x}{}", beginning(place), random(), random(), extension)).string();
+    name_ = (place.parent_path() / fmt::format("{}{:08x}{:08x}{}", beginning(place), random(), random(), extension))
+                .string();
     file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file_ < 0 && ((errno != EEXIST && errno != EINTR) || attempt > 100)) fail(path, errno);
     if (file_ >= 0 && !is_safe(file_)) {
@@ -160,7 +168,8 @@ PendingFile::PendingFile(std::string path, Existing existing, const std::functio
 PendingFile::PendingFile(std::string path, Existing existing, std::string_view bytes)
     : PendingFile(path, existing, [&](const std::string& partial) {
         int file = -1;
-        int error = error_of([&] { return file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC); });
+        int error =
+            error_of([&] { return file = ::open(partial.c_str(), O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC); });
         if (error == 0) error = write_bytes(file, bytes);
         // Where a signal interrupts it, the file is closed all the same.
         if (file >= 0 && ::close(file) != 0 && errno != EINTR && error == 0) error = errno;
@@ -169,9 +178,11 @@ PendingFile::PendingFile(std::string path, Existing existing, std::string_view b
 
 void PendingFile::publish() {
   const std::string& from = partial_->name();
-  const int error = existing_ == Existing::is_kept ? rename_to_new(from, path_) : error_of([&] { return ::rename(from.c_str(), path_.c_str()); });
+  const int error = existing_ == Existing::is_kept ? rename_to_new(from, path_)
+                                                   : error_of([&] { return ::rename(from.c_str(), path_.c_str()); });
   if (error == EEXIST && existing_ == Existing::is_kept)
-    throw_input_error("{}: exists by now, made by another program, and is not replaced; choose another name or give --force", path_);
+    throw_input_error(
+        "{}: exists by now, made by another program, and is not replaced; choose another name or give --force", path_);
   if (error != 0) fail(path_, error);
   partial_->keep();
   is_published_ = true;
@@ -197,6 +208,8 @@ void publish_file(const std::string& path, Existing existing, const std::functio
   PendingFile(path, existing, write).publish();
 }
 
-void publish_file(const std::string& path, Existing existing, std::string_view bytes) { PendingFile(path, existing, bytes).publish(); }
+void publish_file(const std::string& path, Existing existing, std::string_view bytes) {
+  PendingFile(path, existing, bytes).publish();
+}
 
 }  // namespace shellmatch

@@ -21,7 +21,8 @@ void stop_loops_when(StopCause (*question)()) { asked = question; }
 void stop_if_wanted() {
   StopCause (*const question)() = asked.load(std::memory_order_relaxed);
   if (question == nullptr) return;
-  if (const StopCause cause = question(); cause != StopCause::none) throw Stopped("stopped; nothing was written", cause);
+  if (const StopCause cause = question(); cause != StopCause::none)
+    throw Stopped("stopped; nothing was written", cause);
 }
 
 Activity::Activity(const char* name, std::size_t n_steps) : n_steps_(n_steps) {

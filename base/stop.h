@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Cancellation of long computations, and what they do meanwhile. The parallel loops (base/parallel.h) and the longer of the serial ones
-/// ask a question and throw an exception once the answer is a cause to stop.
+/// Cancellation of long computations, and what they do meanwhile. The parallel loops (base/parallel.h) and the longer
+/// of the serial ones ask a question and throw an exception once the answer is a cause to stop.
 
 #include <chrono>
 #include <cstddef>
@@ -22,7 +22,8 @@ enum class StopCause {
 /// The computation was cancelled. This is not a failure.
 class Stopped : public std::runtime_error {
  public:
-  explicit Stopped(const std::string& text, StopCause cause = StopCause::request) : std::runtime_error(text), cause_(cause) {}
+  explicit Stopped(const std::string& text, StopCause cause = StopCause::request)
+      : std::runtime_error(text), cause_(cause) {}
   StopCause cause() const { return cause_; }
 
  private:
@@ -35,7 +36,8 @@ void stop_loops_when(StopCause (*question)());
 /// Throws Stopped if there is a cause to stop. Its text says that nothing was written.
 void stop_if_wanted();
 
-/// Asks at the first and then at every 1024th call, for what takes less than a millisecond and is done millions of times.
+/// Asks at the first and then at every 1024th call, for what takes less than a millisecond and is done millions of
+/// times.
 class StopCheck {
  public:
   void operator()() {
@@ -46,10 +48,12 @@ class StopCheck {
   unsigned n_calls_ = 0;
 };
 
-/// Says what a long computation does, from its construction to its end, to those who show it (apps/terminal/progress.h).
+/// Says what a long computation does, from its construction to its end, to those who show it
+/// (apps/terminal/progress.h).
 class Activity {
  public:
-  /// Asks whether to stop. \param name in words for the user, a literal \param n_steps of work, where they can be counted
+  /// Asks whether to stop. \param name in words for the user, a literal \param n_steps of work, where they can be
+  /// counted
   explicit Activity(const char* name, std::size_t n_steps = 0);
   ~Activity();
   Activity(const Activity&) = delete;

@@ -13,7 +13,8 @@ struct Svd {
   Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> values;  ///< descending, not negative
 };
 
-/// By Jacobi rotations, which suit matrices of at most a few dozen rows. \pre a is finite; SHELLMATCH_CHECK: it is square
+/// By Jacobi rotations, which suit matrices of at most a few dozen rows. \pre a is finite; SHELLMATCH_CHECK: it is
+/// square
 template <class Matrix>
 Svd<Matrix> jacobi_svd(const Matrix& a);
 

@@ -37,7 +37,8 @@ class JacobiEigen {
     for (const double entry : a_) square += entry * entry;
     negligible_ = std::numeric_limits<double>::epsilon() * std::sqrt(square) / n;
     constexpr int max_sweeps = 30;  // convergence is quadratic: five to eight are needed
-    for (int sweep = 0; sweep < max_sweeps && rotate_all(); ++sweep) {}
+    for (int sweep = 0; sweep < max_sweeps && rotate_all(); ++sweep) {
+    }
   }
   double value(int i) const { return a_[i * n_ + i]; }
   double vector(int i, int k) const { return vectors_[i * n_ + k]; }

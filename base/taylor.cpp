@@ -24,8 +24,8 @@ TaylorRemainder taylor_remainder(const std::function<double(double)>& f, double 
     result.steps.push_back(t);
     result.remainders.push_back(std::abs(f(t) - at_zero - t * derivative));
     if (decade > 0)
-      result.orders.push_back(order_between(result.steps[decade - 1], result.remainders[decade - 1], t,
-                                            result.remainders[decade]));
+      result.orders.push_back(
+          order_between(result.steps[decade - 1], result.remainders[decade - 1], t, result.remainders[decade]));
   }
   return result;
 }

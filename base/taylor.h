@@ -27,7 +27,8 @@ struct TaylorRemainder {
   bool is_second_order(double tolerance = 0.1) const;
 };
 
-TaylorRemainder taylor_remainder(const std::function<double(double)>& f, double derivative, const TaylorSteps& steps = {});
+TaylorRemainder taylor_remainder(const std::function<double(double)>& f, double derivative,
+                                 const TaylorSteps& steps = {});
 
 /// Scales of f near 0, from which the steps of the measurement follow.
 struct TaylorScale {

@@ -61,8 +61,7 @@ struct Problem {
 
   Problem()
       : grid(test::shape_grid<3>(3, 5, test::sphere<3>(0.25).distance)),
-        geometry{field_of(test::sphere<3>(0.25)), field_of(test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3))),
-                 false},
+        geometry{field_of(test::sphere<3>(0.25)), field_of(test::ellipsoid<3>(Vec<3>(0.22, 0.25, 0.3))), false},
         unknowns(grid, options.boundary),
         energy(unknowns, geometry, options, 2 * grid.finest_side(), options.quadrature_order),
         hessian(energy, unknowns),
@@ -76,9 +75,8 @@ struct Problem {
   OperationCount evaluate(const TermValues& weights, bool with_gradient) {
     const OperationCount before = counted;
     TermValues values;
-    SHELLMATCH_CHECK(
-        energy.evaluate(phi, weights, values, with_gradient ? std::span(gradient) : std::span<double>()),
-        "the energy cannot be evaluated");
+    SHELLMATCH_CHECK(energy.evaluate(phi, weights, values, with_gradient ? std::span(gradient) : std::span<double>()),
+                     "the energy cannot be evaluated");
     return counted - before;
   }
   OperationCount assemble(const TermValues& weights) {
@@ -113,8 +111,7 @@ int main() {
   TermValues band_and_volume = band;
   band_and_volume += volume;
   barrier["barrier"_term] = 1;
-  const std::size_t points = problem.energy.band().n_active_points(),
-                    elements = problem.unknowns.elements().size();
+  const std::size_t points = problem.energy.band().n_active_points(), elements = problem.unknowns.elements().size();
   const OperationCount newton_volume = problem.assemble(volume);
 
   // One term at a time goes through the shell (interpolation, its transpose, sums) three times, all at once

@@ -41,8 +41,8 @@ std::string order(double before, double after) {
 
 // Mean error inside and outside over the nodes at these distances from the surface.
 void print_orders(const char* name, const ExactShape<3>& shape, double near, double far, int finest) {
-  fmt::print("{}, nodes at distances {} to {}\n{:>6}{:>14}{:>8}{:>14}{:>8}\n", name, near, far, "level", "inside", "order",
-             "outside", "order");
+  fmt::print("{}, nodes at distances {} to {}\n{:>6}{:>14}{:>8}{:>14}{:>8}\n", name, near, far, "level", "inside",
+             "order", "outside", "order");
   std::array<double, 2> before{};
   for (int level = 4; level <= finest; ++level) {
     const Octree<3> grid(level);

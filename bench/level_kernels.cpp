@@ -119,8 +119,7 @@ struct Duals {
   std::vector<std::size_t> elements;
   std::size_t n_points = 0;
 
-  Duals()
-      : costs(kernels->level->energy) {
+  Duals() : costs(kernels->level->energy) {
     std::size_t n_seen = 0;
     for (std::size_t e = 0; e < kernels->level->unknowns.elements().size(); ++e)
       if (const auto points = costs.band_points(e); !points.empty() && n_seen++ % 64 == 0) {
@@ -210,14 +209,10 @@ int main(int argc, char** argv) {
   std::vector<char*> rest{argv[0]};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word.starts_with("--pair=") && word.find(',') != std::string::npos)
-      pair = word.substr(7);
-    else if (word.starts_with("--level="))
-      level = std::atoi(word.c_str() + 8);
-    else if (word == "--serve")
-      serves = true;
-    else
-      rest.push_back(argv[i]);
+    if (word.starts_with("--pair=") && word.find(',') != std::string::npos) pair = word.substr(7);
+    else if (word.starts_with("--level=")) level = std::atoi(word.c_str() + 8);
+    else if (word == "--serve") serves = true;
+    else rest.push_back(argv[i]);
   }
   int n_rest = static_cast<int>(rest.size());
   benchmark::Initialize(&n_rest, rest.data());
@@ -234,9 +229,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (serves) return serve();
-  fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair,
-             level, kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(),
-             kernels->grid->leaves().size(), kernels->level->energy.band().n_elements(), kernels->points());
+  fmt::print("{} level {}: {} nodes, {} free, {} cells, {} of them in the band, {} active points\n", pair, level,
+             kernels->grid->n_nodes(), kernels->level->unknowns.nodes().size(), kernels->grid->leaves().size(),
+             kernels->level->energy.band().n_elements(), kernels->points());
   // Into the report of --benchmark_out; bytes for one evaluation.
   const bench::Traffic traffic = bench::traffic_of(*kernels->level);
   for (const auto& [name, bytes] : {std::pair<const char*, double>{"value_bytes", traffic.value},

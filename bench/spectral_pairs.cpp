@@ -3,10 +3,12 @@
 //   spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] [--threads N] [--functions N]
 //                [--mirror] [--partial]
 //
-// Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other. Printed for every candidate:
-// mean and share beyond 10 of the error, the distance along edges of the template between where a vertex ends and where it
-// belongs, over the square root of the template's area, times 100; score; the pairs kept, with their share beyond 10.
-// --partial searches the reference as a part of the template. --rotations turns the template N times at random and says in how many the pose from the pairs is the turn.
+// Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other. Printed for every
+// candidate: mean and share beyond 10 of the error, the distance along edges of the template between where a vertex
+// ends and where it belongs, over the square root of the template's area, times 100; score; the pairs kept, with their
+// share beyond 10.
+// --partial searches the reference as a part of the template. --rotations turns the template N times at random and says
+// in how many the pose from the pairs is the turn.
 
 #include "alignment/pairs/find_pairs.h"
 #include "alignment/partial/find_partial_pairs.h"
@@ -75,9 +77,7 @@ std::vector<Index> read_ids(const std::string& path) {
   return ids;
 }
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Index nearest_vertex(const std::vector<Vec<3>>& vertices, const Vec<3>& x) {
   const auto nearer = [&](const Vec<3>& a, const Vec<3>& b) { return (a - x).squaredNorm() < (b - x).squaredNorm(); };
@@ -87,7 +87,8 @@ Index nearest_vertex(const std::vector<Vec<3>>& vertices, const Vec<3>& x) {
 /// Errors on the template, times 100 over the root of its area.
 class TrueCorrespondence {
  public:
-  TrueCorrespondence(const Surface<3>& reference, const Surface<3>& template_surface, const std::vector<std::string>& files)
+  TrueCorrespondence(const Surface<3>& reference, const Surface<3>& template_surface,
+                     const std::vector<std::string>& files)
       : reference_(reference), template_(template_surface), graph_(template_surface) {
     if (files.size() == 2) {
       on_reference_ = read_ids(files[0]);
@@ -170,9 +171,10 @@ void print(const AutomaticPairs& found, TrueCorrespondence& truth) {
   for (const PreparedSurface* prepared : {&found.reference, &found.template_surface})
     for (const std::string& note : prepared->notes) fmt::print("  {}\n", note);
   for (const PairCandidate& candidate : found.candidates) {
-    const ErrorFigures dense = figures_of(truth.dense_errors(found, candidate)), pairs = figures_of(truth.pair_errors(candidate));
-    fmt::print("  error {:6.2f}, beyond 10 {:5.1f} %; score {:.3f}{}{}; {} pairs: error {:6.2f}, beyond 10 {:5.1f} %", dense.mean,
-               dense.beyond, candidate.score, candidate.is_identity ? " as it lies" : "",
+    const ErrorFigures dense = figures_of(truth.dense_errors(found, candidate)),
+                       pairs = figures_of(truth.pair_errors(candidate));
+    fmt::print("  error {:6.2f}, beyond 10 {:5.1f} %; score {:.3f}{}{}; {} pairs: error {:6.2f}, beyond 10 {:5.1f} %",
+               dense.mean, dense.beyond, candidate.score, candidate.is_identity ? " as it lies" : "",
                candidate.is_mirrored ? " mirrored" : "", candidate.pairs.size(), pairs.mean, pairs.beyond);
     for (const MapScore& s : {candidate.coarse_score, candidate.score_parts})
       fmt::print(" | {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}", s.functions, s.signature, s.orientation, s.pose, s.spin);
@@ -219,10 +221,12 @@ void print_rotations(const Surface<3>& reference, const Surface<3>& template_sur
     const AutomaticPairs found = find_pairs(reference, turned, arguments.options);
     const Pose pose = fit_pose(found.pairs(), PoseKind::similarity);
     const double took = seconds() - start;
-    fmt::print("  turn {}: pose off by {:.1f} degrees from the turn, {:.1f} from turn and pose as it lies; error {:.2f}, "
-               "score {:.3f}, margin {:.2f}, {:.1f} s\n",
-               k, angle_between(pose.rotation, turn), angle_between(pose.rotation, turn * as_it_lies.rotation),
-               figures_of(truth.dense_errors(found, found.candidates[0], turn)).mean, found.candidates[0].score, found.margin, took);
+    fmt::print(
+        "  turn {}: pose off by {:.1f} degrees from the turn, {:.1f} from turn and pose as it lies; error {:.2f}, "
+        "score {:.3f}, margin {:.2f}, {:.1f} s\n",
+        k, angle_between(pose.rotation, turn), angle_between(pose.rotation, turn * as_it_lies.rotation),
+        figures_of(truth.dense_errors(found, found.candidates[0], turn)).mean, found.candidates[0].score, found.margin,
+        took);
   }
 }
 
@@ -231,11 +235,13 @@ void print_rotations(const Surface<3>& reference, const Surface<3>& template_sur
 int main(int argc, char** argv) try {
   const Arguments arguments = parse({argv + 1, argv + argc});
   if (arguments.files.size() != 2) {
-    fmt::print(stderr, "usage: spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] "
-                       "[--threads N] [--functions N] [--mirror] [--partial]\n");
+    fmt::print(stderr,
+               "usage: spectral_pairs REFERENCE TEMPLATE [--vts REFERENCE.vts TEMPLATE.vts] [--rotations N] "
+               "[--threads N] [--functions N] [--mirror] [--partial]\n");
     return 2;
   }
-  const Surface<3> reference = read_triangles(arguments.files[0]), template_surface = read_triangles(arguments.files[1]);
+  const Surface<3> reference = read_triangles(arguments.files[0]),
+                   template_surface = read_triangles(arguments.files[1]);
   TrueCorrespondence truth(reference, template_surface, arguments.ids);
   if (arguments.n_rotations > 0) {
     print_rotations(reference, template_surface, arguments, truth);
@@ -244,12 +250,13 @@ int main(int argc, char** argv) try {
   const double start = seconds();
   const std::clock_t cpu_start = std::clock();
   const std::vector<CorrespondingPoints> landmarks = truth.landmarks(arguments.n_landmarks);
-  const AutomaticPairs found = arguments.is_partial ? as_automatic(find_partial_pairs(reference, template_surface, arguments.options, landmarks))
-                                                    : find_pairs(reference, template_surface, arguments.options, landmarks);
+  const AutomaticPairs found =
+      arguments.is_partial ? as_automatic(find_partial_pairs(reference, template_surface, arguments.options, landmarks))
+                           : find_pairs(reference, template_surface, arguments.options, landmarks);
   const double took = seconds() - start, cpu = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   const ErrorFigures dense = figures_of(truth.dense_errors(found, found.candidates[0]));
-  fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s, CPU {:.2f} s\n", dense.mean, dense.beyond,
-             found.candidates[0].score, found.margin, took, cpu);
+  fmt::print("error {:.2f}, beyond 10 {:.1f} %, score {:.3f}, margin {:.2f}, {:.2f} s, CPU {:.2f} s\n", dense.mean,
+             dense.beyond, found.candidates[0].score, found.margin, took, cpu);
   print(found, truth);
   return 0;
 } catch (const std::exception& error) {

@@ -41,10 +41,9 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
     n_local += static_cast<double>(cell_blocks.local_unknowns(block).size());
 
   constexpr double vec = sizeof(Vec<3>);
-  const double all_cells =
-      n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
-  const double points = static_cast<double>(band.batches().size() * level.energy.shape().points.size()) *
-                        sizeof(Band<3>::Point);
+  const double all_cells = n_cells * sizeof(Element<3>) + n_nodes * vec;  // elements and positions, in one pass
+  const double points =
+      static_cast<double>(band.batches().size() * level.energy.shape().points.size()) * sizeof(Band<3>::Point);
   // The template is looked up in about as many cells as the band has; as splines, each has a coefficient (a
   // row of values), and eight have one list of the numbers of their neighbours'.
   const bool smooth = level.geometry.target.is_smooth();
@@ -64,8 +63,7 @@ inline Traffic traffic_of(const LevelEnergy<3>& level) {
   t.gradient = t.value + sum + n_accesses * vec;
   t.band_gradient = finite + band_pass + sum + n_accesses * vec;
   t.newton_model = all_cells + n_cells * (2 * sizeof(double) + sizeof(float)) + band_pass + sum + n_offsets +
-                   n_blocks * n_accesses / n_free * values +
-                   n_free * 3 * 3 * (sizeof(float) + sizeof(double));
+                   n_blocks * n_accesses / n_free * values + n_free * 3 * 3 * (sizeof(float) + sizeof(double));
   t.newton_product = n_blocks * block + n_free * (3 * vec + sizeof(std::size_t));
   return t;
 }

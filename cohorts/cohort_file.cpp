@@ -33,11 +33,12 @@ void check_experiment_options(const Cohort& cohort) {
   if (!o.input.template_file.empty()) refuse("input.template", "shapes, or table");
   if (!o.input.correspondence.empty()) refuse("input.correspondence", "landmarks");
   if (!o.landmarks.file.empty()) refuse("landmarks.file", "atlas.landmarks");
-  if (!o.landmarks.template_file.empty())
-    refuse("landmarks.template_file", "the column landmarks of a table");
+  if (!o.landmarks.template_file.empty()) refuse("landmarks.template_file", "the column landmarks of a table");
   if (!o.start.map.empty())
-    throw_input_error("{}: set.start.map: is the map of one subject alone, and the rounds of a mean begin with those of the round before; leave it out",
-                      cohort.name);
+    throw_input_error(
+        "{}: set.start.map: is the map of one subject alone, and the rounds of a mean begin with those of the round "
+        "before; leave it out",
+        cohort.name);
 }
 
 void check_levels(const Cohort& cohort) {
@@ -62,18 +63,15 @@ void resolve_atlas(Cohort& cohort, const OptionFile* file, bool is_relative_to_f
   AtlasOptions& atlas = cohort.options.atlas;
   if (atlas.shape.empty()) {
     if (atlas.kind == AtlasKind::given)
-      throw_input_error(
-          "{}: atlas.shape: is missing, which atlas.kind given needs; name a file or the id of a subject",
-          cohort.name);
+      throw_input_error("{}: atlas.shape: is missing, which atlas.kind given needs; name a file or the id of a subject",
+                        cohort.name);
     atlas.shape = cohort.subjects.front().id;
   }
-  const bool is_subject =
-      std::ranges::any_of(cohort.subjects, [&](const Subject& s) { return s.id == atlas.shape; });
+  const bool is_subject = std::ranges::any_of(cohort.subjects, [&](const Subject& s) { return s.id == atlas.shape; });
   if (is_subject) return;
   if (is_generated_source(atlas.shape)) return check_generated_source(atlas.shape);
   const std::string given = atlas.shape;
-  atlas.shape =
-      file != nullptr && is_relative_to_file ? absolute(file->source_of(atlas.shape)) : absolute(atlas.shape);
+  atlas.shape = file != nullptr && is_relative_to_file ? absolute(file->source_of(atlas.shape)) : absolute(atlas.shape);
   std::error_code error;
   if (std::filesystem::exists(files_of_shape(atlas.shape).front(), error)) return;
   std::vector<std::string> ids;
@@ -139,8 +137,7 @@ Cohort read_cohort(const std::string& path, const CohortWords& words) {
   resolve_atlas(cohort, file ? &*file : nullptr, atlas_of_file);
   if (const auto& groups = cohort.options.statistics.groups;
       !groups.empty() && (groups.size() != 2 || groups[0] == groups[1]))
-    throw_input_error("{}: statistics.groups: expected the names of two groups, as [female, male]",
-                      cohort.name);
+    throw_input_error("{}: statistics.groups: expected the names of two groups, as [female, male]", cohort.name);
   for (const std::string& group : cohort.options.statistics.groups)
     if (std::ranges::none_of(cohort.subjects, [&](const Subject& s) { return s.group == group; }))
       throw_input_error("{}: statistics.groups: no subject is of the group '{}'", cohort.name, group);

@@ -18,17 +18,14 @@ namespace shellmatch {
 /// One subject of a cohort: what became of it.
 struct SubjectResult {
   std::string id, group;  ///< the group may be empty
-  std::string
-      status;  ///< "finished", "failed", "crashed", "timed_out", "out_of_memory", "diverged" or "not_run"
-  std::string message;  ///< why it did not finish; may be empty
-  std::string
-      outcome;  ///< of the verdict: "matched", "look-here" or "not-matched"; empty where it did not finish
+  std::string status;     ///< "finished", "failed", "crashed", "timed_out", "out_of_memory", "diverged" or "not_run"
+  std::string message;    ///< why it did not finish; may be empty
+  std::string outcome;    ///< of the verdict: "matched", "look-here" or "not-matched"; empty where it did not finish
   std::vector<VerdictReason> reasons;
   std::optional<TwoSidedDistance> distance;  ///< over the diagonal of the subject's box
   double diagonal = 0;                       ///< of the subject's bounding box, in its unit
   double seconds = 0;
-  std::string
-      folder;  ///< of its result, relative to the cohort's: "runs/ID/output"; empty where there is none
+  std::string folder;     ///< of its result, relative to the cohort's: "runs/ID/output"; empty where there is none
   bool in_model = false;  ///< whether it is a column of the statistics
 };
 
@@ -36,8 +33,7 @@ struct SubjectResult {
 struct AtlasRound {
   int round = 0;
   std::size_t n_subjects = 0;  ///< that finished
-  double change =
-      0;  ///< distance of the mean's surface from the round's atlas, root mean square over the diagonal
+  double change = 0;  ///< distance of the mean's surface from the round's atlas, root mean square over the diagonal
   double spread = 0;  ///< of the subjects about the mean, root mean square over the diagonal
 };
 

@@ -48,7 +48,8 @@ class TermOptions {
   template <class Self, class Visitor>
   static void describe_models(Self& self, Visitor& visit) {
     for (std::size_t t = 0; t < self.models_.size(); ++t)
-      if (self.models_[t].names().size() > 1) visit(term_names()[t], self.models_[t], OptionInfo{.meaning = model_meaning(t)});
+      if (self.models_[t].names().size() > 1)
+        visit(term_names()[t], self.models_[t], OptionInfo{.meaning = model_meaning(t)});
     for (std::size_t i = 0; i < self.own_.size(); ++i) visit(own_option(i).name, self.own_[i], own_option(i).info);
   }
 
@@ -86,13 +87,24 @@ struct EnergyOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("lambda", self.lambda, {.unit = "energy/volume", .min = 0, .meaning = "first Lame coefficient of W"});
-    visit("mu", self.mu, {.unit = "energy/volume", .min = 0, .min_excluded = true, .meaning = "second Lame coefficient (shear modulus) of W"});
-    visit("delta", self.delta, {.unit = "length", .min = 0, .meaning = "thickness of the shell: membrane weighs delta, bending delta^3"});
+    visit("mu", self.mu,
+          {.unit = "energy/volume",
+           .min = 0,
+           .min_excluded = true,
+           .meaning = "second Lame coefficient (shear modulus) of W"});
+    visit("delta", self.delta,
+          {.unit = "length", .min = 0, .meaning = "thickness of the shell: membrane weighs delta, bending delta^3"});
     TermOptions::describe_factors(self.terms, visit);
     TermOptions::describe_models(self.terms, visit);
     visit("boundary", self.boundary, {.meaning = "neumann: the domain's boundary is free; dirichlet: phi = id there"});
-    visit("quadrature_order", self.quadrature_order, {.unit = "points per direction", .min = 1, .max = 5, .meaning = "Gauss points for minimising; reported energies take one more, at most 5"});
-    visit("evaluator", self.evaluator, {.meaning = "compiled: value and gradient by vector code made from the terms' functors; ceres: by ceres::AutoDiffCostFunction of the same functors on every element, some 50 times slower"});
+    visit("quadrature_order", self.quadrature_order,
+          {.unit = "points per direction",
+           .min = 1,
+           .max = 5,
+           .meaning = "Gauss points for minimising; reported energies take one more, at most 5"});
+    visit("evaluator", self.evaluator,
+          {.meaning = "compiled: value and gradient by vector code made from the terms' functors; ceres: by "
+                      "ceres::AutoDiffCostFunction of the same functors on every element, some 50 times slower"});
   }
 };
 

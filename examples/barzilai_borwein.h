@@ -14,8 +14,8 @@ namespace example {
 
 using namespace shellmatch;
 
-/// Steps along the gradient of the length s.s / s.y (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988), halved until the
-/// value falls.
+/// Steps along the gradient of the length s.s / s.y (Barzilai and Borwein, IMA J. Numer. Anal. 8, 1988), halved until
+/// the value falls.
 class BarzilaiBorwein final : public Minimizer {
  public:
   std::string name() const override { return "barzilai_borwein"; }

@@ -33,7 +33,8 @@ OriginalShape<3> globe(int n_rings, Vec<3> (*shape)(const Vec<3>&)) {
   for (Index k = 1, next; k <= n; ++k) {
     next = k % n + 1;
     mesh.polygons.push_back({0, next, k});
-    for (Index low = 0; low + n + 1 < north; low += n) mesh.polygons.push_back({low + k, low + next, low + n + next, low + n + k});
+    for (Index low = 0; low + n + 1 < north; low += n)
+      mesh.polygons.push_back({low + k, low + next, low + n + next, low + n + k});
     mesh.polygons.push_back({north, north - n - 1 + k, north - n - 1 + next});
   }
   return mesh;
@@ -49,10 +50,12 @@ struct Progress : Observer {
 int main() {
   try {
     const Shape<3> ball = make_shape(globe(30, [](const Vec<3>& x) { return x; }), "ball");
-    const Shape<3> pear = make_shape(globe(45, [](const Vec<3>& x) -> Vec<3> {
-      const double width = 1 - 0.03 * x.z();
-      return {width * x.x(), width * x.y(), 1.3 * x.z()};
-    }), "pear");
+    const Shape<3> pear = make_shape(globe(45,
+                                           [](const Vec<3>& x) -> Vec<3> {
+                                             const double width = 1 - 0.03 * x.z();
+                                             return {width * x.x(), width * x.y(), 1.3 * x.z()};
+                                           }),
+                                     "pear");
 
     ExperimentOptions options = profile_defaults(Profile::standard);  // docs/options.md lists them all
     options.cascade.max_level = 5;
@@ -61,7 +64,8 @@ int main() {
 
     const Vec<3>& north = result.deformed.vertices.back();
     const Vec<3> centre = result.map.apply(Vec<3>::Zero());
-    std::printf("%zu vertices moved, the north pole from z = 10.0 to %.1f\n", result.deformed.vertices.size(), north.z());
+    std::printf("%zu vertices moved, the north pole from z = 10.0 to %.1f\n", result.deformed.vertices.size(),
+                north.z());
     std::printf("the centre, which is no vertex, moves from z = 0.0 to %.1f\n", centre.z());
     const MatchSummary& summary = result.summary;
     std::printf("mean distance %.0e there, %.0e back, in diagonals of the pear; %ld folded cells\n",

@@ -1,7 +1,6 @@
-// Terms that read fields of one's own (examples/own_fields.h): a rotation at the quadrature points, which is made anew between
-// minimisations, a map at the nodes and a weight of cells. Value, gradient and Newton's model come with the terms.
-// Builds on own_term_with_ceres.
-// Sample output:
+// Terms that read fields of one's own (examples/own_fields.h): a rotation at the quadrature points, which is made anew
+// between minimisations, a map at the nodes and a weight of cells. Value, gradient and Newton's model come with the
+// terms. Builds on own_term_with_ceres. Sample output:
 //   round 1: |Dphi - R|^2 = 0.0100, with the new R 0.0061; |phi - phi0|^2 = 3.5e-03
 //   round 2: |Dphi - R|^2 = 0.0062, with the new R 0.0060; |phi - phi0|^2 = 3.0e-03
 //   round 3: |Dphi - R|^2 = 0.0060, with the new R 0.0060; |phi - phi0|^2 = 3.0e-03
@@ -17,7 +16,8 @@
 using namespace shellmatch;
 
 // The polar factors of Dphi at all quadrature points, in the place of those before.
-void follow(UserField& rotation, std::span<const Element<2>> elements, const ShapeTable<2>& gauss, std::span<const Vec<2>> phi) {
+void follow(UserField& rotation, std::span<const Element<2>> elements, const ShapeTable<2>& gauss,
+            std::span<const Vec<2>> phi) {
   rotation.values.clear();
   for (const Element<2>& element : elements)
     for (const auto& q : gauss.points) {
@@ -35,7 +35,8 @@ int main() {
   const auto elements = level.unknowns.elements();
   const auto rotation = std::make_shared<UserField>(UserField{UserField::Place::points, 4, {}});
   const auto known_map = std::make_shared<UserField>(UserField{UserField::Place::nodes, 2, {}});
-  const auto root_of_weight = std::make_shared<UserField>(UserField{UserField::Place::cells, 1, std::vector<double>(elements.size(), 0.0)});
+  const auto root_of_weight =
+      std::make_shared<UserField>(UserField{UserField::Place::cells, 1, std::vector<double>(elements.size(), 0.0)});
   for (const Vec<2>& x : small.identity) known_map->values.insert(known_map->values.end(), {x[0], x[1]});
   for (std::size_t e = 0; e < elements.size(); ++e)  // only far from both shapes is the known map trusted
     if ((elements[e].corner - Vec<2>(0.5, 0.5)).norm() > 0.5) root_of_weight->values[e] = 1;
@@ -62,7 +63,7 @@ int main() {
     const double before = values[near_rotation];
     follow(*rotation, elements, gauss, phi);
     energy.evaluate(phi, weights, values, {});
-    std::printf("round %d: |Dphi - R|^2 = %.4f, with the new R %.4f; |phi - phi0|^2 = %.1e\n", round, before, values[near_rotation],
-                values[near_map]);
+    std::printf("round %d: |Dphi - R|^2 = %.4f, with the new R %.4f; |phi - phi0|^2 = %.1e\n", round, before,
+                values[near_rotation], values[near_map]);
   }
 }

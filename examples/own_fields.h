@@ -9,8 +9,8 @@ namespace example {
 
 using namespace shellmatch;
 
-/// |Dphi - R|^2 with a rotation R that lags behind phi, the polar factor of an earlier Dphi: as rigid as possible (Sorkine and
-/// Alexa 2007).
+/// |Dphi - R|^2 with a rotation R that lags behind phi, the polar factor of an earlier Dphi: as rigid as possible
+/// (Sorkine and Alexa 2007).
 template <int Dim>
 struct NearRotation : CellTerm<Dim> {
   struct Rotation : OwnField<Dim * Dim> {};  ///< its rows
@@ -26,7 +26,8 @@ struct NearRotation : CellTerm<Dim> {
   }
 };
 
-/// w |phi - phi0|^2 with a map phi0 that is known at the nodes, as from an earlier registration, and a weight w of cells.
+/// w |phi - phi0|^2 with a map phi0 that is known at the nodes, as from an earlier registration, and a weight w of
+/// cells.
 template <int Dim>
 struct NearMap : CellTerm<Dim> {
   struct KnownMap : OwnField<Dim> {};
@@ -36,7 +37,8 @@ struct NearMap : CellTerm<Dim> {
   using Reads = DependsOn<Phi, KnownMap, RootOfWeight>;
 
   template <class T, class P>
-  constexpr SmallVec<T, Dim> operator()(const SmallVec<T, Dim>& phi, const SmallVec<P, Dim>& phi0, const SmallVec<P, 1>& root) const {
+  constexpr SmallVec<T, Dim> operator()(const SmallVec<T, Dim>& phi, const SmallVec<P, Dim>& phi0,
+                                        const SmallVec<P, 1>& root) const {
     SmallVec<T, Dim> gap;
     for (int i = 0; i < Dim; ++i) gap[i] = root[0] * (phi[i] - phi0[i]);
     return gap;

@@ -1,6 +1,6 @@
-// A solver of one's own (examples/barzilai_borwein.h), on the problem of one level, in two metrics. The metric is a change
-// of variables around the objective: the method does not know of it. Builds on own_term_with_ceres.
-// Sample output:
+// A solver of one's own (examples/barzilai_borwein.h), on the problem of one level, in two metrics. The metric is a
+// change of variables around the objective: the method does not know of it. Builds on own_term_with_ceres. Sample
+// output:
 //   barzilai_borwein in euclidean: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
 //   barzilai_borwein in l2: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
 //   newton: 8.3099 -> 0.1451, few steps, stopped by relative_decrease
@@ -28,7 +28,8 @@ int main() {
   };
   for (const Metric metric : {Metric::euclidean, Metric::l2}) {
     std::vector<double> x = problem.unknowns_of(small.identity);
-    report("barzilai_borwein in " + std::string(enum_name(metric)), minimize_in_metric(example::BarzilaiBorwein(), metric, problem, x, stop));
+    report("barzilai_borwein in " + std::string(enum_name(metric)),
+           minimize_in_metric(example::BarzilaiBorwein(), metric, problem, x, stop));
   }
   std::vector<double> x = problem.unknowns_of(small.identity);
   report("newton", Newton(NewtonOptions{}).minimize(problem, x, stop));

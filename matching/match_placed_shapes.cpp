@@ -25,8 +25,14 @@ namespace {
 template <int Dim>
 ShapeSummary shape_summary(const Shape<Dim>& shape) {
   const Topology parts = topology(shape.surface);
-  return {shape.source, shape.surface.vertices.size(), shape.surface.facets.size(), shape.notes, parts.n_components, parts.genus,
-          shape.invented_share > 0 ? std::optional(shape.invented_share) : std::nullopt, shape.buried_share > 0 ? std::optional(shape.buried_share) : std::nullopt};
+  return {shape.source,
+          shape.surface.vertices.size(),
+          shape.surface.facets.size(),
+          shape.notes,
+          parts.n_components,
+          parts.genus,
+          shape.invented_share > 0 ? std::optional(shape.invented_share) : std::nullopt,
+          shape.buried_share > 0 ? std::optional(shape.buried_share) : std::nullopt};
 }
 
 void add_level_figure(std::optional<std::vector<double>>& list, double entry) {
@@ -52,27 +58,32 @@ class Matching {
     summary_.reference = shape_summary(reference_);
     summary_.template_shape = shape_summary(template_);
     summary_.unit = unit();
-    summary_.template_diagonal = bounding_box(template_.surface.vertices).diagonal() /
-                                 (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
+    summary_.template_diagonal =
+        bounding_box(template_.surface.vertices).diagonal() /
+        (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     const auto as_it_lies = [](const Surface<Dim>& surface) { return surface; };
-    summary_.distance_before = two_sided_distance<Dim>(reference_.surface, as_it_lies, template_distance_, observed_of_result(),
-                                                       std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
-                                   .figures;
+    summary_.distance_before =
+        two_sided_distance<Dim>(reference_.surface, as_it_lies, template_distance_, observed_of_result(),
+                                std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
+            .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
-    for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks, inputs_.prepared.alignment,
-                                              options_, inputs_.prepared.placement, d1_, d2_))
+    for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks,
+                                         inputs_.prepared.alignment, options_, inputs_.prepared.placement, d1_, d2_))
       pairs.push_back(std::move(set));
     for (const PairSet<Dim>& set : pairs) recorder_.history.term_names.push_back(set.name);
     if (has_coverage(options_)) recorder_.history.term_names.emplace_back("coverage");
     else if (options_.coverage.levels > 0)
-      recorder_.note("coverage acts on no level, as cascade.min_level is cascade.max_level: the match is one-sided (docs/landmarks.md)");
+      recorder_.note(
+          "coverage acts on no level, as cascade.min_level is cascade.max_level: the match is one-sided "
+          "(docs/landmarks.md)");
     std::optional<FinishedLevel<Dim>> finished = resume();
     recorder_.stage("matching");
-    auto result = run_cascade<Dim>(d1_, d2_, options_, recorder_,
-                                   [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); },
-                                   clock_.phases, std::move(finished), pairs, observed_);
+    auto result = run_cascade<Dim>(
+        d1_, d2_, options_, recorder_,
+        [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); }, clock_.phases,
+        std::move(finished), pairs, observed_);
     summary_.interrupted = result.interrupted;
     recorder_.stage("measuring");
     PhaseClock phase(clock_.phases);
@@ -115,8 +126,8 @@ class Matching {
     add_level_figure(summary_.run.level_memory_estimates, level.memory_estimate);
     add_level_figure(summary_.run.level_memory_peaks, level.memory_peak);
     if (inputs_.finished)
-      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, vertex_distances(deformed), summary_so_far(), recorder_.history,
-                        levels_});
+      inputs_.finished({level, state, inputs_.shapes, inputs_.prepared, deformed, vertex_distances(deformed),
+                        summary_so_far(), recorder_.history, levels_});
   }
 
   ReferenceMap<Dim> reference_map(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) const {
@@ -125,9 +136,9 @@ class Matching {
 
   // The distances, and where they are greatest.
   TwoSidedDistance measure_distance(const ReferenceMap<Dim>& carry, std::size_t most_points) {
-    const LocatedDistance<Dim> distance =
-        two_sided_distance<Dim>(reference_.surface, [&](const Surface<Dim>& surface) { return carry(surface); }, template_distance_,
-                                observed_of_result(), carry.finest_side(), most_points);
+    const LocatedDistance<Dim> distance = two_sided_distance<Dim>(
+        reference_.surface, [&](const Surface<Dim>& surface) { return carry(surface); }, template_distance_,
+        observed_of_result(), carry.finest_side(), most_points);
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
@@ -141,7 +152,8 @@ class Matching {
     if (!options_.input.unit.empty()) return options_.input.unit;
     const std::string &a = reference_.unit, &b = template_.unit;
     if (!a.empty() && !b.empty() && a != b)
-      recorder_.warn(fmt::format("{} is in {}, {} in {}: they are matched as if the units were the same", reference_.source, a, template_.source, b));
+      recorder_.warn(fmt::format("{} is in {}, {} in {}: they are matched as if the units were the same",
+                                 reference_.source, a, template_.source, b));
     return b.empty() ? a : b;
   }
 
@@ -158,7 +170,8 @@ class Matching {
   }
 
   // Tells the vertices of both results at which the other shape has data from those at which it was made up.
-  void add_observed(OriginalShape<Dim>& moved, OriginalShape<Dim>& covered, const Deformation<Dim>& map, const Surface<Dim>& deformed) const {
+  void add_observed(OriginalShape<Dim>& moved, OriginalShape<Dim>& covered, const Deformation<Dim>& map,
+                    const Surface<Dim>& deformed) const {
     // A result that is used as a reference has those of its own matching.
     std::erase_if(moved.attributes, [](const VertexAttribute& a) { return a.name == "template_observed"; });
     std::erase_if(covered.attributes, [](const VertexAttribute& a) { return a.name == "deformed_observed"; });
@@ -169,7 +182,9 @@ class Matching {
       set_attribute(shape, std::move(attribute));
     };
     const ObservedPart<Dim> of_template = observed_of_result().template_shape;
-    const auto unit = [&](const Vec<Dim>& y) { return map.placement(is_backward_ ? inputs_.prepared.alignment.pose(y) : y); };
+    const auto unit = [&](const Vec<Dim>& y) {
+      return map.placement(is_backward_ ? inputs_.prepared.alignment.pose(y) : y);
+    };
     add(moved, "template_observed", [&](std::size_t v) { return of_template.contains(unit(moved.vertices[v])); });
     std::vector<Vec<Dim>> points;
     for (const Vec<Dim>& y : covered.vertices) points.push_back(unit(y));
@@ -185,7 +200,8 @@ class Matching {
 
   void add_distortions(const Surface<Dim>& deformed) {
     const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
-    const Surface<Dim> undeformed = measured_facets(reference_.surface, facets), after = measured_facets(deformed, facets);
+    const Surface<Dim> undeformed = measured_facets(reference_.surface, facets),
+                       after = measured_facets(deformed, facets);
     add_distortion(summary_, undeformed, after, template_distance_);
     places_.distorted = coordinates_of_template(most_distorted_place(undeformed, after));
   }
@@ -200,17 +216,20 @@ class Matching {
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
-    const ReferenceMap<Dim> carry = reference_map(map.grid, map.phi);  // not to be used once the map moves into the result
+    const ReferenceMap<Dim> carry =
+        reference_map(map.grid, map.phi);  // not to be used once the map moves into the result
     Surface<Dim> deformed = carry(reference_.surface);
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(carry, all_points);
     add_distortions(deformed);
-    summary_.spin_difference = spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
-                                                    summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
+    summary_.spin_difference =
+        spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
+                             summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
     OriginalShape<Dim> moved =
-        deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface), map, template_distance_);
+        deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface),
+                          map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
     add_correspondence_error(moved);
@@ -225,7 +244,8 @@ class Matching {
             .template_shape = std::move(covered),
             .summary = {},
             .history = {},
-            .surfaces = {reference_.surface, template_.surface, std::move(deformed), std::move(distance), std::move(template_distance)},
+            .surfaces = {reference_.surface, template_.surface, std::move(deformed), std::move(distance),
+                         std::move(template_distance)},
             .levels = std::move(levels_),
             .moving_fields = std::move(cascade.moving_fields),
             .target_fields = std::move(cascade.target_fields)};
@@ -236,7 +256,8 @@ class Matching {
     s.version = program_version();
     s.profile = enum_name(options_.profile);
     s.dimension = Dim;
-    s.placement = {std::string(enum_name(options_.input.placement)), inputs_.prepared.placement.scale,
+    s.placement = {std::string(enum_name(options_.input.placement)),
+                   inputs_.prepared.placement.scale,
                    {inputs_.prepared.placement.offset.begin(), inputs_.prepared.placement.offset.end()}};
     s.direction = inputs_.prepared.direction;
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
@@ -252,7 +273,7 @@ class Matching {
   Recorder& recorder_;
   RunClock& clock_;
   const bool is_backward_ = inputs_.prepared.is_backward();
-  const ObservedPair<Dim> observed_;   // first that of the shape that phi deforms
+  const ObservedPair<Dim> observed_;  // first that of the shape that phi deforms
   const MeasuredParts<Dim> parts_;
   SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
   const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A matching of shapes that are placed, with all its inputs: besides the shapes the state of an earlier matching to resume from, and a callback
-/// for the end of every level.
+/// A matching of shapes that are placed, with all its inputs: besides the shapes the state of an earlier matching to
+/// resume from, and a callback for the end of every level.
 
 #include "geometry/distance/signed_distance.h"
 #include "matching/alignment/prepare_pair.h"
@@ -23,12 +23,13 @@ namespace shellmatch {
 template <int Dim>
 struct LevelEnd {
   const LevelResult& level;
-  const LevelState<Dim>& state;                  ///< grid and phi
-  const ShapePair<Dim>& shapes;                  ///< those of the inputs
+  const LevelState<Dim>& state;  ///< grid and phi
+  const ShapePair<Dim>& shapes;  ///< those of the inputs
   const PreparedPair<Dim>& prepared;
-  const Surface<Dim>& deformed;                  ///< the deformed reference's surface, unit domain
-  const std::vector<double>& distance;           ///< of its vertices to the template's; unit domain, NaN where a shape has no data
-  const MatchSummary& summary;                   ///< of the levels finished so far
+  const Surface<Dim>& deformed;  ///< the deformed reference's surface, unit domain
+  const std::vector<double>&
+      distance;                 ///< of its vertices to the template's; unit domain, NaN where a shape has no data
+  const MatchSummary& summary;  ///< of the levels finished so far
   const History& history;
   const std::vector<LevelVertices<Dim>>& levels;  ///< this one and those before; none without options.report
 };
@@ -36,13 +37,13 @@ struct LevelEnd {
 /// What a matching starts from.
 template <int Dim>
 struct MatchInputs {
-  ShapePair<Dim> shapes;      ///< surfaces in the unit domain, originals in the user's coordinates
-  PreparedPair<Dim> prepared; ///< how they have come there
-  Correspondence<Dim> truth;  ///< true positions of some vertices; may be empty
-  std::vector<Landmark<Dim>> landmarks;  ///< in the user's coordinates; may be empty
-  std::vector<PairSet<Dim>> pairs;       ///< further terms of point pairs, in the unit domain
-  std::optional<MatchProgress<Dim>> checkpoint;        ///< resume after its last level
-  std::optional<FinishedLevel<Dim>> start;             ///< without `checkpoint`: begin after this level of another matching
+  ShapePair<Dim> shapes;                         ///< surfaces in the unit domain, originals in the user's coordinates
+  PreparedPair<Dim> prepared;                    ///< how they have come there
+  Correspondence<Dim> truth;                     ///< true positions of some vertices; may be empty
+  std::vector<Landmark<Dim>> landmarks;          ///< in the user's coordinates; may be empty
+  std::vector<PairSet<Dim>> pairs;               ///< further terms of point pairs, in the unit domain
+  std::optional<MatchProgress<Dim>> checkpoint;  ///< resume after its last level
+  std::optional<FinishedLevel<Dim>> start;       ///< without `checkpoint`: begin after this level of another matching
   std::function<void(const LevelEnd<Dim>&)> finished;  ///< called at the end of every level; may be empty
 };
 

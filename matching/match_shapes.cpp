@@ -24,7 +24,8 @@ template <int Dim>
 MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks, const Correspondence<Dim>& truth) {
   check_experiment(options);
-  if (!options.start.map.empty()) throw_input_error("start.map: is for the program's files, and this matching has none; leave it out");
+  if (!options.start.map.empty())
+    throw_input_error("start.map: is for the program's files, and this matching has none; leave it out");
   set_n_threads(options.threads);
   RunClock clock;
   Recorder recorder(observer);
@@ -38,10 +39,10 @@ MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& op
   return match_placed_shapes(std::move(inputs), options, recorder, clock);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
-  template MatchResult<Dim> match_shapes<Dim>(const Shape<Dim>&, const Shape<Dim>&, const ExperimentOptions&, Observer&, \
-                                              const std::vector<Landmark<Dim>>&);                                       \
-  template MatchResult<Dim> match_shapes<Dim>(ShapePair<Dim>, const ExperimentOptions&, Observer&,                      \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                           \
+  template MatchResult<Dim> match_shapes<Dim>(const Shape<Dim>&, const Shape<Dim>&, const ExperimentOptions&, \
+                                              Observer&, const std::vector<Landmark<Dim>>&);                  \
+  template MatchResult<Dim> match_shapes<Dim>(ShapePair<Dim>, const ExperimentOptions&, Observer&,            \
                                               const std::vector<Landmark<Dim>>&, const Correspondence<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -18,18 +18,19 @@ namespace shellmatch {
 /// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
 /// polygons, `open_shape` (matching/input/shape_source.h) from a file.
 /// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement,
-///   margin, buried and unit are used; `start.map` must be empty; of `landmarks`, all but the files are used; `report` keeps `levels`;
-///   `pictures` and `resume` are ignored. `threads` is set for the whole process.
+///   margin, buried and unit are used; `start.map` must be empty; of `landmarks`, all but the files are used; `report`
+///   keeps `levels`; `pictures` and `resume` are ignored. `threads` is set for the whole process.
 /// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing
 /// \param landmarks points that correspond, in the coordinates of the shapes
-/// \throws InputError for contradictory options, shapes that cannot be placed or landmarks far from them, EnvironmentError if the machine has
-/// too little memory, and whatever the observer throws
+/// \throws InputError for contradictory options, shapes that cannot be placed or landmarks far from them,
+/// EnvironmentError if the machine has too little memory, and whatever the observer throws
 template <int Dim>
 MatchResult<Dim> match_shapes(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
                               const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks = {});
 
-/// The same of a pair that open_shape_pair() has opened. \param truth true positions of vertices, by which the summary states the error
+/// The same of a pair that open_shape_pair() has opened. \param truth true positions of vertices, by which the summary
+/// states the error
 template <int Dim>
 MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks, const Correspondence<Dim>& truth = {});

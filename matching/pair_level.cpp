@@ -28,8 +28,8 @@ bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
 }  // namespace
 
 template <int Dim>
-PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer,
-                          const std::function<void(const MapFrame<Dim>&)>& prepared)
+PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options,
+                          int level, Observer& observer, const std::function<void(const MapFrame<Dim>&)>& prepared)
     : options_(options), number_(level), shapes_(std::move(shapes)), landmarks_(std::move(landmarks)), grid_(1) {
   prepared_ = prepare_pair(shapes_, landmarks_, options_, observer);
   options_ = cascade_options(options_, prepared_.alignment);
@@ -38,7 +38,8 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
     std::swap(shapes_.reference, shapes_.template_shape);
     landmarks_ = exchanged(std::move(landmarks_));
   }
-  check_size<Dim>(refined_measures(shapes_.reference.surface, shapes_.template_shape.surface, options_), options_.cascade.min_level, number_, "");
+  check_size<Dim>(refined_measures(shapes_.reference.surface, shapes_.template_shape.surface, options_),
+                  options_.cascade.min_level, number_, "");
   grid_ = Octree<Dim>(options_.cascade.min_level);  // not before its size is known to fit
   observer.stage("coefficients");
   d1_.emplace(shapes_.reference.surface);
@@ -46,7 +47,8 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
   fields_.emplace(*d1_, *d2_, options_);
   fields_->compute_distances(grid_);
   for (int l = options_.cascade.min_level;; ++l) {
-    sizes_.push_back({l, grid_.n_nodes(), static_cast<Index>(grid_.free_nodes().size()), static_cast<Index>(grid_.leaves().size())});
+    sizes_.push_back(
+        {l, grid_.n_nodes(), static_cast<Index>(grid_.free_nodes().size()), static_cast<Index>(grid_.leaves().size())});
     if (l == number_) break;
     observer.stage(fmt::format("level {}", l + 1));
     fields_->refine(grid_);
@@ -57,7 +59,8 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
   const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
   if (!observed.is_all()) mask_.emplace(observed, level_->sigma);
   if (level_->is_covered(options_))
-    coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage, observed);
+    coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage,
+                      observed);
 }
 
 template <int Dim>
@@ -72,7 +75,8 @@ std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
   observer.stage("matching");
   PhaseSeconds seconds;
   try {
-    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_, observed_pair(shapes_.reference, shapes_.template_shape));
+    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_,
+                     observed_pair(shapes_.reference, shapes_.template_shape));
   } catch (const LevelReached&) {
   }
   if (!coarser) throw Stopped("stopped before the level below was done; it is the start that was asked for");

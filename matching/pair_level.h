@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// One level of the cascade of a given pair, with its energy, as an object that can be kept: for checks of derivatives and for solvers from
-/// elsewhere.
+/// One level of the cascade of a given pair, with its energy, as an object that can be kept: for checks of derivatives
+/// and for solvers from elsewhere.
 
 #include "geometry/distance/signed_distance.h"
 #include "matching/alignment/prepare_pair.h"
@@ -36,28 +36,27 @@ template <int Dim>
 class PairLevel {
  public:
   /// Aligns and places the shapes, refines from cascade.min_level up to `level`, and makes the energy there.
-  /// \param shapes in the user's coordinates \param options kept \param level between cascade.min_level and cascade.max_level
-  /// \param observer is told the stages
-  /// \param prepared told where the pair lies, before anything that takes long; what it throws is passed on
-  /// \throws InputError as match_shapes; EnvironmentError
-  PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level, Observer& observer,
-            const std::function<void(const MapFrame<Dim>&)>& prepared = {});
+  /// \param shapes in the user's coordinates \param options kept \param level between cascade.min_level and
+  /// cascade.max_level \param observer is told the stages \param prepared told where the pair lies, before anything
+  /// that takes long; what it throws is passed on \throws InputError as match_shapes; EnvironmentError
+  PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level,
+            Observer& observer, const std::function<void(const MapFrame<Dim>&)>& prepared = {});
   PairLevel(const PairLevel&) = delete;
   PairLevel& operator=(const PairLevel&) = delete;
 
   /// phi = x.
   std::vector<Vec<Dim>> identity() const { return identity_map(grid_); }
 
-  /// The result of the cascade on the level before, at the nodes of this one: where the cascade begins here. The identity on the coarsest.
-  /// \throws Stopped where the observer ends it before
+  /// The result of the cascade on the level before, at the nodes of this one: where the cascade begins here. The
+  /// identity on the coarsest. \throws Stopped where the observer ends it before
   std::vector<Vec<Dim>> coarser_result(Observer& observer) const;
 
   /// A map of the same shapes, at the nodes of this grid. \pre it lies where this pair does (has_frame)
   std::vector<Vec<Dim>> sampled(const Deformation<Dim>& map) const;
   bool has_frame(const MapFrame<Dim>& frame) const { return same_frame(frame, prepared_.frame()); }
 
-  /// What the cascade makes anew as phi moves becomes that for this phi: the pairs of coverage, where it acts on this level, and the mask of
-  /// shapes with gaps (docs/closing.md).
+  /// What the cascade makes anew as phi moves becomes that for this phi: the pairs of coverage, where it acts on this
+  /// level, and the mask of shapes with gaps (docs/closing.md).
   void follow(const std::vector<Vec<Dim>>& phi);
 
   LevelEnergy<Dim>& energy() { return *level_; }
@@ -88,7 +87,7 @@ class PairLevel {
   std::vector<LevelSize> sizes_;
   std::vector<PairSet<Dim>> pairs_;
   std::optional<LevelEnergy<Dim>> level_;
-  std::optional<ObservedMask<Dim>> mask_;     ///< where a shape has gaps
+  std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
   std::optional<Coverage<Dim>> coverage_;  ///< where it acts
 };
 

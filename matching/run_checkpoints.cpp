@@ -35,8 +35,9 @@ std::optional<MatchProgress<Dim>> RunCheckpoints<Dim>::read(std::size_t n_vertic
     obstacle = fmt::format("it cannot be read ({})", error.what());
   }
   if (!obstacle.empty())
-    recorder_.note(fmt::format("{}: {}; the run begins anew{}", folder_->path(), obstacle,
-                               folder_->foreign_text().empty() ? " and replaces that folder once it keeps a level" : ""));
+    recorder_.note(
+        fmt::format("{}: {}; the run begins anew{}", folder_->path(), obstacle,
+                    folder_->foreign_text().empty() ? " and replaces that folder once it keeps a level" : ""));
   if (!checkpoint) return std::nullopt;
   level_ = checkpoint->summary.levels.back().level;
   recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", level_, folder_->path(),

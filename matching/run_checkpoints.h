@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The checkpoints of one run of the program: which it resumes from, when it writes one and when it removes it. What stands in the way is
-/// told as a note and ends no run, which may never need a checkpoint.
+/// The checkpoints of one run of the program: which it resumes from, when it writes one and when it removes it. What
+/// stands in the way is told as a note and ends no run, which may never need a checkpoint.
 
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/match_placed_shapes.h"

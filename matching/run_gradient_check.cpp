@@ -24,8 +24,9 @@ int level_of(const ExperimentOptions& options, const GradientCheckRequest& reque
     return level;
   };
   if (request.level) return check(*request.level, fmt::format("--level {}", *request.level));
-  if (found) return check(found->grid.finest_level(), fmt::format("{}: a deformation of level {}", request.state.folder,
-                                                                  found->grid.finest_level()));
+  if (found)
+    return check(found->grid.finest_level(),
+                 fmt::format("{}: a deformation of level {}", request.state.folder, found->grid.finest_level()));
   return std::clamp(Dim == 2 ? 7 : 5, least, most);
 }
 
@@ -36,16 +37,21 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
                                        shapes.template_shape.original.vertices, landmark_spaces(shapes));
   std::optional<Deformation<Dim>> found;
   if (request.state.kind == CheckState::Kind::folder) found = read_deformation<Dim>(request.state.folder);
-  PairLevel<Dim> level(std::move(shapes), std::move(landmarks), options, level_of(options, request, found), observer, [&](const MapFrame<Dim>& frame) {
-    if (found && !same_frame<Dim>(*found, frame))
-      throw_input_error("--state {}: was found for shapes that lie elsewhere in the domain than those of this experiment, or in the other "
-                        "direction (align.direction)", request.state.folder);
-  });
+  PairLevel<Dim> level(std::move(shapes), std::move(landmarks), options, level_of(options, request, found), observer,
+                       [&](const MapFrame<Dim>& frame) {
+                         if (found && !same_frame<Dim>(*found, frame))
+                           throw_input_error(
+                               "--state {}: was found for shapes that lie elsewhere in the domain than those of this "
+                               "experiment, or in the other "
+                               "direction (align.direction)",
+                               request.state.folder);
+                       });
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level.energy(), options.energy, found);
   level.follow(phi);
   const ScheduleStep step = level.step();
-  GradientReport report = check_gradient<Dim>(level.energy(), CheckedEnergy<Dim>(level.energy()), phi, level.weights(), request.settings,
-                                              [&](const std::string& term) { observer.stage(fmt::format("checking {}", term)); });
+  GradientReport report =
+      check_gradient<Dim>(level.energy(), CheckedEnergy<Dim>(level.energy()), phi, level.weights(), request.settings,
+                          [&](const std::string& term) { observer.stage(fmt::format("checking {}", term)); });
   report.state = request.state.text();
   report.nu = step.nu;
   report.volume_weight = step.volume_weight;
@@ -60,8 +66,8 @@ GradientReport run_gradient_check(const ExperimentOptions& options, const Gradie
   set_n_threads(options.threads);
   observer.stage("reading");
   AnyShapePair shapes = open_shape_pair(options.input, options.landmarks, observer);
-  return std::visit([&]<int Dim>(ShapePair<Dim>& pair) { return check<Dim>(options, request, std::move(pair), observer); },
-                    shapes);
+  return std::visit(
+      [&]<int Dim>(ShapePair<Dim>& pair) { return check<Dim>(options, request, std::move(pair), observer); }, shapes);
 }
 
 }  // namespace shellmatch

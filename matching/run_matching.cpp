@@ -33,8 +33,13 @@ namespace {
 template <int Dim>
 class Run {
  public:
-  Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer, RunClock& clock)
-      : options_(options), folder_(folder), recorder_(observer), clock_(clock), checkpoints_(options.resume, recorder_, clock) {
+  Run(const ExperimentOptions& options, ShapePair<Dim> shapes, OutputFolder& folder, Observer& observer,
+      RunClock& clock)
+      : options_(options),
+        folder_(folder),
+        recorder_(observer),
+        clock_(clock),
+        checkpoints_(options.resume, recorder_, clock) {
     inputs_.shapes = std::move(shapes);
   }
 
@@ -57,15 +62,17 @@ class Run {
  private:
   MatchResult<Dim> match(bool restart) {
     std::vector<std::string> notes;
-    inputs_.landmarks = read_landmarks<Dim>(options_.landmarks, inputs_.shapes.reference.original.vertices,
-                                            inputs_.shapes.template_shape.original.vertices,
-                                            landmark_spaces(inputs_.shapes), &notes);
+    inputs_.landmarks =
+        read_landmarks<Dim>(options_.landmarks, inputs_.shapes.reference.original.vertices,
+                            inputs_.shapes.template_shape.original.vertices, landmark_spaces(inputs_.shapes), &notes);
     for (const std::string& note : notes) recorder_.note(note);
     const InputOptions& input = options_.input;
-    inputs_.truth = input.correspondence.empty()
-                      ? generated_correspondence<Dim>(input.reference, input.template_file)
-                      : read_correspondence<Dim>(input.correspondence, inputs_.shapes.reference.original.vertices.size());
-    // A uniform grid of the coarsest level, which all grids hold: what cannot fit is refused before alignment tries starts on it.
+    inputs_.truth =
+        input.correspondence.empty()
+            ? generated_correspondence<Dim>(input.reference, input.template_file)
+            : read_correspondence<Dim>(input.correspondence, inputs_.shapes.reference.original.vertices.size());
+    // A uniform grid of the coarsest level, which all grids hold: what cannot fit is refused before alignment tries
+    // starts on it.
     check_size<Dim>({}, options_.cascade.min_level, options_.cascade.max_level, folder_.final_path());
     prepare();
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
@@ -73,8 +80,10 @@ class Run {
                     options_.cascade.max_level, folder_.final_path());
     // With start.map there are no checkpoints: the identity of a run does not cover the contents of that file.
     if (options_.resume.enabled && options_.start.map.empty()) {
-      checkpoints_.open(folder_.final_path(), run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
-      if (!restart) inputs_.checkpoint = checkpoints_.read(reference.surface.vertices.size(), folder_.path_of("pictures"));
+      checkpoints_.open(folder_.final_path(),
+                        run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
+      if (!restart)
+        inputs_.checkpoint = checkpoints_.read(reference.surface.vertices.size(), folder_.path_of("pictures"));
     }
     inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
@@ -88,7 +97,8 @@ class Run {
   void prepare() {
     PhaseClock phase(clock_.phases);
     if (!options_.start.map.empty() && begin_with(read_deformation<Dim>(options_.start.map))) return;
-    if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic) phase.start("alignment");
+    if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic)
+      phase.start("alignment");
     inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_);
   }
 
@@ -100,10 +110,12 @@ class Run {
     if (options_.align.direction == MatchDirection::backward && !map.is_backward)
       refuse("that run has deformed its reference, not its template; leave out align.direction: backward");
     const CascadeOptions& c = options_.cascade;
-    const int level = options_.start.level > 0 ? options_.start.level : std::clamp(map.grid.finest_level() + 1, c.min_level, c.max_level);
+    const int level = options_.start.level > 0 ? options_.start.level
+                                               : std::clamp(map.grid.finest_level() + 1, c.min_level, c.max_level);
     std::optional<PreparedPair<Dim>> prepared = prepare_as_before<Dim>(inputs_.shapes, map, 1.0 / (1 << c.max_level));
     if (!prepared) {
-      recorder_.warn(fmt::format("start.map: {}: these shapes do not lie where those of that run do: it is not used", options_.start.map));
+      recorder_.warn(fmt::format("start.map: {}: these shapes do not lie where those of that run do: it is not used",
+                                 options_.start.map));
       return false;
     }
     inputs_.prepared = std::move(*prepared);
@@ -131,13 +143,13 @@ class Run {
   }
 
   std::string stopped_text() const {
-    const std::string where = writing_               ? "while the result was written"
-                              : recorder_.level == 0 ? "before the first level"
-                                                     : fmt::format("in level {} of {}", recorder_.level,
-                                                                   options_.cascade.max_level);
+    const std::string where = writing_ ? "while the result was written"
+                              : recorder_.level == 0
+                                  ? "before the first level"
+                                  : fmt::format("in level {} of {}", recorder_.level, options_.cascade.max_level);
     if (checkpoints_.level() == 0) return fmt::format("stopped {}; nothing was written", where);
-    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where, checkpoints_.level(),
-                       checkpoints_.path());
+    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where,
+                       checkpoints_.level(), checkpoints_.path());
   }
 
   void picture(const LevelEnd<Dim>& end) {
@@ -185,9 +197,11 @@ AnyMatchResult run_matching(const ExperimentOptions& options, const std::string&
   AnyShapePair shapes = open_shape_pair(options.input, options.landmarks, observer);
   phase.stop();
   OutputFolder folder(output_folder, earlier.force);
-  return std::visit([&]<int Dim>(ShapePair<Dim>& pair) -> AnyMatchResult {
-    return Run<Dim>(options, std::move(pair), folder, observer, clock).go(earlier.restart);
-  }, shapes);
+  return std::visit(
+      [&]<int Dim>(ShapePair<Dim>& pair) -> AnyMatchResult {
+        return Run<Dim>(options, std::move(pair), folder, observer, clock).go(earlier.restart);
+      },
+      shapes);
 }
 
 }  // namespace shellmatch

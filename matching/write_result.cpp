@@ -40,9 +40,11 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
   draw(folder, "pictures/result.png", observer, [&](const std::string& path) { write_level_picture(picture, path); });
   if constexpr (Dim == 3)
     draw(folder, "pictures/grid.png", observer, [&](const std::string& path) {
-      write_grid_picture(result.map.grid, s.reference, s.template_shape, "reference (orange), template (blue), cells of the finest grid (grey)", path);
+      write_grid_picture(result.map.grid, s.reference, s.template_shape,
+                         "reference (orange), template (blue), cells of the finest grid (grey)", path);
     });
-  draw(folder, "pictures/energy.png", observer, [&](const std::string& path) { write_plot(energy_plot(result.history), path); });
+  draw(folder, "pictures/energy.png", observer,
+       [&](const std::string& path) { write_plot(energy_plot(result.history), path); });
 }
 
 // The vertices of a shape one ring after another.
@@ -61,7 +63,8 @@ OriginalShape<2> along_rings(const OriginalShape<2>& shape) {
     return result;
   };
   OriginalShape<2> sorted{picked(shape.vertices), shape.polygons, {}, shape.details};
-  for (const VertexAttribute& a : shape.attributes) sorted.attributes.push_back({a.name, a.type, picked(a.values), picked(a.texts)});
+  for (const VertexAttribute& a : shape.attributes)
+    sorted.attributes.push_back({a.name, a.type, picked(a.values), picked(a.texts)});
   Index next = 0;
   for (std::vector<Index>& ring : sorted.polygons)
     for (Index& v : ring) v = next++;
@@ -115,28 +118,30 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
   } else {
     write_outlines(result, folder);
   }
-  write_deformation(folder.path_of(deformation_file_name), result.map,
-                    nodal_fields(result.moving_fields, result.target_fields, options),
-                    cell_fields(result.map.grid, result.map.phi, result.moving_fields.distance,
-                                result.summary.levels.back().sigma));
+  write_deformation(
+      folder.path_of(deformation_file_name), result.map,
+      nodal_fields(result.moving_fields, result.target_fields, options),
+      cell_fields(result.map.grid, result.map.phi, result.moving_fields.distance, result.summary.levels.back().sigma));
   write_history(result.history, folder.path_of("history.csv"));
   write_file(folder.path_of("config.yaml"), to_yaml(with_absolute_paths(options)));
 }
 
 template <int Dim>
-void write_result_page(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder, Observer& observer) {
+void write_result_page(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
+                       Observer& observer) {
   if (!options.report) return;
   std::string picture;
   if (options.pictures != Pictures::none) {
     std::ifstream in(folder.path_of("pictures/result.png"), std::ios::binary);
     picture.assign(std::istreambuf_iterator<char>(in), {});
   }
-  draw(folder, report_file_name, observer, [&](const std::string& path) { write_report(result, options, picture, path); });
+  draw(folder, report_file_name, observer,
+       [&](const std::string& path) { write_report(result, options, picture, path); });
 }
 
 template <int Dim>
-void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder, bool force,
-                         Observer* observer) {
+void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions& options, const std::string& folder,
+                         bool force, Observer* observer) {
   OutputFolder place(folder, force);
   Observer nobody;
   Observer& told = observer == nullptr ? nobody : *observer;
@@ -146,9 +151,10 @@ void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions
   place.commit();
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                      \
-  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool, Observer*); \
-  template void write_result_page<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);         \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool, \
+                                         Observer*);                                                                  \
+  template void write_result_page<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);  \
   template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

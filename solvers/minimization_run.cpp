@@ -8,8 +8,7 @@
 
 namespace shellmatch {
 
-MinimizationRun::MinimizationRun(Objective& objective, const StopOptions& stop,
-                                 const IterationCallback& callback)
+MinimizationRun::MinimizationRun(Objective& objective, const StopOptions& stop, const IterationCallback& callback)
     : objective_(objective), callback_(callback), monitor_(stop) {}
 
 Evaluation MinimizationRun::evaluate(std::span<const double> x, std::span<double> gradient) {
@@ -52,7 +51,8 @@ std::string MinimizationRun::explained(std::string message, std::span<const doub
   return what.empty() ? message : message + ": " + what;
 }
 
-bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened, bool restrained) {
+bool MinimizationRun::accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened,
+                             bool restrained) {
   IterationRecord record;
   record.iteration = ++summary_.iterations;
   record.value = summary_.final_value = at.value;
@@ -70,8 +70,7 @@ bool MinimizationRun::report(IterationRecord record) {
   record.gradient_evaluations = summary_.gradient_evaluations;
   record.seconds = monitor_.seconds();
   const auto reason = monitor_.check(record);
-  if (callback_ && !callback_(record))
-    finish(StopReason::interrupted, monitor_.message(StopReason::interrupted));
+  if (callback_ && !callback_(record)) finish(StopReason::interrupted, monitor_.message(StopReason::interrupted));
   if (reason) finish(*reason);
   return !over_;
 }
@@ -91,7 +90,8 @@ void MinimizationRun::finish(StopReason reason, std::string message) {
 void MinimizationRun::finish_without_descent(std::span<const double> infeasible) {
   if (over_) return;
   std::string message = monitor_.message(StopReason::no_descent);
-  finish(StopReason::no_descent, infeasible.empty() || out_of_time() ? message : explained(std::move(message), infeasible));
+  finish(StopReason::no_descent,
+         infeasible.empty() || out_of_time() ? message : explained(std::move(message), infeasible));
 }
 
 MinimizerSummary MinimizationRun::summary() const {

@@ -15,7 +15,7 @@ namespace shellmatch {
 struct Evaluation {
   bool feasible = false;  ///< false where the function cannot be evaluated, or value or gradient are not finite
   double value = 0;
-  double gradient_norm = 0;  ///< Euclidean; only if the gradient was requested
+  double gradient_norm = 0;     ///< Euclidean; only if the gradient was requested
   double l2_gradient_norm = 0;  ///< as Objective::l2_gradient_norm; only if the gradient was requested
 };
 
@@ -38,8 +38,10 @@ class MinimizationRun {
   /// Weighted terms at the point evaluated last.
   std::vector<double> term_values() const { return objective_.term_values(); }
 
-  /// Records an accepted step; `step` is its norm, `shortened` and `restrained` as in IterationRecord. Returns false if the run is over.
-  bool accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened = false, bool restrained = false);
+  /// Records an accepted step; `step` is its norm, `shortened` and `restrained` as in IterationRecord. Returns false if
+  /// the run is over.
+  bool accept(const Evaluation& at, double step, std::vector<double> terms, bool shortened = false,
+              bool restrained = false);
   bool accept(const Evaluation& at, double step) { return accept(at, step, term_values()); }
 
   /// True once there is a reason to stop. Long inner loops check out_of_time() as well.
@@ -50,8 +52,8 @@ class MinimizationRun {
   /// by the description of the reason. If the time limit has been reached, that is the reason.
   void finish(StopReason reason, std::string message = {});
 
-  /// Ends the run because no step lowers the value. The message says what is not finite at `infeasible`, the last trial point
-  /// if it could not be evaluated, and otherwise empty.
+  /// Ends the run because no step lowers the value. The message says what is not finite at `infeasible`, the last trial
+  /// point if it could not be evaluated, and otherwise empty.
   void finish_without_descent(std::span<const double> infeasible);
 
   double start_value() const { return summary_.initial_value; }

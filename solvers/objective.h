@@ -54,8 +54,8 @@ class Objective {
   /// choice.
   virtual Eigen::SparseMatrix<double> metric_matrix(Metric /*metric*/) const { return {}; }
 
-  /// Which part of the value or the gradient is infinite or NaN at x, in words for a message; empty where all is finite or
-  /// nothing is known. It may take long: solvers ask where they cannot go on for that reason.
+  /// Which part of the value or the gradient is infinite or NaN at x, in words for a message; empty where all is finite
+  /// or nothing is known. It may take long: solvers ask where they cannot go on for that reason.
   virtual std::string what_is_not_finite(std::span<const double> /*x*/) { return {}; }
 
   /// This objective as one that offers a model of its second derivative; null where it does not.
@@ -91,17 +91,22 @@ class SecondOrderObjective : public Objective {
 
   /// Number of regions that can be damped; 0: none.
   virtual std::size_t n_regions() const { return 0; }
-  /// The regions in which the step d from x leads beyond where H models the objective, with the factor that makes D_r as
-  /// stiff as H is there.
-  virtual std::vector<RegionDamping> regions_beyond_model(std::span<const double> /*x*/, std::span<const double> /*d*/) {
+  /// The regions in which the step d from x leads beyond where H models the objective, with the factor that makes D_r
+  /// as stiff as H is there.
+  virtual std::vector<RegionDamping> regions_beyond_model(std::span<const double> /*x*/,
+                                                          std::span<const double> /*d*/) {
     return {};
   }
   /// Adds factor * D_r to H for each of these regions.
   virtual void add_damping(std::span<const RegionDamping> /*regions*/) {}
-  /// Adds to H what the step d from x activates and H at x does not know of, and the same to the gradient of the model at x, of which
-  /// d is the descent. Returns whether there was any that had not been added since H was prepared.
-  virtual bool extend_model(std::span<const double> /*x*/, std::span<const double> /*d*/, std::span<double> /*gradient*/) { return false; }
-  /// Brings the step d in each of these regions nearer to one that leads nowhere beyond the model: of what would, this share stays.
+  /// Adds to H what the step d from x activates and H at x does not know of, and the same to the gradient of the model
+  /// at x, of which d is the descent. Returns whether there was any that had not been added since H was prepared.
+  virtual bool extend_model(std::span<const double> /*x*/, std::span<const double> /*d*/,
+                            std::span<double> /*gradient*/) {
+    return false;
+  }
+  /// Brings the step d in each of these regions nearer to one that leads nowhere beyond the model: of what would, this
+  /// share stays.
   virtual void contract_step(std::span<const RegionDamping> /*regions*/, double /*share*/, std::span<double> /*d*/) {}
 };
 

@@ -43,25 +43,19 @@ std::optional<StopReason> StopMonitor::check(const IterationRecord& record) {
 std::string StopMonitor::message(StopReason reason) const {
   switch (reason) {
     case StopReason::gradient_norm:
-      return first_gradient_norm_ == 0 ? std::string("the gradient is zero at the start")
-                                       : fmt::format("the gradient's norm is at most {:g} of its first value",
-                                                     options_.gradient_norm);
+      return first_gradient_norm_ == 0
+                 ? std::string("the gradient is zero at the start")
+                 : fmt::format("the gradient's norm is at most {:g} of its first value", options_.gradient_norm);
     case StopReason::relative_decrease:
-      return fmt::format("the value fell by less than {:g} of itself over {} iterations",
-                         decrease_, window_.size() - 1);
-    case StopReason::max_iterations:
-      return fmt::format("{} iterations are done", options_.max_iterations);
-    case StopReason::max_seconds:
-      return fmt::format("the time limit of {:g} s is reached", options_.max_seconds);
-    case StopReason::no_descent:
-      return "no lower value can be found along the steepest descent";
-    case StopReason::cannot_evaluate_start:
-      return "the function cannot be evaluated at the start";
-    case StopReason::interrupted:
-      return "stopped by the caller";
+      return fmt::format("the value fell by less than {:g} of itself over {} iterations", decrease_,
+                         window_.size() - 1);
+    case StopReason::max_iterations: return fmt::format("{} iterations are done", options_.max_iterations);
+    case StopReason::max_seconds: return fmt::format("the time limit of {:g} s is reached", options_.max_seconds);
+    case StopReason::no_descent: return "no lower value can be found along the steepest descent";
+    case StopReason::cannot_evaluate_start: return "the function cannot be evaluated at the start";
+    case StopReason::interrupted: return "stopped by the caller";
     case StopReason::converged:
-    case StopReason::library:
-      break;
+    case StopReason::library: break;
   }
   return "the library stopped by its own rules";
 }

@@ -31,8 +31,7 @@ double norm(std::span<const double> x) { return std::sqrt(dot(x, x)); }
 
 double distance(std::span<const double> x, std::span<const double> y) {
   return std::sqrt(chunked_sums<1>(x.size(), [&](std::size_t b, std::size_t e, auto& sums) {
-    sums[0] =
-        lane_sum(b, e, [p = x.data(), q = y.data()](std::size_t i) { return (p[i] - q[i]) * (p[i] - q[i]); });
+    sums[0] = lane_sum(b, e, [p = x.data(), q = y.data()](std::size_t i) { return (p[i] - q[i]) * (p[i] - q[i]); });
   })[0]);
 }
 
@@ -48,8 +47,7 @@ void scale(double a, std::span<double> x) {
   });
 }
 
-double add_scaled_and_dot(double a, std::span<const double> y, std::span<double> x,
-                          std::span<const double> z) {
+double add_scaled_and_dot(double a, std::span<const double> y, std::span<double> x, std::span<const double> z) {
   return chunked_sums<1>(x.size(), [&](std::size_t b, std::size_t e, auto& sums) {
     sums[0] = lane_sum(b, e, [a, p = x.data(), q = y.data(), r = z.data()](std::size_t i) {
       p[i] += a * q[i];
@@ -79,9 +77,8 @@ DirectionSize direction_size(std::span<const double> g, std::span<const double> 
   return {sums[0], std::sqrt(sums[1])};
 }
 
-PairProducts difference_pair(std::span<const double> x0, std::span<const double> x1,
-                             std::span<const double> g0, std::span<const double> g1, std::span<double> s,
-                             std::span<double> y) {
+PairProducts difference_pair(std::span<const double> x0, std::span<const double> x1, std::span<const double> g0,
+                             std::span<const double> g1, std::span<double> s, std::span<double> y) {
   const auto sums = chunked_sums<3>(x0.size(), [&](std::size_t b, std::size_t e, auto& part) {
     const double *p0 = x0.data(), *p1 = x1.data(), *q0 = g0.data(), *q1 = g1.data();
     double *sp = s.data(), *yp = y.data();

@@ -53,8 +53,7 @@ void add_scaled(std::span<const double> x, double a, std::span<const double> d, 
 void scale(double a, std::span<double> x);
 
 /// x += a y, and returns x.z for the new x: one sweep of the two-loop recursion.
-double add_scaled_and_dot(double a, std::span<const double> y, std::span<double> x,
-                          std::span<const double> z);
+double add_scaled_and_dot(double a, std::span<const double> y, std::span<double> x, std::span<const double> z);
 
 /// A search direction's slope g.d and Euclidean length |d|.
 struct DirectionSize {
@@ -71,8 +70,7 @@ DirectionSize direction_size(std::span<const double> g, std::span<const double> 
 struct PairProducts {
   double s_y, s_s, y_y;
 };
-PairProducts difference_pair(std::span<const double> x0, std::span<const double> x1,
-                             std::span<const double> g0, std::span<const double> g1, std::span<double> s,
-                             std::span<double> y);
+PairProducts difference_pair(std::span<const double> x0, std::span<const double> x1, std::span<const double> g0,
+                             std::span<const double> g1, std::span<double> s, std::span<double> y);
 
 }  // namespace shellmatch

@@ -20,8 +20,8 @@ struct GramEigen {
 /// \pre gram is symmetric and finite
 GramEigen gram_eigen(const Eigen::MatrixXd& gram, double least);
 
-/// The inverse transpose of the Cholesky factor: with it, columns of which `gram` is the Gram matrix become orthonormal, and the
-/// first k of them span what they have spanned before. SHELLMATCH_CHECK: gram is positive definite
+/// The inverse transpose of the Cholesky factor: with it, columns of which `gram` is the Gram matrix become
+/// orthonormal, and the first k of them span what they have spanned before. SHELLMATCH_CHECK: gram is positive definite
 Eigen::MatrixXd orthonormalising_combinations(const Eigen::MatrixXd& gram);
 
 }  // namespace shellmatch

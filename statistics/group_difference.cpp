@@ -20,8 +20,8 @@ constexpr double equal_shares = 1e-11;
 constexpr Eigen::Index splits_at_once = 128;
 constexpr std::size_t points_at_once = 64;
 
-// One row for each coordinate of a point, one column for each shape: deviations from the mean of all, in coordinates in which the
-// sum of their outer products is the identity; 0 in directions in which the point does not move.
+// One row for each coordinate of a point, one column for each shape: deviations from the mean of all, in coordinates in
+// which the sum of their outer products is the identity; 0 in directions in which the point does not move.
 template <int Dim>
 void whiten(Eigen::Ref<Eigen::Matrix<double, Dim, Eigen::Dynamic>> x, double rounding) {
   constexpr double relative = 1e-12;
@@ -90,7 +90,8 @@ class PointTests {
 };
 
 template <int Dim>
-void add_point_tests(const PointSets& sets, const Splits& splits, const Eigen::MatrixXd& observed, GroupDifference& result) {
+void add_point_tests(const PointSets& sets, const Splits& splits, const Eigen::MatrixXd& observed,
+                     GroupDifference& result) {
   const double n_a = result.n_a, n_b = result.n_b, n = n_a + n_b, n_splits = static_cast<double>(splits.size());
   // The sum over group B of deviations from the mean of all is n_a n_b / n times the difference of the means.
   PointTests<Dim> tests(sets, splits, observed, n / (n_a * n_b));
@@ -105,8 +106,8 @@ void add_point_tests(const PointSets& sets, const Splits& splits, const Eigen::M
   result.q = false_discovery_rates(result.p);
 }
 
-void add_global_test(const PointSets& sets, const Eigen::VectorXd& weights, const Splits& splits, const Eigen::MatrixXd& observed,
-                     GroupDifference& result) {
+void add_global_test(const PointSets& sets, const Eigen::VectorXd& weights, const Splits& splits,
+                     const Eigen::MatrixXd& observed, GroupDifference& result) {
   const Eigen::VectorXd mean = mean_of(sets);
   const Eigen::MatrixXd gram = gram_matrix({sets.coordinates, &mean}, weights);
   Eigen::MatrixXd product;
@@ -127,17 +128,19 @@ void add_global_test(const PointSets& sets, const Eigen::VectorXd& weights, cons
 
 }  // namespace
 
-GroupDifference group_difference(const PointSets& aligned, const Eigen::VectorXd& weights, const std::vector<char>& is_b,
-                                 int n_permutations, std::uint64_t seed) {
+GroupDifference group_difference(const PointSets& aligned, const Eigen::VectorXd& weights,
+                                 const std::vector<char>& is_b, int n_permutations, std::uint64_t seed) {
   check_point_sets(aligned, weights);
   const Eigen::Index n = aligned.n_sets();
   if (std::ssize(is_b) != n) throw_input_error("{} memberships of groups for {} shapes", is_b.size(), n);
-  if (n_permutations < 1) throw_input_error("{} permutations; at least one is needed, the observed one", n_permutations);
+  if (n_permutations < 1)
+    throw_input_error("{} permutations; at least one is needed, the observed one", n_permutations);
   GroupDifference result;
   for (const char b : is_b) ++(b != 0 ? result.n_b : result.n_a);
   if (result.n_a < 2 || result.n_b < 2 || n < aligned.dimension + 2)
     throw_input_error(
-        "groups of {} and {} shapes: a comparison at points of {} coordinates needs two shapes in each group and {} in both",
+        "groups of {} and {} shapes: a comparison at points of {} coordinates needs two shapes in each group and {} in "
+        "both",
         result.n_a, result.n_b, aligned.dimension, aligned.dimension + 2);
   const Splits splits(is_b, n_permutations, seed);
   result.n_permutations = static_cast<int>(splits.size());

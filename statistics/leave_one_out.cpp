@@ -17,8 +17,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // An eigenvalue of S' and the square of the component of the shape along its eigenvector.
 using Component = std::pair<double, double>;
 
-// The equation between two neighbouring poles, as a function of tau = mu - origin, where the origin is a pole: differences to the
-// poles nearby are exact.
+// The equation between two neighbouring poles, as a function of tau = mu - origin, where the origin is a pole:
+// differences to the poles nearby are exact.
 class SecularEquation {
  public:
   SecularEquation(const Eigen::ArrayXd& poles, const Eigen::ArrayXd& squares, double rho)
@@ -55,8 +55,8 @@ class SecularEquation {
     shifted_ = poles_ - origin_;
   }
 
-  // 1 / rho - sum_j z_j^2 / (pole_j - mu), which falls; and the two parts of the sum with their slopes, of the poles above and
-  // below.
+  // 1 / rho - sum_j z_j^2 / (pole_j - mu), which falls; and the two parts of the sum with their slopes, of the poles
+  // above and below.
   double evaluate(double tau) {
     quotients_ = squares_ / (shifted_ - tau);
     sum_above_ = quotients_.head(above_).sum();
@@ -67,8 +67,9 @@ class SecularEquation {
     return one_over_rho_ - sum_above_ - sum_below_;
   }
 
-  // Each part is replaced by r + s / (pole - tau) with the same value and slope, pole the nearest one (J. R. Bunch, C. P. Nielsen
-  // and D. C. Sorensen, Numer. Math. 31, 1978); within a bracket, which is halved where a step would leave it.
+  // Each part is replaced by r + s / (pole - tau) with the same value and slope, pole the nearest one (J. R. Bunch, C.
+  // P. Nielsen and D. C. Sorensen, Numer. Math. 31, 1978); within a bracket, which is halved where a step would leave
+  // it.
   double root(double low, double high) {
     const bool has_below = above_ < poles_.size();
     constexpr int max_steps = 200, max_rational_steps = 40;
@@ -94,8 +95,8 @@ class SecularEquation {
     if (!has_below) return to_above - s_above / c;  // c - s / (pole - tau) = 0
     const double to_below = shifted_[above_] - tau, s_below = slope_below_ * to_below * to_below;
     c += slope_below_ * to_below;
-    // c (to_above - eta) (to_below - eta) - s_above (to_below - eta) - s_below (to_above - eta), which is negative at eta =
-    // to_below and positive at to_above: the root between them is that at which it rises.
+    // c (to_above - eta) (to_below - eta) - s_above (to_below - eta) - s_below (to_above - eta), which is negative at
+    // eta = to_below and positive at to_above: the root between them is that at which it rises.
     const double h = c * (to_above + to_below) - s_above - s_below, product = to_above * to_below * value;
     const double discriminant = std::sqrt(std::abs(h * h - 4 * c * product));
     return h > 0 ? (h + discriminant) / (2 * c) : 2 * product / (h - discriminant);
@@ -108,10 +109,11 @@ class SecularEquation {
   double sum_above_ = 0, sum_below_ = 0, slope_above_ = 0, slope_below_ = 0;
 };
 
-// Eigenvalues that S' has in common with S to rounding, moved to `components`: the shape has nothing of their mode, or two are so
-// close that a mode of their plane has nothing of the shape. What is left are poles, descending, with the squares of z.
-std::pair<Eigen::ArrayXd, Eigen::ArrayXd> deflate(const Eigen::VectorXd& values, const Eigen::VectorXd& scores, double rho,
-                                                  std::vector<Component>& components) {
+// Eigenvalues that S' has in common with S to rounding, moved to `components`: the shape has nothing of their mode, or
+// two are so close that a mode of their plane has nothing of the shape. What is left are poles, descending, with the
+// squares of z.
+std::pair<Eigen::ArrayXd, Eigen::ArrayXd> deflate(const Eigen::VectorXd& values, const Eigen::VectorXd& scores,
+                                                  double rho, std::vector<Component>& components) {
   const double tolerance = 8 * epsilon * values[0], length = scores.norm();
   std::vector<double> poles, z;
   for (Eigen::Index k = 0; k < values.size(); ++k) {
@@ -148,12 +150,14 @@ Eigen::VectorXd left_out_distances(const Eigen::VectorXd& values, const Eigen::V
   for (Eigen::Index k = 0; k < poles.size(); ++k) components.push_back(equation.solve(k));
   std::stable_sort(components.begin(), components.end(),
                    [](const Component& a, const Component& b) { return a.first > b.first; });
-  // A direction in which the others do not vary is no mode of theirs: what the shape has of it, no number of modes approximates.
+  // A direction in which the others do not vary is no mode of theirs: what the shape has of it, no number of modes
+  // approximates.
   const double rounding = least_variance_share * values[0];
   const auto is_mode = [&](const Component& component) { return component.first > rounding; };
   for (const Component& component : components)
     if (!is_mode(component)) squares[n_modes] += component.second;
-  // What M modes leave are the components along the others. Nothing is subtracted, so that small distances keep their digits.
+  // What M modes leave are the components along the others. Nothing is subtracted, so that small distances keep their
+  // digits.
   for (Eigen::Index k = n_modes; k-- > 0;) {
     const Component& component = components[static_cast<std::size_t>(k)];
     squares[k] = squares[k + 1] + (is_mode(component) ? component.second : 0);

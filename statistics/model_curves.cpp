@@ -59,7 +59,8 @@ void add_specificity(const ShapeModel& model, int n_samples, std::uint64_t seed,
   const Eigen::MatrixXd scores = model.scores.transpose();  // a column for each shape
   // What the modes from the M-th on (counted from 0) add to the square of the distance of any shape that has M modes.
   Eigen::MatrixXd remainder = Eigen::MatrixXd::Zero(n_modes + 1, n);
-  for (Eigen::Index k = n_modes; k-- > 0;) remainder.row(k) = remainder.row(k + 1).array() + scores.row(k).array().square();
+  for (Eigen::Index k = n_modes; k-- > 0;)
+    remainder.row(k) = remainder.row(k + 1).array() + scores.row(k).array().square();
   Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n_samples, n - 1);
   parallel_for(
       static_cast<std::size_t>(n_samples),
@@ -89,7 +90,8 @@ ModelCurves model_curves(const ShapeModel& model, int n_samples, std::uint64_t s
   if (n_samples < 1) throw_input_error("specificity of {} random shapes; at least one is needed", n_samples);
   constexpr double rounding = 1e-9;
   if (model.variances.sum() < (1 - rounding) * model.total_variance && model.variances.size() < n - 1)
-    throw_input_error("the curves of a shape model need all its modes; this one was limited to {}", model.variances.size());
+    throw_input_error("the curves of a shape model need all its modes; this one was limited to {}",
+                      model.variances.size());
   ModelCurves curves;
   curves.compactness = compactness_of(model.variances, static_cast<std::size_t>(n - 1));
   add_generalisation(model, curves);

@@ -12,7 +12,9 @@ namespace {
 // Twice the area of a triangle, or the length of a segment.
 template <int Dim>
 double measure(const Eigen::VectorXd& points, const std::array<Index, Dim>& facet) {
-  const auto at = [&](int corner) { return points.segment<Dim>(Dim * Eigen::Index{facet[static_cast<std::size_t>(corner)]}); };
+  const auto at = [&](int corner) {
+    return points.segment<Dim>(Dim * Eigen::Index{facet[static_cast<std::size_t>(corner)]});
+  };
   if constexpr (Dim == 2) {
     return (at(1) - at(0)).norm();
   } else {
@@ -38,8 +40,9 @@ Eigen::VectorXd area_weights(const Eigen::VectorXd& points, const std::vector<st
   }
   const double whole = weights.sum();
   if (!(whole > 0) || !std::isfinite(whole))
-    throw_input_error("area weights: the {} facets have no area in all; give weights for the points, or the same for each",
-                      facets.size());
+    throw_input_error(
+        "area weights: the {} facets have no area in all; give weights for the points, or the same for each",
+        facets.size());
   return weights / whole;
 }
 
@@ -54,18 +57,22 @@ void check_point_sets(const PointSets& sets, const Eigen::VectorXd& weights) {
   if (sets.dimension != 2 && sets.dimension != 3)
     throw_input_error("points of {} coordinates; 2 or 3 are expected", sets.dimension);
   if (sets.coordinates.rows() % sets.dimension != 0)
-    throw_input_error("shapes of {} numbers, which is no multiple of the dimension, {}", sets.coordinates.rows(), sets.dimension);
+    throw_input_error("shapes of {} numbers, which is no multiple of the dimension, {}", sets.coordinates.rows(),
+                      sets.dimension);
   if (sets.n_points() == 0 || sets.n_sets() == 0)
     throw_input_error("{} shapes of {} points: there is nothing to compute with", sets.n_sets(), sets.n_points());
   for (Eigen::Index i = 0; i < sets.n_sets(); ++i)
     for (Eigen::Index row = 0; row < sets.coordinates.rows(); ++row)
       if (!std::isfinite(sets.coordinates(row, i)))
-        throw_input_error("shape {}, point {} (counted from 0) is not finite; leave the shape out", i, row / sets.dimension);
+        throw_input_error("shape {}, point {} (counted from 0) is not finite; leave the shape out", i,
+                          row / sets.dimension);
   if (weights.size() != sets.n_points()) throw_input_error("{} weights for {} points", weights.size(), sets.n_points());
   for (Eigen::Index p = 0; p < weights.size(); ++p)
-    if (!(weights[p] >= 0)) throw_input_error("weight {} (counted from 0) is {}; weights are not negative", p, weights[p]);
+    if (!(weights[p] >= 0))
+      throw_input_error("weight {} (counted from 0) is {}; weights are not negative", p, weights[p]);
   constexpr double tolerance = 1e-9;  // of rounding in a sum over many points
-  if (!(std::abs(weights.sum() - 1) <= tolerance)) throw_input_error("the sum of the weights is {}, and not 1", weights.sum());
+  if (!(std::abs(weights.sum() - 1) <= tolerance))
+    throw_input_error("the sum of the weights is {}, and not 1", weights.sum());
 }
 
 double rounding_of(const PointSets& sets) {

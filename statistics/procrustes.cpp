@@ -14,8 +14,8 @@ namespace shellmatch {
 
 namespace {
 
-// The proper rotation R for which the trace of R^T c is greatest. W. Kabsch, Acta Cryst. A34, 1978; S. Umeyama, IEEE PAMI 13(4),
-// 1991.
+// The proper rotation R for which the trace of R^T c is greatest. W. Kabsch, Acta Cryst. A34, 1978; S. Umeyama, IEEE
+// PAMI 13(4), 1991.
 Mat<3> best_rotation(const Mat<3>& c) {
   const Svd<Mat<3>> svd = jacobi_svd(c);
   const Mat<3>&u = svd.u, &v = svd.v;
@@ -56,7 +56,8 @@ class Procrustes {
           pose.centre = centroid(shape(i));
           pose.size = size_of(shape(i), pose.centre);
           if (!(pose.size > rounding))
-            throw_input_error("shape {} (counted from 0): its points coincide, so that it has no direction; leave it out", i);
+            throw_input_error(
+                "shape {} (counted from 0): its points coincide, so that it has no direction; leave it out", i);
         },
         1);
   }
@@ -96,7 +97,8 @@ class Procrustes {
           const Pose& pose = poses_[i];
           const Mat<Dim> turn = enlargement * pose.scale * pose.rotation;
           Points points = shape(i);
-          for (Eigen::Index p = 0; p < points.cols(); ++p) points.col(p) = turn * (points.col(p) - pose.centre) + place_;
+          for (Eigen::Index p = 0; p < points.cols(); ++p)
+            points.col(p) = turn * (points.col(p) - pose.centre) + place_;
         },
         1);
   }
@@ -110,7 +112,9 @@ class Procrustes {
     double size = 0, scale = 1;
   };
 
-  Points shape(std::size_t i) { return {sets_.coordinates.col(static_cast<Eigen::Index>(i)).data(), Dim, sets_.n_points()}; }
+  Points shape(std::size_t i) {
+    return {sets_.coordinates.col(static_cast<Eigen::Index>(i)).data(), Dim, sets_.n_points()};
+  }
 
   // Loops of their own, as Eigen's products would take long to compile.
   template <class Some>
@@ -189,13 +193,15 @@ void fit_to(PointSets& sets, const Eigen::VectorXd& weights, const Eigen::Vector
 void check_start(const PointSets& sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& start) {
   check_point_sets(sets, weights);
   if (start.size() != sets.coordinates.rows())
-    throw_input_error("the shape to align to has {} coordinates, the shapes have {}", start.size(), sets.coordinates.rows());
+    throw_input_error("the shape to align to has {} coordinates, the shapes have {}", start.size(),
+                      sets.coordinates.rows());
   if (!start.allFinite()) throw_input_error("the shape to align to: a point is not finite");
 }
 
 }  // namespace
 
-AlignedSets procrustes(PointSets sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& start, ProcrustesKind kind) {
+AlignedSets procrustes(PointSets sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& start,
+                       ProcrustesKind kind) {
   check_start(sets, weights, start);
   AlignedSets result;
   result.sets = std::move(sets);
@@ -205,11 +211,12 @@ AlignedSets procrustes(PointSets sets, const Eigen::VectorXd& weights, const Eig
   return result;
 }
 
-PointSets align_to_mean(PointSets sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& mean, ProcrustesKind kind,
-                        double enlargement) {
+PointSets align_to_mean(PointSets sets, const Eigen::VectorXd& weights, const Eigen::VectorXd& mean,
+                        ProcrustesKind kind, double enlargement) {
   check_start(sets, weights, mean);
   if (kind != ProcrustesKind::none)
-    sets.dimension == 2 ? fit_to<2>(sets, weights, mean, kind, enlargement) : fit_to<3>(sets, weights, mean, kind, enlargement);
+    sets.dimension == 2 ? fit_to<2>(sets, weights, mean, kind, enlargement)
+                        : fit_to<3>(sets, weights, mean, kind, enlargement);
   return sets;
 }
 

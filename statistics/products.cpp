@@ -14,7 +14,8 @@ namespace {
 
 // A tile of the result is a task; it reads its columns in blocks of rows, which fit into the cache.
 constexpr Eigen::Index tile = 64, rows_at_once = 480;
-// Columns of a product of combine(). Eigen chooses the order of sums by the sizes of the factors and the processor's caches.
+// Columns of a product of combine(). Eigen chooses the order of sums by the sizes of the factors and the processor's
+// caches.
 constexpr Eigen::Index columns_at_once = 16;
 
 struct Range {
@@ -64,22 +65,24 @@ Eigen::MatrixXd products(const Shapes& a, const Shapes& b, const Eigen::VectorXd
   return result;
 }
 
-// All products have the same sizes, filled up with zeros, so that a column is the same to the bit whatever comes after it.
+// All products have the same sizes, filled up with zeros, so that a column is the same to the bit whatever comes after
+// it.
 template <class Write>
 void combine(const Shapes& a, const Eigen::MatrixXd& coefficients, const Write& write) {
   SHELLMATCH_CHECK(a.columns.cols() == coefficients.rows(), "every column has a coefficient");
-  parallel_chunks(static_cast<std::size_t>(a.columns.rows()), static_cast<std::size_t>(rows_at_once), [&](const Chunk& c) {
-    const Range rows{static_cast<Eigen::Index>(c.begin), static_cast<Eigen::Index>(c.end - c.begin)};
-    Eigen::MatrixXd block, product, padded(coefficients.rows(), columns_at_once);
-    load(a, rows, {0, a.columns.cols()}, block);
-    for (Eigen::Index begin = 0; begin < coefficients.cols(); begin += columns_at_once) {
-      const Range columns{begin, std::min(columns_at_once, coefficients.cols() - begin)};
-      padded.leftCols(columns.size) = coefficients.middleCols(columns.begin, columns.size);
-      padded.rightCols(columns_at_once - columns.size).setZero();
-      multiply(block, padded, product);
-      write(rows, columns, product.leftCols(columns.size));
-    }
-  });
+  parallel_chunks(static_cast<std::size_t>(a.columns.rows()), static_cast<std::size_t>(rows_at_once),
+                  [&](const Chunk& c) {
+                    const Range rows{static_cast<Eigen::Index>(c.begin), static_cast<Eigen::Index>(c.end - c.begin)};
+                    Eigen::MatrixXd block, product, padded(coefficients.rows(), columns_at_once);
+                    load(a, rows, {0, a.columns.cols()}, block);
+                    for (Eigen::Index begin = 0; begin < coefficients.cols(); begin += columns_at_once) {
+                      const Range columns{begin, std::min(columns_at_once, coefficients.cols() - begin)};
+                      padded.leftCols(columns.size) = coefficients.middleCols(columns.begin, columns.size);
+                      padded.rightCols(columns_at_once - columns.size).setZero();
+                      multiply(block, padded, product);
+                      write(rows, columns, product.leftCols(columns.size));
+                    }
+                  });
 }
 
 }  // namespace
@@ -97,19 +100,17 @@ Eigen::MatrixXd gram_matrix(const Shapes& a, const Eigen::VectorXd& weights) {
 
 Eigen::MatrixXd combinations(const Shapes& a, const Eigen::MatrixXd& coefficients) {
   Eigen::MatrixXd result(a.columns.rows(), coefficients.cols());
-  combine(a, coefficients,
-          [&](const Range& rows, const Range& columns, const auto& product) {
-            result.block(rows.begin, columns.begin, rows.size, columns.size) = product;
-          });
+  combine(a, coefficients, [&](const Range& rows, const Range& columns, const auto& product) {
+    result.block(rows.begin, columns.begin, rows.size, columns.size) = product;
+  });
   return result;
 }
 
 void combine_in_place(Eigen::MatrixXd& a, const Eigen::MatrixXd& coefficients) {
   SHELLMATCH_CHECK(coefficients.rows() == coefficients.cols(), "in place there is room for as many columns as before");
-  combine({a}, coefficients,
-          [&](const Range& rows, const Range& columns, const auto& product) {
-            a.block(rows.begin, columns.begin, rows.size, columns.size) = product;
-          });
+  combine({a}, coefficients, [&](const Range& rows, const Range& columns, const auto& product) {
+    a.block(rows.begin, columns.begin, rows.size, columns.size) = product;
+  });
 }
 
 void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::MatrixXd& c) { c.noalias() = a * b; }

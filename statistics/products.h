@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Products of matrices whose columns are shapes. In parallel, with the same bits for any number of threads; compiled once, as
-/// Eigen's products take seconds of every file that uses them. Nothing of the size of the points is copied.
+/// Products of matrices whose columns are shapes. In parallel, with the same bits for any number of threads; compiled
+/// once, as Eigen's products take seconds of every file that uses them. Nothing of the size of the points is copied.
 
 #include <Eigen/Core>
 
@@ -19,7 +19,8 @@ Eigen::MatrixXd inner_products(const Shapes& a, const Shapes& b, const Eigen::Ve
 /// Gram matrix of inner products among the columns; exactly symmetric.
 Eigen::MatrixXd gram_matrix(const Shapes& a, const Eigen::VectorXd& weights);
 
-/// The columns of a times a matrix: column k is sum_i coefficients(i, k) a_i, with the same bits whatever columns follow it.
+/// The columns of a times a matrix: column k is sum_i coefficients(i, k) a_i, with the same bits whatever columns
+/// follow it.
 Eigen::MatrixXd combinations(const Shapes& a, const Eigen::MatrixXd& coefficients);
 
 /// a becomes a times a square matrix.

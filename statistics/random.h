@@ -18,8 +18,8 @@ class Random {
 
   /// In [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-  /// Of mean 0 and variance 1. G. Marsaglia and T. A. Bray, SIAM Rev. 6(3), 1964: the polar method. Last digits depend on the
-  /// machine's logarithm.
+  /// Of mean 0 and variance 1. G. Marsaglia and T. A. Bray, SIAM Rev. 6(3), 1964: the polar method. Last digits depend
+  /// on the machine's logarithm.
   double normal();
   /// A whole number below n, each with the same probability. \pre n > 0
   std::uint64_t below(std::uint64_t n);

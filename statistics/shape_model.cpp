@@ -13,20 +13,24 @@ namespace shellmatch {
 
 namespace {
 
-// A change of size of less than this share is rounding, and entries that differ by less count as equal: in symmetric shapes, the
-// greatest entries of a mode come in pairs of opposite signs.
+// A change of size of less than this share is rounding, and entries that differ by less count as equal: in symmetric
+// shapes, the greatest entries of a mode come in pairs of opposite signs.
 constexpr double sign_share = 0.01;
 
 // How much larger a mode makes the mean, of what it moves.
-double growth(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode, const Eigen::VectorXd& weights) {
+double growth(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode,
+              const Eigen::VectorXd& weights) {
   const Eigen::Index dim = mean.size() / weights.size();
-  const Eigen::Map<const Eigen::MatrixXd> points(mean.data(), dim, weights.size()), moved(mode.data(), dim, weights.size());
+  const Eigen::Map<const Eigen::MatrixXd> points(mean.data(), dim, weights.size()),
+      moved(mode.data(), dim, weights.size());
   const Eigen::MatrixXd centred = points.colwise() - points * weights;
-  const double norm = std::sqrt(centred.colwise().squaredNorm().dot(weights) * moved.colwise().squaredNorm().dot(weights));
+  const double norm =
+      std::sqrt(centred.colwise().squaredNorm().dot(weights) * moved.colwise().squaredNorm().dot(weights));
   return norm > 0 ? centred.cwiseProduct(moved).colwise().sum().dot(weights) / norm : 0;
 }
 
-bool is_negative(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode, const Eigen::VectorXd& weights) {
+bool is_negative(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::VectorXd>& mode,
+                 const Eigen::VectorXd& weights) {
   const double larger = growth(mean, mode, weights);
   if (std::abs(larger) > sign_share) return larger < 0;
   const double greatest = mode.cwiseAbs().maxCoeff();
@@ -37,7 +41,8 @@ bool is_negative(const Eigen::VectorXd& mean, const Eigen::Ref<const Eigen::Vect
 }  // namespace
 
 Eigen::MatrixXd ShapeModel::transform(const Eigen::MatrixXd& shapes) const {
-  if (shapes.rows() != mean.size()) throw_input_error("shapes of {} coordinates; the model has {}", shapes.rows(), mean.size());
+  if (shapes.rows() != mean.size())
+    throw_input_error("shapes of {} coordinates; the model has {}", shapes.rows(), mean.size());
   return inner_products({shapes, &mean}, {modes}, weights);
 }
 
@@ -79,8 +84,8 @@ ShapeModel fit_shape_model(const PointSets& aligned, const Eigen::VectorXd& weig
   model.total_variance = eigen.values.size() > 0 ? gram.trace() / degrees : 0;
   const Eigen::Index n_modes = std::min({eigen.values.size(), n - 1, max_modes > 0 ? Eigen::Index{max_modes} : n - 1});
 
-  // The modes of small variances are combinations of shapes in which much cancels. They are orthonormal to rounding, and scores
-  // are projections, only after a second pass.
+  // The modes of small variances are combinations of shapes in which much cancels. They are orthonormal to rounding,
+  // and scores are projections, only after a second pass.
   eigen.vectors.conservativeResize(Eigen::NoChange, n_modes);
   for (Eigen::Index k = 0; k < n_modes; ++k) eigen.vectors.col(k) /= std::sqrt(eigen.values[k]);
   model.modes = combinations(centred, eigen.vectors);

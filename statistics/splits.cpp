@@ -20,7 +20,8 @@ bool are_few(std::size_t n, std::size_t k, int limit) {
 
 }  // namespace
 
-Splits::Splits(const std::vector<char>& is_b, int limit, std::uint64_t seed) : n_shapes_(static_cast<Eigen::Index>(is_b.size())) {
+Splits::Splits(const std::vector<char>& is_b, int limit, std::uint64_t seed)
+    : n_shapes_(static_cast<Eigen::Index>(is_b.size())) {
   std::vector<char> split;
   for (const char b : is_b) split.push_back(b != 0 ? 1 : 0);
   const auto add = [&] {
@@ -40,7 +41,8 @@ Splits::Splits(const std::vector<char>& is_b, int limit, std::uint64_t seed) : n
 }
 
 Eigen::MatrixXd Splits::indicators(Eigen::Index begin, Eigen::Index n) const {
-  return Eigen::Map<const Eigen::Matrix<char, Eigen::Dynamic, Eigen::Dynamic>>(in_b_.data() + begin * n_shapes_, n_shapes_, n)
+  return Eigen::Map<const Eigen::Matrix<char, Eigen::Dynamic, Eigen::Dynamic>>(in_b_.data() + begin * n_shapes_,
+                                                                               n_shapes_, n)
       .cast<double>();
 }
 

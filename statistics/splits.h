@@ -13,8 +13,8 @@ namespace shellmatch {
 class Splits {
  public:
   /// \param is_b the observed split
-  /// \param limit at least 1: all distinct splits where there are not more; else the observed one, which is the first, and
-  /// limit - 1 random ones, which may repeat
+  /// \param limit at least 1: all distinct splits where there are not more; else the observed one, which is the first,
+  /// and limit - 1 random ones, which may repeat
   Splits(const std::vector<char>& is_b, int limit, std::uint64_t seed);
 
   Eigen::Index size() const { return size_; }

@@ -18,12 +18,14 @@ constexpr double isometric_score = 0.6;
 constexpr double explained_noise = 0.025;
 
 /// Smoothed coordinates of all pairs' points on surface s, as columns.
-Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s, int k) {
+Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s,
+                               int k) {
   const SpectralShape& shape = *pair.shapes[s];
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Index v = s == 0 ? pairs[i].first : pairs[i].second;
-    points.col(static_cast<Eigen::Index>(i)) = (shape.functions.row(v).head(k) * shape.coefficients.topRows(k)).transpose();
+    points.col(static_cast<Eigen::Index>(i)) =
+        (shape.functions.row(v).head(k) * shape.coefficients.topRows(k)).transpose();
   }
   return points;
 }
@@ -64,13 +66,15 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   const SpectralShape &shape_1 = *pair.shapes[0], &shape_2 = *pair.shapes[1];
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [p, q] = pairs[i];
-    // Means are integrals over the surfaces: meshes have most vertices where the shape says least of the whole, as in a face.
+    // Means are integrals over the surfaces: meshes have most vertices where the shape says least of the whole, as in a
+    // face.
     const double weight = i < matches.from[0].size() ? shape_1.mass[p] : shape_2.mass[q];
     weights += weight;
     const auto a = embedding.on[0].col(p), b = embedding.on[1].col(q);
     sum += weight * (a.head(k) - b.head(k)).squaredNorm();
     squares += weight * b.head(k).squaredNorm();
-    score.orientation += weight * (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
+    score.orientation +=
+        weight * (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
     const auto u = shape_1.signature.row(p), v = shape_2.signature.row(q);
     score.signature += weight * ((u - v).cwiseAbs().array() / (u + v).array()).mean();
     score.spin += weight * (shape_1.spin.col(p) - shape_2.spin.col(q)).squaredNorm();

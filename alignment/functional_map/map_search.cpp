@@ -18,22 +18,24 @@ namespace {
 // Samples, beside landmarks.
 constexpr std::size_t n_queries = 250;
 constexpr std::size_t n_refined_queries = 1000;
-constexpr int n_merged = 9;      // functions at which starts are compared
-constexpr int n_smooth = 24;     // functions of the coordinates that are rotated
-constexpr int n_scored = 40;     // functions at which candidates are compared
-// Candidates that go on from the first steps to the last. With 12 to 64 of them, after three to five steps, eighteen pairs of animals
-// and people end alike.
+constexpr int n_merged = 9;   // functions at which starts are compared
+constexpr int n_smooth = 24;  // functions of the coordinates that are rotated
+constexpr int n_scored = 40;  // functions at which candidates are compared
+// Candidates that go on from the first steps to the last. With 12 to 64 of them, after three to five steps, eighteen
+// pairs of animals and people end alike.
 constexpr int n_promising = 16;
 constexpr std::size_t n_tip_starts = 24;
 const std::vector<int> first_steps = {9, 11, 13}, last_steps = {16, 20, 25, 32, n_scored};
-constexpr double least_landmark_scale = 0.05;  // distance at which a landmark has half its weight at least, in roots of the area
+constexpr double least_landmark_scale =
+    0.05;  // distance at which a landmark has half its weight at least, in roots of the area
 
 /// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
 void upsample(const ShapePairSpectra& pair, const VertexSet (&sets)[2], std::size_t queries,
               const std::vector<int>& steps, double normal_weight, MapCandidate& candidate) {
   for (const int k : steps) {
     if (k > candidate.c.rows()) candidate.c = orthogonal_map(pair, candidate.matches, std::min(k, pair.n_functions));
-    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight), pair.landmarks.size() + queries);
+    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight),
+                                       pair.landmarks.size() + queries);
   }
 }
 
@@ -45,8 +47,8 @@ double difference(const ShapePairSpectra& pair, const VertexMatches& a, const Ve
   return sum / static_cast<double>(std::max<std::size_t>(1, a.to[0].size()));
 }
 
-/// Leaves out candidates that nearly equal an earlier one, which then counts as that of the surfaces as they lie if either does. That by
-/// landmarks, which may be noisy, has to equal it more nearly.
+/// Leaves out candidates that nearly equal an earlier one, which then counts as that of the surfaces as they lie if
+/// either does. That by landmarks, which may be noisy, has to equal it more nearly.
 std::vector<MapCandidate> distinct(const ShapePairSpectra& pair, std::vector<MapCandidate> candidates) {
   std::vector<MapCandidate> kept;
   for (MapCandidate& candidate : candidates) {
@@ -85,7 +87,8 @@ VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd&
   if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarse, c, 0);
   const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
   for (int s = 0; s < 2; ++s)
-    append_rotated(*pair.shapes[s], pair.coarse[s], rotations[s], std::min(n_smooth, pair.n_functions), embedding.on[s]);
+    append_rotated(*pair.shapes[s], pair.coarse[s], rotations[s], std::min(n_smooth, pair.n_functions),
+                   embedding.on[s]);
   return match_vertices(pair.coarse, embedding, pair.landmarks.size() + n_queries);
 }
 
@@ -131,26 +134,29 @@ void start_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCand
   upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
 }
 
-/// The weights of landmarks, at most `trust` all together; the less, the farther one is from where the map takes it in comparison with
-/// others.
+/// The weights of landmarks, at most `trust` all together; the less, the farther one is from where the map takes it in
+/// comparison with others.
 std::vector<double> landmark_weights(const ShapePairSpectra& pair, const VertexMatches& matches, double trust) {
   if (trust == 0 || pair.landmarks.empty()) return {};
   std::vector<double> weights = landmark_distances(pair, matches);
-  const double scale = std::max(least_landmark_scale, 2 * quantile(weights, 0.5)), n = static_cast<double>(weights.size());
+  const double scale = std::max(least_landmark_scale, 2 * quantile(weights, 0.5)),
+               n = static_cast<double>(weights.size());
   for (double& w : weights) w = trust / (n * (1 + w * w / (scale * scale)));
   return weights;
 }
 
-/// From a map on n_scored functions to one of all vertices on all functions. Least squares allow what orthogonal maps do not, and begin
-/// with fewer functions again to make use of it.
+/// From a map on n_scored functions to one of all vertices on all functions. Least squares allow what orthogonal maps
+/// do not, and begin with fewer functions again to make use of it.
 void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, MapCandidate& candidate) {
   std::vector<int> steps = {24, 32, n_scored};
   for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
   for (const int k : steps) {
-    candidate.c = functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
+    candidate.c =
+        functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
     const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
     const bool is_last = k == pair.n_functions;
-    candidate.matches = match_vertices(pair.dense, embedding, is_last ? pair.n_most_vertices() : pair.landmarks.size() + n_refined_queries);
+    candidate.matches = match_vertices(pair.dense, embedding,
+                                       is_last ? pair.n_most_vertices() : pair.landmarks.size() + n_refined_queries);
   }
 }
 
@@ -161,10 +167,13 @@ class SearchProgress {
   template <class Body>
   void stage(std::size_t end, std::size_t n, const Body& body) {
     std::atomic<std::size_t> n_done = 0;
-    parallel_for(n, [&](std::size_t i) {
-      body(i);
-      activity_.done(begin_ + (end - begin_) * ++n_done / n);
-    }, 1);
+    parallel_for(
+        n,
+        [&](std::size_t i) {
+          body(i);
+          activity_.done(begin_ + (end - begin_) * ++n_done / n);
+        },
+        1);
     begin_ = end;
   }
 
@@ -181,8 +190,9 @@ std::vector<MapCandidate> taken_from(std::vector<MapCandidate>& candidates, std:
   return taken;
 }
 
-/// The n best distinct ones by their coarse scores, that of the surfaces as they lie, which callers judge by more than its score, and of the
-/// others the n best by what tells maps apart in the end. \return the number of those before the others
+/// The n best distinct ones by their coarse scores, that of the surfaces as they lie, which callers judge by more than
+/// its score, and of the others the n best by what tells maps apart in the end. \return the number of those before the
+/// others
 std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
   sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
   candidates = distinct(pair, std::move(candidates));
@@ -198,12 +208,15 @@ std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>&
 /// Whether the first, ascending by their order, is nearly isometric and clearly better than all others.
 bool is_sure(const std::vector<MapCandidate>& candidates) {
   constexpr double clear_margin = 1.15;
-  return error_growth(candidates[0].total()) == 1 && (candidates.size() == 1 || candidates[1].order() > clear_margin * candidates[0].order());
+  return error_growth(candidates[0].total()) == 1 &&
+         (candidates.size() == 1 || candidates[1].order() > clear_margin * candidates[0].order());
 }
 
 }  // namespace
 
-bool are_ambiguous(const SpectralShape& a, const SpectralShape& b) { return has_no_axes(a.values) || has_no_axes(b.values); }
+bool are_ambiguous(const SpectralShape& a, const SpectralShape& b) {
+  return has_no_axes(a.values) || has_no_axes(b.values);
+}
 
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   SearchProgress progress;
@@ -230,14 +243,15 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   const int n_smoothed = std::min(n_smooth, pair.n_functions);
   progress.stage(50, candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
-    refine_rotated(pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
-                   candidate);
+    refine_rotated(
+        pair, candidate.is_identity ? Mat<3>(Mat<3>::Identity()) : proper_rotation(pair, candidate.matches, n_smoothed),
+        candidate);
   });
   choose_best(pair, candidates, std::max(n_promising, options.refined));
   progress.stage(56, candidates.size(), [&](std::size_t i) { refine_coarsely(pair, last_steps, candidates[i]); });
   choose_best(pair, candidates, options.refined);
-  // What the surfaces suggest as they lie is often better than what any signs of eigenfunctions lead to. Turned surfaces suggest
-  // the same once they are turned back.
+  // What the surfaces suggest as they lie is often better than what any signs of eigenfunctions lead to. Turned
+  // surfaces suggest the same once they are turned back.
   const std::size_t n_first = candidates.size();
   candidates.resize(2 * n_first);
   progress.stage(58, n_first, [&](std::size_t i) {

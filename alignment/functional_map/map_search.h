@@ -15,22 +15,24 @@ struct MapCandidate {
   MapScore coarse_score;  ///< at 40 eigenfunctions
   MapScore score;         ///< at all, before the landmarks were among the pairs
 
-  double landmark_trust = 1;  ///< landmark_trust() of the best map: the factor on the landmarks' weights in the last refinement of all
+  double landmark_trust =
+      1;  ///< landmark_trust() of the best map: the factor on the landmarks' weights in the last refinement of all
 
-  bool is_identity = false;  ///< began with the surfaces as they lie
+  bool is_identity = false;      ///< began with the surfaces as they lie
   bool is_by_landmarks = false;  ///< began with landmarks
 
   double total() const { return 0.5 * (coarse_score.total() + score.total()); }
-  /// The lower, the better: what tells maps apart, beyond the noise of sampling, and the more, the farther landmarks are.
+  /// The lower, the better: what tells maps apart, beyond the noise of sampling, and the more, the farther landmarks
+  /// are.
   double order() const { return (1e-3 + score.distinction()) * (1 + score.landmarks / std::max(total(), 0.1)); }
 };
 
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 
-/// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are known, which are
-/// those of maps by spectra alone, maps are refined again with landmarks among the pairs. Where spectra are_ambiguous(), only the surfaces
-/// as they lie and landmarks give starts.
+/// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are
+/// known, which are those of maps by spectra alone, maps are refined again with landmarks among the pairs. Where
+/// spectra are_ambiguous(), only the surfaces as they lie and landmarks give starts.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
 
 }  // namespace shellmatch

@@ -29,7 +29,8 @@ class TipSearch {
 
   const SurfaceTip& tip(int s, int i) const { return (*tips_[s])[static_cast<std::size_t>(i)]; }
 
-  // \param stretch sum of |log| of the ratios of distances so far, \param prominence of the tips in pairs, of both surfaces
+  // \param stretch sum of |log| of the ratios of distances so far, \param prominence of the tips in pairs, of both
+  // surfaces
   void decide(int i, double stretch, double prominence) {
     if (i == static_cast<int>(tips_[0]->size())) return finish(stretch, prominence);
     decide(i + 1, stretch, prominence);
@@ -68,7 +69,8 @@ class TipSearch {
 
 }  // namespace
 
-std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2, std::size_t n) {
+std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2,
+                                       std::size_t n) {
   return TipSearch(tips_1, tips_2, n).run();
 }
 
@@ -81,9 +83,11 @@ VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& a
       const auto& [a, b] = assignment.pairs[k];
       const SurfaceTip& tip = pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? a : b)];
       double sum = 0;
-      for (const auto& [c, d] : assignment.pairs) sum += tip.distances[pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? c : d)].vertex];
+      for (const auto& [c, d] : assignment.pairs)
+        sum += tip.distances[pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? c : d)].vertex];
       for (std::size_t i = 0; i < set.size(); ++i)
-        embedding.on[s](static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = static_cast<float>(tip.distances[set.vertices[i]] / sum);
+        embedding.on[s](static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) =
+            static_cast<float>(tip.distances[set.vertices[i]] / sum);
     }
   }
   return match_vertices(pair.coarse, embedding, pair.landmarks.size() + n_queries);

@@ -12,9 +12,10 @@ struct TipAssignment {
   double cost = 0;  ///< 0 where all correspond and have the same distances from one another
 };
 
-/// The n assignments of least cost of three tips or more, ascending. What is compared are the distances between tips, in ratios, so that
-/// limbs may have other lengths, and what tips are left out. A mirrored assignment costs the same.
-std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2, std::size_t n);
+/// The n assignments of least cost of three tips or more, ascending. What is compared are the distances between tips,
+/// in ratios, so that limbs may have other lengths, and what tips are left out. A mirrored assignment costs the same.
+std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2,
+                                       std::size_t n);
 
 /// Samples matched by their distances from assigned tips.
 VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& assignment, std::size_t n_queries);

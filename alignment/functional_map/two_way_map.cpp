@@ -35,7 +35,8 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
                                  const std::vector<std::pair<Index, Index>>& landmarks) {
   ShapePairSpectra pair;
   for (const auto& landmark : landmarks)
-    if (std::ranges::none_of(pair.landmarks, [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
+    if (std::ranges::none_of(pair.landmarks,
+                             [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
       pair.landmarks.push_back(landmark);
   if (pair.landmarks.size() < n_least_landmarks) pair.landmarks.clear();
   pair.shapes[0] = &shape_1;
@@ -46,7 +47,8 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
     std::vector<Index> all;
     std::vector<bool> is_in(pair.shapes[s]->n_vertices(), false);
     const auto add = [&](Index v) {
-      SHELLMATCH_CHECK(v >= 0 && static_cast<std::size_t>(v) < is_in.size(), "landmarks are vertices of their surfaces");
+      SHELLMATCH_CHECK(v >= 0 && static_cast<std::size_t>(v) < is_in.size(),
+                       "landmarks are vertices of their surfaces");
       if (!is_in[v]) all.push_back(v);
       is_in[v] = true;
     };
@@ -76,7 +78,8 @@ struct PairedFunctions {
 
 PairedFunctions paired_functions(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto pairs = pairs_of(matches);
-  Features rows[2] = {Features(k, static_cast<Eigen::Index>(pairs.size())), Features(k, static_cast<Eigen::Index>(pairs.size()))};
+  Features rows[2] = {Features(k, static_cast<Eigen::Index>(pairs.size())),
+                      Features(k, static_cast<Eigen::Index>(pairs.size()))};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     rows[0].col(static_cast<Eigen::Index>(i)) = pair.functions[0].col(pairs[i].first).head(k);
     rows[1].col(static_cast<Eigen::Index>(i)) = pair.functions[1].col(pairs[i].second).head(k);
@@ -97,8 +100,9 @@ std::vector<double> landmark_distances(const ShapePairSpectra& pair, const Verte
   std::vector<double> distances;
   for (std::size_t j = 0; j < pair.landmarks.size(); ++j) {
     const auto& [p, q] = pair.landmarks[j];
-    distances.push_back(std::max((pair.shapes[1]->surface.vertices[matches.to[0][j]] - pair.shapes[1]->surface.vertices[q]).norm(),
-                                 (pair.shapes[0]->surface.vertices[matches.to[1][j]] - pair.shapes[0]->surface.vertices[p]).norm()));
+    distances.push_back(
+        std::max((pair.shapes[1]->surface.vertices[matches.to[0][j]] - pair.shapes[1]->surface.vertices[q]).norm(),
+                 (pair.shapes[0]->surface.vertices[matches.to[1][j]] - pair.shapes[0]->surface.vertices[p]).norm()));
   }
   return distances;
 }
@@ -123,7 +127,8 @@ double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches
   const std::size_t n = pair.landmarks.size(), n_neighbours = std::min<std::size_t>(5, n - 1);
   const auto place = [&](std::size_t j) { return pair.shapes[0]->surface.vertices[pair.landmarks[j].first]; };
   const auto error = [&](std::size_t j) -> Vec<3> {
-    return pair.shapes[1]->surface.vertices[pair.landmarks[j].second] - pair.shapes[1]->surface.vertices[matches.to[0][j]];
+    return pair.shapes[1]->surface.vertices[pair.landmarks[j].second] -
+           pair.shapes[1]->surface.vertices[matches.to[0][j]];
   };
   const auto by_distance = [](const Neighbours& a, const Neighbours& b) { return a.distance2 < b.distance2; };
   std::vector<Neighbours> all;
@@ -131,13 +136,17 @@ double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches
     std::vector<Neighbours> others;
     for (std::size_t i = 0; i < n; ++i)
       if (i != j) others.push_back({(place(i) - place(j)).squaredNorm(), 0.5 * (error(i) - error(j)).squaredNorm()});
-    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours), others.end(), by_distance);
+    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours), others.end(),
+                      by_distance);
     all.insert(all.end(), others.begin(), others.begin() + static_cast<std::ptrdiff_t>(n_neighbours));
   }
   std::stable_sort(all.begin(), all.end(), by_distance);
-  // As the nugget of a variogram: a straight line through the medians of the nearest third and of the farthest, back to no distance.
-  const std::span<const Neighbours> near = std::span(all).first((all.size() + 2) / 3), far = std::span(all).last((all.size() + 2) / 3);
-  const double near_distance = median_of(near, &Neighbours::distance2), near_difference = median_of(near, &Neighbours::difference2);
+  // As the nugget of a variogram: a straight line through the medians of the nearest third and of the farthest, back to
+  // no distance.
+  const std::span<const Neighbours> near = std::span(all).first((all.size() + 2) / 3),
+                                    far = std::span(all).last((all.size() + 2) / 3);
+  const double near_distance = median_of(near, &Neighbours::distance2),
+               near_difference = median_of(near, &Neighbours::difference2);
   const double gap = median_of(far, &Neighbours::distance2) - near_distance;
   const double rise = gap > 0 ? std::max(0.0, median_of(far, &Neighbours::difference2) - near_difference) / gap : 0;
   return std::sqrt(std::max(0.0, near_difference - rise * near_distance));
@@ -146,8 +155,8 @@ double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k,
                                std::span<const double> landmark_weights) {
   const auto [rows, n] = paired_functions(pair, matches, k);
-  // Scaled functions have mean square 1, so that the Gram matrices are about n times the identity; the ridge keeps maps that
-  // collapse many points into one solvable.
+  // Scaled functions have mean square 1, so that the Gram matrices are about n times the identity; the ridge keeps maps
+  // that collapse many points into one solvable.
   Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
   const Eigen::MatrixXd ridge = 1e-6 * n * Eigen::MatrixXd::Identity(k, k);
   Eigen::MatrixXd gram_1 = (rows[0] * rows[0].transpose()).cast<double>() + ridge;
@@ -155,7 +164,8 @@ Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches
   for (std::size_t j = 0; j < landmark_weights.size(); ++j) {
     const auto [p, q] = pair.landmarks[j];
     const double weight = n * landmark_weights[j];
-    const Eigen::VectorXd a = pair.functions[0].col(p).head(k).cast<double>(), b = pair.functions[1].col(q).head(k).cast<double>();
+    const Eigen::VectorXd a = pair.functions[0].col(p).head(k).cast<double>(),
+                          b = pair.functions[1].col(q).head(k).cast<double>();
     products += weight * a * b.transpose();
     gram_1 += weight * a * a.transpose();
     gram_2 += weight * b * b.transpose();
@@ -173,12 +183,11 @@ Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&set
     const SpectralShape &shape = *pair.shapes[s], &other = *pair.shapes[1 - s];
     Features& features = embedding.on[s];
     features.resize(k + (with_normals ? 6 : 0), static_cast<Eigen::Index>(sets[s].size()));
-    if (s == 0)
-      features.topRows(k).noalias() = c.transpose().cast<float>() * sets[s].functions.topRows(k);
-    else
-      features.topRows(k) = sets[s].functions.topRows(k);
+    if (s == 0) features.topRows(k).noalias() = c.transpose().cast<float>() * sets[s].functions.topRows(k);
+    else features.topRows(k) = sets[s].functions.topRows(k);
     if (!with_normals) continue;
-    const Rows3 through = s == 0 ? Rows3(c * other.coefficients.topRows(k)) : Rows3(c.transpose() * other.coefficients.topRows(k));
+    const Rows3 through =
+        s == 0 ? Rows3(c * other.coefficients.topRows(k)) : Rows3(c.transpose() * other.coefficients.topRows(k));
     const Rows3 own = vertex_normals(shape.surface.facets, shape.functions.leftCols(k) * shape.coefficients.topRows(k));
     const Rows3 pulled_back = vertex_normals(shape.surface.facets, shape.functions.leftCols(k) * through);
     put_rows(own, sets[s], normal_weight, s == 0 ? k : k + 3, features);

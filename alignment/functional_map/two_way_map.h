@@ -29,17 +29,18 @@ inline constexpr std::size_t n_least_landmarks = 4;
 /// Both surfaces at two resolutions.
 struct ShapePairSpectra {
   const SpectralShape* shapes[2];
-  Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
-  VertexSet coarse[2];    ///< the vertices of landmarks, then the other samples
-  VertexSet dense[2];     ///< all vertices: those of `coarse`, then the others
-  int n_functions;      ///< of both
+  Features functions[2];                           ///< k x n: the eigenfunctions at all vertices, in their order
+  VertexSet coarse[2];                             ///< the vertices of landmarks, then the other samples
+  VertexSet dense[2];                              ///< all vertices: those of `coarse`, then the others
+  int n_functions;                                 ///< of both
   std::vector<std::pair<Index, Index>> landmarks;  ///< pairs of vertices; the first of both sets, in this order
 
   /// Of the larger of both.
   std::size_t n_most_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
 };
 
-/// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are left out, and
+/// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are
+/// left out, and
 ///   all where fewer than n_least_landmarks remain
 /// \pre the shapes outlive the result
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
@@ -54,25 +55,26 @@ struct VertexMatches {
   std::vector<Index> to[2];    ///< their images, vertices of the other surface
 };
 
-/// The orthogonal k x k matrix C that minimises the sum of |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q). It
-/// keeps maps from leaving out parts, so that it serves the search.
+/// The orthogonal k x k matrix C that minimises the sum of |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q).
+/// It keeps maps from leaving out parts, so that it serves the search.
 Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k);
 
 /// The k x k matrix C between both least squares problems: the mean of the minimiser of the sum of
-/// |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q), and of that of |functions_1(p) - functions_2(q) C^T|^2. Where
-/// the surfaces are far from isometric it is far from orthogonal, and refinement with it is much more exact
+/// |functions_1(p) C - functions_2(q)|^2 over all pairs (p, q), and of that of |functions_1(p) - functions_2(q) C^T|^2.
+/// Where the surfaces are far from isometric it is far from orthogonal, and refinement with it is much more exact
 /// (docs/alignment.md).
 /// \param landmark_weights of each landmark, where all pairs together have weight 1; empty: landmarks do not count
 Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k,
                                std::span<const double> landmark_weights = {});
 
-/// Of each landmark, the larger of the distances, on either surface, between where the map takes its point and where it belongs, in
-/// roots of the area. \pre `matches` are those of a set of `pair`, from its beginning
+/// Of each landmark, the larger of the distances, on either surface, between where the map takes its point and where it
+/// belongs, in roots of the area. \pre `matches` are those of a set of `pair`, from its beginning
 std::vector<double> landmark_distances(const ShapePairSpectra& pair, const VertexMatches& matches);
 
-/// The part of the landmarks' distances from where the map takes them that even near ones do not share, in the median, in roots of the area:
-/// errors of maps grow apart with distance, those of landmarks do not. Half the square by which they differ is extrapolated from pairs of
-/// near landmarks to no distance, so that few landmarks far from each other tell as well. \pre as landmark_distances(); two at least
+/// The part of the landmarks' distances from where the map takes them that even near ones do not share, in the median,
+/// in roots of the area: errors of maps grow apart with distance, those of landmarks do not. Half the square by which
+/// they differ is extrapolated from pairs of near landmarks to no distance, so that few landmarks far from each other
+/// tell as well. \pre as landmark_distances(); two at least
 double landmark_noise(const ShapePairSpectra& pair, const VertexMatches& matches);
 
 /// Vectors that nearly agree at corresponding points, a column for each vertex of a set on either surface.
@@ -93,7 +95,8 @@ Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c
 /// For the first `n_queries` vertices of each set, the nearest of the other set in the embedding.
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries);
 
-/// All matches as (vertex of surface 1, vertex of surface 2): first those from 1, then those from 2, so that a pair found both ways stands twice.
+/// All matches as (vertex of surface 1, vertex of surface 2): first those from 1, then those from 2, so that a pair
+/// found both ways stands twice.
 std::vector<std::pair<Index, Index>> pairs_of(const VertexMatches& matches);
 
 }  // namespace shellmatch

@@ -51,7 +51,8 @@ double angle_between(const Vec<2>& a, const Vec<2>& b) { return std::atan2(a.x()
 
 std::vector<std::vector<Index>> closed_polygons(const Surface<2>& outline) {
   std::vector<std::vector<Index>> next(outline.vertices.size());
-  for (auto facet = outline.facets.rbegin(); facet != outline.facets.rend(); ++facet) next[(*facet)[0]].push_back((*facet)[1]);
+  for (auto facet = outline.facets.rbegin(); facet != outline.facets.rend(); ++facet)
+    next[(*facet)[0]].push_back((*facet)[1]);
   std::vector<std::vector<Index>> polygons;
   for (const auto& facet : outline.facets) {
     std::vector<Index> polygon;
@@ -91,7 +92,8 @@ ClosedCurve smoothed_curve(const std::vector<Vec<2>>& polygon, std::size_t n, do
     curve.normals.push_back({along.y(), -along.x()});
     for (std::size_t s = 0; s < chords.size(); ++s) {
       const auto h = std::max<std::size_t>(1, static_cast<std::size_t>(chords[s] * static_cast<double>(n) + 0.5));
-      const Vec<2> ahead = curve.points[(i + h) % n] - curve.points[i], behind = curve.points[i] - curve.points[(i + n - h) % n];
+      const Vec<2> ahead = curve.points[(i + h) % n] - curve.points[i],
+                   behind = curve.points[i] - curve.points[(i + n - h) % n];
       curve.turning[s].push_back(angle_between(behind, ahead) / std::numbers::pi);
     }
   }

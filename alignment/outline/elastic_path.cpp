@@ -22,7 +22,8 @@ ElasticPath elastic_path(const Eigen::MatrixXd& costs, std::size_t first, std::s
   const auto n = static_cast<std::size_t>(costs.rows());
   std::array<double, curve_steps.size()> penalty, length;
   for (std::size_t s = 0; s < curve_steps.size(); ++s) {
-    const double ratio = std::log(static_cast<double>(curve_steps[s].first) / static_cast<double>(curve_steps[s].second));
+    const double ratio =
+        std::log(static_cast<double>(curve_steps[s].first) / static_cast<double>(curve_steps[s].second));
     length[s] = 0.5 * static_cast<double>(curve_steps[s].first + curve_steps[s].second);
     penalty[s] = stretching * ratio * ratio;
   }
@@ -63,9 +64,9 @@ ElasticPath closed_elastic_path(const Eigen::MatrixXd& costs, std::size_t first,
   if (path.empty()) return path;
   // Half a turn away from the supposed pair, where it has the least influence.
   const auto quarter = static_cast<std::ptrdiff_t>(path.size() / 4);
-  const auto anchor = *std::min_element(path.begin() + quarter, path.end() - quarter, [&](const auto& a, const auto& b) {
-    return costs(a.first, a.second) < costs(b.first, b.second);
-  });
+  const auto anchor = *std::min_element(
+      path.begin() + quarter, path.end() - quarter,
+      [&](const auto& a, const auto& b) { return costs(a.first, a.second) < costs(b.first, b.second); });
   return elastic_path(costs, anchor.first, anchor.second, stretching, total);
 }
 

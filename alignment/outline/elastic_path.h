@@ -21,8 +21,8 @@ using ElasticPath = std::vector<std::pair<std::size_t, std::size_t>>;
 ElasticPath elastic_path(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching,
                          double* total = nullptr);
 
-/// As above, through a pair on the path that was found from the given one, where its costs are least: the first pair, which
-/// is only supposed, need not be on the result.
+/// As above, through a pair on the path that was found from the given one, where its costs are least: the first pair,
+/// which is only supposed, need not be on the result.
 ElasticPath closed_elastic_path(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching,
                                 double* total = nullptr);
 

@@ -27,7 +27,8 @@ Similarity<2> turned_by(double angle) {
 
 double angle_of(const Similarity<2>& pose) { return std::atan2(pose.rotation(1, 0), pose.rotation(0, 0)); }
 
-/// The poses that fit two curves best, sample i onto sample i + s, for the shifts s that are better than those next to them.
+/// The poses that fit two curves best, sample i onto sample i + s, for the shifts s that are better than those next to
+/// them.
 std::vector<Similarity<2>> poses_by_shift(const ClosedCurve& first, const ClosedCurve& second) {
   constexpr std::size_t n_most = 8;
   using Complex = std::complex<double>;
@@ -93,14 +94,17 @@ double mean_difference(const NormalizedOutline& second, const OutlineMap& a, con
 }
 
 /// Distinct maps, by score; the one that began as the outlines lie is among them.
-std::vector<OutlineMap> search_outline_maps(const NormalizedOutline& first, const NormalizedOutline& second, std::size_t n_most) {
+std::vector<OutlineMap> search_outline_maps(const NormalizedOutline& first, const NormalizedOutline& second,
+                                            std::size_t n_most) {
   const std::vector<Similarity<2>> starts = outline_starts(first, second);
   std::vector<OutlineMap> maps(starts.size()), distinct;
-  parallel_for(starts.size(), [&](std::size_t i) { maps[i] = refined_map(first, second, starts[i]); }, 1);
+  parallel_for(
+      starts.size(), [&](std::size_t i) { maps[i] = refined_map(first, second, starts[i]); }, 1);
   maps[0].is_identity = true;
   std::erase_if(maps, [](const OutlineMap& map) { return map.matches.empty(); });
   // Not std::stable_sort, whose buffer in g++ ignores that matrices are aligned to 32 bytes.
-  std::sort(maps.begin(), maps.end(), [](const OutlineMap& a, const OutlineMap& b) { return a.score.total() < b.score.total(); });
+  std::sort(maps.begin(), maps.end(),
+            [](const OutlineMap& a, const OutlineMap& b) { return a.score.total() < b.score.total(); });
   for (const OutlineMap& map : maps) {
     const auto same = std::find_if(distinct.begin(), distinct.end(),
                                    [&](const OutlineMap& other) { return mean_difference(second, map, other) < 0.05; });
@@ -128,10 +132,11 @@ std::vector<CorrespondingPointsIn<2>> dense_pairs(const OutlineMap& map, const N
         }
     Eigen::Index i = 0, j = 0;
     near.minCoeff(&i, &j);
-    const ElasticPath path = closed_elastic_path(near, static_cast<std::size_t>(i), static_cast<std::size_t>(j), path_stretching);
+    const ElasticPath path =
+        closed_elastic_path(near, static_cast<std::size_t>(i), static_cast<std::size_t>(j), path_stretching);
     const double share = a.length / first.length;
-    const auto n_here =
-        std::min(path.size(), std::max<std::size_t>(8, static_cast<std::size_t>(share * static_cast<double>(n_pairs) + 0.5)));
+    const auto n_here = std::min(
+        path.size(), std::max<std::size_t>(8, static_cast<std::size_t>(share * static_cast<double>(n_pairs) + 0.5)));
     for (std::size_t k = 0; !path.empty() && k < n_here; ++k) {
       const auto [from, to] = path[k * path.size() / n_here];
       const double agreement = (map.pose.rotation * a.normals[from]).dot(b.normals[to]);
@@ -159,24 +164,31 @@ std::vector<OutlineCandidate> candidates_between(const Surface<2>& reference, co
                           second_dense = normalized_outline(template_outline, 4 * n, pair_smoothing);
   const std::vector<OutlineMap> maps = search_outline_maps(first, second, static_cast<std::size_t>(options.refined));
   std::vector<OutlineCandidate> candidates(maps.size());
-  parallel_for(maps.size(), [&](std::size_t k) {
-    OutlineCandidate& candidate = candidates[k];
-    candidate.score_parts = maps[k].score;
-    candidate.score = maps[k].score.total();
-    candidate.is_identity = maps[k].is_identity && !is_mirrored;
-    candidate.is_mirrored = is_mirrored;
-    candidate.pairs = dense_pairs(maps[k], first, first_dense, second_dense, static_cast<std::size_t>(options.pairs));
-    if (is_mirrored)
-      for (auto& pair : candidate.pairs) pair.on_reference.y() *= -1;
-    // Fewer determine no pose.
-    if (candidate.pairs.size() < 2) candidate.pairs.clear();
-    else candidate.pose = fit_planar_pose(candidate.pairs, PoseKind::similarity, is_mirrored ? Mirroring::always : Mirroring::never);
-  }, 1);
+  parallel_for(
+      maps.size(),
+      [&](std::size_t k) {
+        OutlineCandidate& candidate = candidates[k];
+        candidate.score_parts = maps[k].score;
+        candidate.score = maps[k].score.total();
+        candidate.is_identity = maps[k].is_identity && !is_mirrored;
+        candidate.is_mirrored = is_mirrored;
+        candidate.pairs =
+            dense_pairs(maps[k], first, first_dense, second_dense, static_cast<std::size_t>(options.pairs));
+        if (is_mirrored)
+          for (auto& pair : candidate.pairs) pair.on_reference.y() *= -1;
+        // Fewer determine no pose.
+        if (candidate.pairs.size() < 2) candidate.pairs.clear();
+        else
+          candidate.pose = fit_planar_pose(candidate.pairs, PoseKind::similarity,
+                                           is_mirrored ? Mirroring::always : Mirroring::never);
+      },
+      1);
   return candidates;
 }
 
 /// Whether the poses differ by a motion that carries the template onto itself.
-bool differ_by_symmetry(const Surface<2>& outline, const FacetTree<2>& tree, const Similarity<2>& a, const Similarity<2>& b) {
+bool differ_by_symmetry(const Surface<2>& outline, const FacetTree<2>& tree, const Similarity<2>& a,
+                        const Similarity<2>& b) {
   const double diagonal = bounding_box(outline.vertices).diagonal();
   double sum = 0, weights = 0;
   for (std::size_t f = 0; f < outline.facets.size(); ++f) {
@@ -197,9 +209,11 @@ OutlinePairs find_outline_pairs(const Surface<2>& reference, const Surface<2>& t
   std::vector<OutlineCandidate>& candidates = result.candidates;
   candidates = candidates_between(reference, template_outline, options, false);
   if (options.mirror)
-    for (OutlineCandidate& candidate : candidates_between(reference, template_outline, options, true)) candidates.push_back(std::move(candidate));
+    for (OutlineCandidate& candidate : candidates_between(reference, template_outline, options, true))
+      candidates.push_back(std::move(candidate));
   if (candidates.empty()) candidates.emplace_back().score = infinity;
-  order_candidates(candidates, {options.identity_preference, score_noise}, [](const OutlineCandidate& c) { return angle_of(c.pose); });
+  order_candidates(candidates, {options.identity_preference, score_noise},
+                   [](const OutlineCandidate& c) { return angle_of(c.pose); });
   const FacetTree<2> tree(template_outline);
   result.margin = margin_of_first(candidates, score_noise, [&](const OutlineCandidate& a, const OutlineCandidate& b) {
     return differ_by_symmetry(template_outline, tree, a.pose, b.pose);

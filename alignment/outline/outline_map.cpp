@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t n_most_curves = 24;
 
 /// Partners of curves that lie on each other, the best first. Outer curves and holes do not mix.
-std::vector<CurveMatch> partners(const NormalizedOutline& first, const NormalizedOutline& second, const Similarity<2>& pose) {
+std::vector<CurveMatch> partners(const NormalizedOutline& first, const NormalizedOutline& second,
+                                 const Similarity<2>& pose) {
   const auto middle = [](const ClosedCurve& curve) {
     Vec<2> sum = Vec<2>::Zero();
     for (const Vec<2>& x : curve.points) sum += x;
@@ -31,7 +32,8 @@ std::vector<CurveMatch> partners(const NormalizedOutline& first, const Normalize
   std::sort(choices.begin(), choices.end());
   std::vector<CurveMatch> matches;
   for (const auto& [cost, i, j] : choices)
-    if (std::none_of(matches.begin(), matches.end(), [&](const CurveMatch& m) { return m.first == i || m.second == j; }))
+    if (std::none_of(matches.begin(), matches.end(),
+                     [&](const CurveMatch& m) { return m.first == i || m.second == j; }))
       matches.push_back({i, j, {}});
   return matches;
 }
@@ -41,7 +43,8 @@ std::vector<CorrespondingPointsIn<2>> pairs_of(const NormalizedOutline& first, c
   std::vector<CorrespondingPointsIn<2>> pairs;
   for (const CurveMatch& m : matches) {
     const ClosedCurve &a = first.curves[m.first], &b = second.curves[m.second];
-    for (const auto& [i, j] : m.path) pairs.push_back({a.points[i], b.points[j], a.length / static_cast<double>(m.path.size())});
+    for (const auto& [i, j] : m.path)
+      pairs.push_back({a.points[i], b.points[j], a.length / static_cast<double>(m.path.size())});
   }
   return pairs;
 }
@@ -56,7 +59,8 @@ OutlineScore score_of(const NormalizedOutline& first, const NormalizedOutline& s
     for (std::size_t k = 0; k < m.path.size(); ++k) {
       const auto [i, j] = m.path[k];
       const auto [last_i, last_j] = m.path[(k + m.path.size() - 1) % m.path.size()];
-      const auto steps_i = static_cast<double>((i + n - last_i) % n), steps_j = static_cast<double>((j + n - last_j) % n);
+      const auto steps_i = static_cast<double>((i + n - last_i) % n),
+                 steps_j = static_cast<double>((j + n - last_j) % n);
       square += (map.pose(a.points[i]) - b.points[j]).squaredNorm();
       normals += 0.5 * (1 - (map.pose.rotation * a.normals[i]).dot(b.normals[j]));
       for (std::size_t s = 0; s < a.turning.size(); ++s)
@@ -97,9 +101,11 @@ NormalizedOutline normalized_outline(const Surface<2>& outline, std::size_t n, d
       polygon.length += (polygon.points[(i + 1) % vertices.size()] - polygon.points[i]).norm();
   }
   // By their lengths before smoothing, so that curves have the same numbers whatever is smoothed.
-  std::stable_sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) { return a.length > b.length; });
+  std::stable_sort(polygons.begin(), polygons.end(),
+                   [](const Polygon& a, const Polygon& b) { return a.length > b.length; });
   const double longest = polygons.empty() ? 0 : polygons.front().length;
-  std::erase_if(polygons, [&](const Polygon& polygon) { return !(polygon.length > 0 && polygon.length >= 0.02 * longest); });
+  std::erase_if(polygons,
+                [&](const Polygon& polygon) { return !(polygon.length > 0 && polygon.length >= 0.02 * longest); });
   if (polygons.empty()) throw_input_error("an outline has no closed curve");
   if (polygons.size() > n_most_curves) polygons.resize(n_most_curves);
   for (const Polygon& polygon : polygons) result.curves.push_back(smoothed_curve(polygon.points, n, smoothing));

@@ -59,7 +59,8 @@ Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, P
   double extent = 0;
   for (const auto& pair : pairs) extent += pair.weight * (pair.on_template - pairs[0].on_template).squaredNorm();
   const double residual = squared_residual(pairs, proper);
-  const bool gains = residual > 1e-18 * extent && squared_residual(pairs, mirrored) < mirrored_gain * mirrored_gain * residual;
+  const bool gains =
+      residual > 1e-18 * extent && squared_residual(pairs, mirrored) < mirrored_gain * mirrored_gain * residual;
   return gains ? mirrored : proper;
 }
 

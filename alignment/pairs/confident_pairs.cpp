@@ -30,7 +30,8 @@ std::vector<std::vector<Index>> facets_around(const Surface<3>& surface) {
 Vec<3> nearest_barycentric(const Eigen::VectorXf& x, const Eigen::VectorXf (&corners)[3]) {
   const auto distance = [&](const Vec<3>& b) {
     return (b[0] * corners[0].cast<double>() + b[1] * corners[1].cast<double>() + b[2] * corners[2].cast<double>() -
-            x.cast<double>()).squaredNorm();
+            x.cast<double>())
+        .squaredNorm();
   };
   Vec<3> best = Vec<3>::Unit(0);
   double least = distance(best);
@@ -59,11 +60,13 @@ Vec<3> nearest_barycentric(const Eigen::VectorXf& x, const Eigen::VectorXf (&cor
   return best;
 }
 
-/// The factor, or its inverse where that is larger, by which a map changes the distances from a point to those near it: the median, so
-/// that one wrong neighbour does no harm.
-double local_stretch(const std::vector<std::pair<double, std::size_t>>& near, const std::vector<Vec<3>>& images, std::size_t i) {
+/// The factor, or its inverse where that is larger, by which a map changes the distances from a point to those near it:
+/// the median, so that one wrong neighbour does no harm.
+double local_stretch(const std::vector<std::pair<double, std::size_t>>& near, const std::vector<Vec<3>>& images,
+                     std::size_t i) {
   std::vector<double> stretches;
-  for (const auto& [distance, j] : near) stretches.push_back(std::max((images[j] - images[i]).norm(), 1e-12) / std::max(distance, 1e-12));
+  for (const auto& [distance, j] : near)
+    stretches.push_back(std::max((images[j] - images[i]).norm(), 1e-12) / std::max(distance, 1e-12));
   if (stretches.empty()) return 1;
   const std::size_t n = stretches.size();
   std::nth_element(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(n / 2), stretches.end());
@@ -76,11 +79,12 @@ std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& c
   return images(pair, candidate.matches, 0);
 }
 
-ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate, const AlignmentOptions& options) {
+ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
+                               const AlignmentOptions& options) {
   const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
   const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
-  const std::vector<Index> samples =
-      farthest_point_samples(pair.shapes[0]->graph, pair.shapes[0]->samples[0], static_cast<std::size_t>(options.pairs));
+  const std::vector<Index> samples = farthest_point_samples(pair.shapes[0]->graph, pair.shapes[0]->samples[0],
+                                                            static_cast<std::size_t>(options.pairs));
   const std::vector<std::vector<Index>> around = facets_around(surface_2);
   const Embedding embedding = dense_embedding(pair, candidate.c);
   std::vector<Vec<3>> points, images_2;
@@ -94,9 +98,9 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
       const Eigen::VectorXf corners[3] = {embedding.on[1].col(facet[0]), embedding.on[1].col(facet[1]),
                                           embedding.on[1].col(facet[2])};
       const Vec<3> b = nearest_barycentric(x, corners);
-      const double distance =
-          (static_cast<float>(b[0]) * corners[0] + static_cast<float>(b[1]) * corners[1] +
-           static_cast<float>(b[2]) * corners[2] - x).squaredNorm();
+      const double distance = (static_cast<float>(b[0]) * corners[0] + static_cast<float>(b[1]) * corners[1] +
+                               static_cast<float>(b[2]) * corners[2] - x)
+                                  .squaredNorm();
       if (distance >= least) continue;
       least = distance;
       point.setZero();
@@ -118,7 +122,8 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
   }
   const std::vector<bool> consistent = in_consistent_group(from, to, options.max_stretch, options.cycle_tolerance);
   ConfidentPairs result;
-  for (std::size_t k = 0; k < close.size(); ++k) (consistent[k] ? result.pairs : result.contradicting).push_back(close[k]);
+  for (std::size_t k = 0; k < close.size(); ++k)
+    (consistent[k] ? result.pairs : result.contradicting).push_back(close[k]);
   return result;
 }
 

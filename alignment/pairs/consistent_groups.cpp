@@ -6,7 +6,8 @@
 
 namespace shellmatch {
 
-std::vector<std::vector<std::pair<double, std::size_t>>> nearest_neighbours(const std::vector<Vec<3>>& points, std::size_t n_neighbours) {
+std::vector<std::vector<std::pair<double, std::size_t>>> nearest_neighbours(const std::vector<Vec<3>>& points,
+                                                                            std::size_t n_neighbours) {
   std::vector<std::vector<std::pair<double, std::size_t>>> nearest(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto& near = nearest[i];
@@ -20,7 +21,8 @@ std::vector<std::vector<std::pair<double, std::size_t>>> nearest_neighbours(cons
   return nearest;
 }
 
-std::vector<bool> in_consistent_group(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to, double max_stretch, double error) {
+std::vector<bool> in_consistent_group(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to,
+                                      double max_stretch, double error) {
   const auto nearest = nearest_neighbours(from, 6);
   DisjointSets groups(from.size()), parts(from.size());
   for (std::size_t i = 0; i < from.size(); ++i)

@@ -23,54 +23,63 @@ constexpr double mirrored_penalty = 1.1;
 
 /// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
 std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
-                                         const std::vector<std::pair<Index, Index>>& landmarks, const AlignmentOptions& options,
-                                         bool is_mirrored) {
+                                         const std::vector<std::pair<Index, Index>>& landmarks,
+                                         const AlignmentOptions& options, bool is_mirrored) {
   const ShapePairSpectra pair = make_shape_pair(reference, template_shape, landmarks);
   const std::vector<MapCandidate> maps = search_maps(pair, options);
   std::vector<PairCandidate> candidates(maps.size());
-  parallel_for(maps.size(), [&](std::size_t i) {
-    PairCandidate& candidate = candidates[i];
-    candidate.score = maps[i].total();
-    candidate.order = maps[i].order();
-    candidate.coarse_score = maps[i].coarse_score;
-    candidate.score_parts = maps[i].score;
-    candidate.n_landmarks = pair.landmarks.size();
-    if (!pair.landmarks.empty()) {
-      candidate.landmark_distance = maps[i].score.landmarks;
-      candidate.landmark_trust = maps[i].landmark_trust;
-    }
-    candidate.is_identity = maps[i].is_identity;
-    candidate.is_mirrored = is_mirrored;
-    candidate.map = dense_map(pair, maps[i]);
-    ConfidentPairs found = confident_pairs(pair, maps[i], options);
-    for (auto* pairs : {&found.pairs, &found.contradicting})
-      for (CorrespondingPoints& points : *pairs) {
-        points.on_reference = reference.in_input_coordinates(points.on_reference);
-        points.on_template = template_shape.in_input_coordinates(points.on_template);
-      }
-    candidate.pairs = std::move(found.pairs);
-    candidate.contradicting = std::move(found.contradicting);
-  }, 1);
+  parallel_for(
+      maps.size(),
+      [&](std::size_t i) {
+        PairCandidate& candidate = candidates[i];
+        candidate.score = maps[i].total();
+        candidate.order = maps[i].order();
+        candidate.coarse_score = maps[i].coarse_score;
+        candidate.score_parts = maps[i].score;
+        candidate.n_landmarks = pair.landmarks.size();
+        if (!pair.landmarks.empty()) {
+          candidate.landmark_distance = maps[i].score.landmarks;
+          candidate.landmark_trust = maps[i].landmark_trust;
+        }
+        candidate.is_identity = maps[i].is_identity;
+        candidate.is_mirrored = is_mirrored;
+        candidate.map = dense_map(pair, maps[i]);
+        ConfidentPairs found = confident_pairs(pair, maps[i], options);
+        for (auto* pairs : {&found.pairs, &found.contradicting})
+          for (CorrespondingPoints& points : *pairs) {
+            points.on_reference = reference.in_input_coordinates(points.on_reference);
+            points.on_template = template_shape.in_input_coordinates(points.on_template);
+          }
+        candidate.pairs = std::move(found.pairs);
+        candidate.contradicting = std::move(found.contradicting);
+      },
+      1);
   return candidates;
 }
 
-/// The vertices of a prepared surface that are nearest to points; no_index for a point on a component that was left out.
-std::vector<Index> nearest_vertices(const Surface<3>& input, const PreparedSurface& prepared, const std::vector<Vec<3>>& points) {
+/// The vertices of a prepared surface that are nearest to points; no_index for a point on a component that was left
+/// out.
+std::vector<Index> nearest_vertices(const Surface<3>& input, const PreparedSurface& prepared,
+                                    const std::vector<Vec<3>>& points) {
   const FacetTree<3> tree(input);
   std::vector<Index> nearest;
   for (const Vec<3>& x : points) {
     const bool is_left_out = !x.allFinite() || prepared.nearest[input.facets[tree.nearest(x)][0]] == no_index;
     const auto& vertices = prepared.surface.vertices;
-    nearest.push_back(is_left_out ? no_index
-                                  : static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
-                                                       vertices.begin()));
+    nearest.push_back(
+        is_left_out ? no_index
+                    : static_cast<Index>(std::ranges::min_element(
+                                             vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
+                                         vertices.begin()));
   }
   return nearest;
 }
 
-/// The vertices of the prepared surfaces that are nearest to landmarks; of many landmarks some, evenly through the list.
-std::vector<std::pair<Index, Index>> vertex_pairs(std::span<const CorrespondingPoints> landmarks, const Surface<3>& reference,
-                                                  const Surface<3>& template_surface, const AutomaticPairs& prepared) {
+/// The vertices of the prepared surfaces that are nearest to landmarks; of many landmarks some, evenly through the
+/// list.
+std::vector<std::pair<Index, Index>> vertex_pairs(std::span<const CorrespondingPoints> landmarks,
+                                                  const Surface<3>& reference, const Surface<3>& template_surface,
+                                                  const AutomaticPairs& prepared) {
   if (landmarks.empty()) return {};
   std::vector<Vec<3>> points[2];
   for (std::size_t i = 0, n = std::min(landmarks.size(), n_most_landmarks); i < n; ++i) {
@@ -119,7 +128,8 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false);
   if (options.mirror) {
     const SpectralShape mirrored = mirrored_shape(*shapes[0]);
-    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true)) result.candidates.push_back(std::move(candidate));
+    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true))
+      result.candidates.push_back(std::move(candidate));
   }
   const auto key = [&](const PairCandidate& c) {
     return (c.is_mirrored ? mirrored_penalty : c.is_identity ? 1 / tie : 1) * c.order;
@@ -128,7 +138,8 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
   double runner_up = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < result.candidates.size(); ++i)
-    if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored) runner_up = std::min(runner_up, result.candidates[i].order);
+    if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored)
+      runner_up = std::min(runner_up, result.candidates[i].order);
   result.is_ambiguous = are_ambiguous(*shapes[0], *shapes[1]);
   result.margin = result.is_ambiguous ? 1 : runner_up / result.candidates[0].order;
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);

@@ -14,25 +14,28 @@ namespace shellmatch {
 
 /// One of the best distinct maps.
 struct PairCandidate {
-  double score = 0;               ///< MapScore::total(), the mean of both resolutions; 0 is best: how nearly isometric
-  double order = 0;               ///< MapCandidate::order(): less is better, among candidates of the same surfaces
-  std::size_t n_landmarks = 0;    ///< that took part: neither double nor on a component left out, and four at least
+  double score = 0;             ///< MapScore::total(), the mean of both resolutions; 0 is best: how nearly isometric
+  double order = 0;             ///< MapCandidate::order(): less is better, among candidates of the same surfaces
+  std::size_t n_landmarks = 0;  ///< that took part: neither double nor on a component left out, and four at least
   MapScore coarse_score, score_parts;
   /// Where landmarks tell: the median of landmark_distances() before they were among the pairs, in roots of the area.
   std::optional<double> landmark_distance;
-  double landmark_trust = 1;      ///< landmark_trust() of the best candidate; 1 where landmarks do not tell
-  bool is_identity = false;       ///< began with the surfaces as they lie
-  bool is_mirrored = false;       ///< found for the mirrored reference
-  std::vector<CorrespondingPoints> pairs;   ///< confident ones
-  std::vector<CorrespondingPoints> contradicting;  ///< ConfidentPairs::contradicting: evidence against the map, and of no other use
-  std::vector<Index> map;         ///< for each vertex of the prepared reference one of the prepared template
+  double landmark_trust = 1;               ///< landmark_trust() of the best candidate; 1 where landmarks do not tell
+  bool is_identity = false;                ///< began with the surfaces as they lie
+  bool is_mirrored = false;                ///< found for the mirrored reference
+  std::vector<CorrespondingPoints> pairs;  ///< confident ones
+  std::vector<CorrespondingPoints>
+      contradicting;       ///< ConfidentPairs::contradicting: evidence against the map, and of no other use
+  std::vector<Index> map;  ///< for each vertex of the prepared reference one of the prepared template
 };
 
 struct AutomaticPairs {
   PreparedSurface reference, template_surface;
-  std::vector<PairCandidate> candidates;  ///< at least one; the chosen one first, ascending by order, the mirrored ones behind equals
-  double margin = 0;                      ///< order of the best other of the same handedness over that of the first; infinite without, 1 where ambiguous
-  bool is_ambiguous = false;              ///< spectra are_ambiguous()
+  std::vector<PairCandidate>
+      candidates;     ///< at least one; the chosen one first, ascending by order, the mirrored ones behind equals
+  double margin = 0;  ///< order of the best other of the same handedness over that of the first; infinite without, 1
+                      ///< where ambiguous
+  bool is_ambiguous = false;  ///< spectra are_ambiguous()
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }
   /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the
@@ -41,9 +44,9 @@ struct AutomaticPairs {
 };
 
 /// Pairs of points between a reference and a template. docs/alignment.md describes the steps. The result depends on
-/// neither the number of threads nor the position of the surfaces up to rounding, except that the map which begins with the
-/// surfaces as they lie comes first where another differs by less than rounding and sampling do.
-/// \param landmarks known pairs, in the coordinates of the surfaces; four or more give a start of their own, take part in the order
+/// neither the number of threads nor the position of the surfaces up to rounding, except that the map which begins with
+/// the surfaces as they lie comes first where another differs by less than rounding and sampling do. \param landmarks
+/// known pairs, in the coordinates of the surfaces; four or more give a start of their own, take part in the order
 ///   of candidates, and make their pairs more exact. Those that contradict most others count little.
 /// \throws InputError for surfaces without area or with coordinates that are not finite
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,

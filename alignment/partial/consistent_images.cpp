@@ -10,10 +10,11 @@ namespace shellmatch {
 namespace {
 
 constexpr float unlikeness_weight = 2;
-// A difference of distances counts as 1 where it reaches `coarse`, between samples and along edges, and this share of the distance.
+// A difference of distances counts as 1 where it reaches `coarse`, between samples and along edges, and this share of
+// the distance.
 constexpr float coarse = 0.05F, lengthened = 0.3F, shortened = 0.1F;
-constexpr float largest = 4;    // what one pair of distances adds at most: ways around a cut may be anything
-constexpr float alike = 0.12F;  // assignments whose images all lie so near are the same
+constexpr float largest = 4;        // what one pair of distances adds at most: ways around a cut may be anything
+constexpr float alike = 0.12F;      // assignments whose images all lie so near are the same
 constexpr std::size_t offered = 6;  // for each one that goes on
 
 float stretch(float on_part, float on_whole) {
@@ -27,7 +28,9 @@ struct Extended {
   float cost;
   std::size_t from;
   int image;
-  bool operator<(const Extended& other) const { return std::tuple(cost, from, image) < std::tuple(other.cost, other.from, other.image); }
+  bool operator<(const Extended& other) const {
+    return std::tuple(cost, from, image) < std::tuple(other.cost, other.from, other.image);
+  }
 };
 
 }  // namespace
@@ -42,7 +45,8 @@ std::vector<SampleImages> consistent_images(const SampleDistances& distances, st
       Eigen::ArrayXf costs = unlikeness_weight * distances.unlikeness.row(m).transpose().array() + kept[from].cost;
       for (Eigen::Index a = 0; a < m; ++a) {
         const auto of_image = distances.on_whole.col(kept[from].images[static_cast<std::size_t>(a)]);
-        for (Eigen::Index i = 0; i < n; ++i) costs[i] += stretch(distances.on_part(a, m), of_image[i]) / static_cast<float>(m);
+        for (Eigen::Index i = 0; i < n; ++i)
+          costs[i] += stretch(distances.on_part(a, m), of_image[i]) / static_cast<float>(m);
       }
       for (Eigen::Index i = 0; i < n; ++i) all.push_back({costs[i], from, static_cast<int>(i)});
     }

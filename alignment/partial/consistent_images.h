@@ -20,9 +20,9 @@ struct SampleImages {
   float cost = 0;           ///< per sample; 0 where distances are the same and surroundings alike
 };
 
-/// Assignments of little cost that differ from one another, at most `width`, ascending. A beam search: samples are placed in turn, and
-/// of all ways so far the cheapest that differ go on. Ways on a surface with holes are longer than those on the whole, but not shorter,
-/// so that lengthening costs less. Mirrored assignments cost the same.
+/// Assignments of little cost that differ from one another, at most `width`, ascending. A beam search: samples are
+/// placed in turn, and of all ways so far the cheapest that differ go on. Ways on a surface with holes are longer than
+/// those on the whole, but not shorter, so that lengthening costs less. Mirrored assignments cost the same.
 std::vector<SampleImages> consistent_images(const SampleDistances& distances, std::size_t width);
 
 }  // namespace shellmatch

@@ -17,12 +17,12 @@ namespace {
 
 // Samples that are placed, and the places for them.
 constexpr std::size_t n_anchors = 16, n_places = 500;
-constexpr std::size_t n_ways = 1000;       // that are followed
+constexpr std::size_t n_ways = 1000;  // that are followed
 constexpr std::size_t n_refined = 24;
 constexpr std::size_t n_queries = 600, n_searched = 5000;
-constexpr double same = 0.1;              // maps that differ by less, in roots of the whole's area, are one
-constexpr double off_border = 0.03;       // anchors' least distance from a border, where there are such
-constexpr double apart = 0.05;            // least distance of an anchor from the others
+constexpr double same = 0.1;         // maps that differ by less, in roots of the whole's area, are one
+constexpr double off_border = 0.03;  // anchors' least distance from a border, where there are such
+constexpr double apart = 0.05;       // least distance of an anchor from the others
 
 struct Anchors {
   std::vector<Index> vertices;
@@ -32,8 +32,10 @@ struct Anchors {
 /// Farthest point samples away from borders; the first is farthest from what lies deepest inside.
 Anchors choose_anchors(const PartialShape& part) {
   std::vector<bool> allowed(part.n_vertices());
-  std::transform(part.to_border.begin(), part.to_border.end(), allowed.begin(), [](double d) { return d > off_border; });
-  if (std::count(allowed.begin(), allowed.end(), true) < static_cast<std::ptrdiff_t>(2 * n_anchors)) allowed.assign(allowed.size(), true);
+  std::transform(part.to_border.begin(), part.to_border.end(), allowed.begin(),
+                 [](double d) { return d > off_border; });
+  if (std::count(allowed.begin(), allowed.end(), true) < static_cast<std::ptrdiff_t>(2 * n_anchors))
+    allowed.assign(allowed.size(), true);
   const auto farthest = [&](const std::vector<double>& distances) {
     Index best = no_index;
     for (std::size_t v = 0; v < allowed.size(); ++v)
@@ -42,7 +44,8 @@ Anchors choose_anchors(const PartialShape& part) {
   };
   Anchors anchors;
   std::vector<double> least(part.n_vertices(), std::numeric_limits<double>::infinity());
-  for (Index next = farthest(part.graph.distances_from(farthest(part.to_border))); anchors.vertices.size() < n_anchors; next = farthest(least)) {
+  for (Index next = farthest(part.graph.distances_from(farthest(part.to_border))); anchors.vertices.size() < n_anchors;
+       next = farthest(least)) {
     if (least[next] < apart) break;
     anchors.vertices.push_back(next);
     anchors.distances.push_back(part.graph.distances_from(next));
@@ -60,34 +63,47 @@ struct Places {
 
 Places places_on(const PartialShape& whole) {
   Places places{farthest_point_samples(whole.graph, 0, n_places), {}, std::vector<int>(whole.n_vertices())};
-  places.distances.resize(static_cast<Eigen::Index>(whole.n_vertices()), static_cast<Eigen::Index>(places.vertices.size()));
-  parallel_for(places.vertices.size(), [&](std::size_t i) {
-    const std::vector<double> d = whole.graph.distances_from(places.vertices[i]);
-    places.distances.col(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::VectorXd>(d.data(), static_cast<Eigen::Index>(d.size())).cast<float>();
-  }, 8);
-  for (std::size_t v = 0; v < places.nearest.size(); ++v) places.distances.row(static_cast<Eigen::Index>(v)).minCoeff(&places.nearest[v]);
+  places.distances.resize(static_cast<Eigen::Index>(whole.n_vertices()),
+                          static_cast<Eigen::Index>(places.vertices.size()));
+  parallel_for(
+      places.vertices.size(),
+      [&](std::size_t i) {
+        const std::vector<double> d = whole.graph.distances_from(places.vertices[i]);
+        places.distances.col(static_cast<Eigen::Index>(i)) =
+            Eigen::Map<const Eigen::VectorXd>(d.data(), static_cast<Eigen::Index>(d.size())).cast<float>();
+      },
+      8);
+  for (std::size_t v = 0; v < places.nearest.size(); ++v)
+    places.distances.row(static_cast<Eigen::Index>(v)).minCoeff(&places.nearest[v]);
   return places;
 }
 
-SampleDistances sample_distances(const PartialShape& part, const PartialShape& whole, const Anchors& anchors, const Places& places) {
-  const auto m = static_cast<Eigen::Index>(anchors.vertices.size()), n = static_cast<Eigen::Index>(places.vertices.size());
+SampleDistances sample_distances(const PartialShape& part, const PartialShape& whole, const Anchors& anchors,
+                                 const Places& places) {
+  const auto m = static_cast<Eigen::Index>(anchors.vertices.size()),
+             n = static_cast<Eigen::Index>(places.vertices.size());
   SampleDistances samples{Eigen::MatrixXf(m, m), Eigen::MatrixXf(n, n), Eigen::MatrixXf::Constant(m, n, 2)};
-  for (Eigen::Index i = 0; i < n; ++i) samples.on_whole.row(i) = places.distances.row(places.vertices[static_cast<std::size_t>(i)]);
-  parallel_for(anchors.vertices.size(), [&](std::size_t a) {
-    const auto row = static_cast<Eigen::Index>(a);
-    for (Eigen::Index b = 0; b < m; ++b)
-      samples.on_part(row, b) = static_cast<float>(anchors.distances[a][anchors.vertices[static_cast<std::size_t>(b)]]);
-    const Eigen::VectorXf spin = part.spin.col(anchors.vertices[a]);
-    for (std::size_t v = 0; v < whole.n_vertices(); ++v) {
-      float& least = samples.unlikeness(row, places.nearest[v]);
-      least = std::min(least, (whole.spin.col(static_cast<Eigen::Index>(v)) - spin).squaredNorm());
-    }
-  }, 1);
+  for (Eigen::Index i = 0; i < n; ++i)
+    samples.on_whole.row(i) = places.distances.row(places.vertices[static_cast<std::size_t>(i)]);
+  parallel_for(
+      anchors.vertices.size(),
+      [&](std::size_t a) {
+        const auto row = static_cast<Eigen::Index>(a);
+        for (Eigen::Index b = 0; b < m; ++b)
+          samples.on_part(row, b) =
+              static_cast<float>(anchors.distances[a][anchors.vertices[static_cast<std::size_t>(b)]]);
+        const Eigen::VectorXf spin = part.spin.col(anchors.vertices[a]);
+        for (std::size_t v = 0; v < whole.n_vertices(); ++v) {
+          float& least = samples.unlikeness(row, places.nearest[v]);
+          least = std::min(least, (whole.spin.col(static_cast<Eigen::Index>(v)) - spin).squaredNorm());
+        }
+      },
+      1);
   return samples;
 }
 
-/// The vertex of the whole whose distances from the images of the anchors are those of vertex q from the anchors; the nearer one is, the
-/// more it tells.
+/// The vertex of the whole whose distances from the images of the anchors are those of vertex q from the anchors; the
+/// nearer one is, the more it tells.
 Index place_by_distances(const Anchors& anchors, const Places& places, const std::vector<int>& images, Index q) {
   constexpr float most = 0.3F, nearness = 0.1F;
   Eigen::ArrayXf cost = Eigen::ArrayXf::Zero(places.distances.rows());
@@ -101,7 +117,9 @@ Index place_by_distances(const Anchors& anchors, const Places& places, const std
 }
 
 Index nearest_vertex(const Surface<3>& surface, const Vec<3>& x) {
-  return static_cast<Index>(std::ranges::min_element(surface.vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) - surface.vertices.begin());
+  return static_cast<Index>(
+      std::ranges::min_element(surface.vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
+      surface.vertices.begin());
 }
 
 template <class Distance>
@@ -117,7 +135,8 @@ std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const E
   std::vector<SampleImages> kept;
   for (const SampleImages& images : all) {
     const auto is_same = [&](const SampleImages& other) {
-      return median_of(images.images.size(), [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same;
+      return median_of(images.images.size(),
+                       [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(images);
     if (kept.size() == n_refined) break;
@@ -126,7 +145,8 @@ std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const E
 }
 
 std::vector<PartialMap> distinct(std::vector<PartialMap> maps, const PartialShape& whole) {
-  std::stable_sort(maps.begin(), maps.end(), [](const PartialMap& a, const PartialMap& b) { return a.order() < b.order(); });
+  std::stable_sort(maps.begin(), maps.end(),
+                   [](const PartialMap& a, const PartialMap& b) { return a.order() < b.order(); });
   std::vector<PartialMap> kept;
   for (PartialMap& map : maps) {
     const auto is_same = [&](const PartialMap& other) {
@@ -140,15 +160,17 @@ std::vector<PartialMap> distinct(std::vector<PartialMap> maps, const PartialShap
 }
 
 /// As confident_pairs(), away from borders.
-std::vector<CorrespondingPoints> confident_pairs_of(const PartialShape& part, const PartialShape& whole, const PartialMap& map, const AlignmentOptions& options) {
+std::vector<CorrespondingPoints> confident_pairs_of(const PartialShape& part, const PartialShape& whole,
+                                                    const PartialMap& map, const AlignmentOptions& options) {
   const std::vector<Index> samples = farthest_point_samples(part.graph, 0, static_cast<std::size_t>(options.pairs));
   Features images(map.on_whole.rows(), static_cast<Eigen::Index>(samples.size()));
-  for (std::size_t i = 0; i < samples.size(); ++i) images.col(static_cast<Eigen::Index>(i)) = map.on_whole.col(map.images[samples[i]]);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    images.col(static_cast<Eigen::Index>(i)) = map.on_whole.col(map.images[samples[i]]);
   const std::vector<Index> back = nearest_features(map.on_part, images);
   std::vector<CorrespondingPoints> close;
   std::vector<Vec<3>> from, to;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec<3> &x = part.surface.vertices[samples[i]], &y = whole.surface.vertices[map.images[samples[i]]];
+    const Vec<3>&x = part.surface.vertices[samples[i]], &y = whole.surface.vertices[map.images[samples[i]]];
     const double share = (part.surface.vertices[back[i]] - x).norm() / options.cycle_tolerance;
     if (share >= 1) continue;
     close.push_back({x, y, (1 - share * share) * (1 - share * share)});
@@ -164,8 +186,8 @@ std::vector<CorrespondingPoints> confident_pairs_of(const PartialShape& part, co
 
 }  // namespace
 
-PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>& whole_surface, const AlignmentOptions& options,
-                                std::span<const CorrespondingPoints> landmarks) {
+PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>& whole_surface,
+                                const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   PartialPairs result;
   std::optional<PartialShape> shapes[2];
   result.whole = prepare_surface(whole_surface, options);
@@ -183,12 +205,16 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   const std::vector<Index> searched = farthest_point_samples(whole.graph, places.vertices.front(), n_searched);
   // The last one begins with the surfaces as they lie.
   std::vector<PartialMap> maps(starts.size() + 1);
-  parallel_for(maps.size(), [&](std::size_t i) {
-    std::vector<Index> images;
-    for (const Index q : queries)
-      images.push_back(i < starts.size() ? place_by_distances(anchors, places, starts[i].images, q) : nearest_vertex(whole.surface, part.surface.vertices[q]));
-    maps[i] = refine_partial_map(part, whole, queries, std::move(images), searched);
-  }, 1);
+  parallel_for(
+      maps.size(),
+      [&](std::size_t i) {
+        std::vector<Index> images;
+        for (const Index q : queries)
+          images.push_back(i < starts.size() ? place_by_distances(anchors, places, starts[i].images, q)
+                                             : nearest_vertex(whole.surface, part.surface.vertices[q]));
+        maps[i] = refine_partial_map(part, whole, queries, std::move(images), searched);
+      },
+      1);
   for (const PartialMap& map : distinct(std::move(maps), whole)) {
     PartialCandidate& candidate = result.candidates.emplace_back(map.total(), map.order());
     candidate.map = map.images;

@@ -25,14 +25,15 @@ Features columns(const Features& features, const std::vector<Index>& at) {
 Features features_of(const PartialShape& shape, const Eigen::MatrixXd& functions, const Rows3& coordinates) {
   Features features(functions.cols() + 3 + shape.spin.rows(), functions.rows());
   features.topRows(functions.cols()) = functions.transpose().cast<float>();
-  features.middleRows(functions.cols(), 3) = normal_weight * vertex_normals(shape.surface.facets, coordinates).transpose().cast<float>();
+  features.middleRows(functions.cols(), 3) =
+      normal_weight * vertex_normals(shape.surface.facets, coordinates).transpose().cast<float>();
   features.bottomRows(shape.spin.rows()) = spin_weight * shape.spin;
   return features;
 }
 
 /// With the first k functions of the whole.
-void embed(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries, const std::vector<Index>& images, Eigen::Index k,
-           PartialMap& map) {
+void embed(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+           const std::vector<Index>& images, Eigen::Index k, PartialMap& map) {
   const Eigen::VectorXd& values = part.spectrum.values;
   const auto below = std::upper_bound(values.begin(), values.end(), whole.spectrum.values[k - 1]) - values.begin();
   const Eigen::Index n_part = std::min<Eigen::Index>(std::max<Eigen::Index>(below, n_least_functions), values.size());
@@ -46,16 +47,21 @@ void embed(const PartialShape& part, const PartialShape& whole, const std::vecto
   const double ridge = 1e-4 * static_cast<double>(n) / part.mass.sum();
   const Eigen::MatrixXd gram = of_part.transpose() * of_part + ridge * Eigen::MatrixXd::Identity(n_part, n_part);
   const Eigen::MatrixXd c = gram.llt().solve(of_part.transpose() * of_whole);
-  const Eigen::MatrixXd carried = part.spectrum.functions.leftCols(n_part) * c, own = whole.spectrum.functions.leftCols(k);
+  const Eigen::MatrixXd carried = part.spectrum.functions.leftCols(n_part) * c,
+                        own = whole.spectrum.functions.leftCols(k);
   map.on_part = features_of(part, carried, carried * whole.coefficients.topRows(k));
   map.on_whole = features_of(whole, own, own * whole.coefficients.topRows(k));
 }
 
 void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, PartialMap& map) {
-  Rows3 mapped(static_cast<Eigen::Index>(part.n_vertices()), 3), coordinates(static_cast<Eigen::Index>(whole.n_vertices()), 3);
-  for (std::size_t v = 0; v < part.n_vertices(); ++v) mapped.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[map.images[v]];
-  for (std::size_t v = 0; v < whole.n_vertices(); ++v) coordinates.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[v];
-  const Rows3 through = vertex_normals(part.surface.facets, mapped), normals = vertex_normals(whole.surface.facets, coordinates);
+  Rows3 mapped(static_cast<Eigen::Index>(part.n_vertices()), 3),
+      coordinates(static_cast<Eigen::Index>(whole.n_vertices()), 3);
+  for (std::size_t v = 0; v < part.n_vertices(); ++v)
+    mapped.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[map.images[v]];
+  for (std::size_t v = 0; v < whole.n_vertices(); ++v)
+    coordinates.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[v];
+  const Rows3 through = vertex_normals(part.surface.facets, mapped),
+              normals = vertex_normals(whole.surface.facets, coordinates);
   double difference = 0, squares = 0, weights = 0;
   for (std::size_t v = 0; v < part.n_vertices(); ++v) {
     const auto at = static_cast<Eigen::Index>(v);

@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// A map from a part to a whole by functional maps. After E. Rodola, L. Cosmo, M. M. Bronstein, A. Torsello and D. Cremers, 'Partial
-/// functional correspondence', Computer Graphics Forum 36, 2017: functions of the whole up to some eigenvalue, read on the part, are
-/// combinations of those of the part up to the same eigenvalue, of which there are fewer by the share of the area.
+/// A map from a part to a whole by functional maps. After E. Rodola, L. Cosmo, M. M. Bronstein, A. Torsello and D.
+/// Cremers, 'Partial functional correspondence', Computer Graphics Forum 36, 2017: functions of the whole up to some
+/// eigenvalue, read on the part, are combinations of those of the part up to the same eigenvalue, of which there are
+/// fewer by the share of the area.
 
 #include "alignment/functional_map/nearest_features.h"
 #include "alignment/partial/partial_shape.h"
@@ -12,10 +13,10 @@
 namespace shellmatch {
 
 struct PartialMap {
-  std::vector<Index> images;  ///< of all vertices of the part, vertices of the whole
-  Features on_part, on_whole; ///< a column for each vertex: what agrees at corresponding points
-  /// Over the part, the less the nearer a border: relative difference of the functions, mean square difference of spin images, mean of
-  /// (1 - n . n') / 2 over the normals of the whole and those that the part has after the map.
+  std::vector<Index> images;   ///< of all vertices of the part, vertices of the whole
+  Features on_part, on_whole;  ///< a column for each vertex: what agrees at corresponding points
+  /// Over the part, the less the nearer a border: relative difference of the functions, mean square difference of spin
+  /// images, mean of (1 - n . n') / 2 over the normals of the whole and those that the part has after the map.
   double functions = 0, spin = 0, orientation = 0;
 
   double total() const { return functions + spin + orientation; }
@@ -23,9 +24,9 @@ struct PartialMap {
   double order() const { return (functions + orientation) * spin; }
 };
 
-/// Alternates nearest neighbours and functional maps with more and more functions, and normals and spin images beside them.
-/// \param queries vertices of the part, well spread, and \param images theirs on the whole
-/// \param samples vertices of the whole, well spread, that are searched until the last step
+/// Alternates nearest neighbours and functional maps with more and more functions, and normals and spin images beside
+/// them. \param queries vertices of the part, well spread, and \param images theirs on the whole \param samples
+/// vertices of the whole, well spread, that are searched until the last step
 PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
                               std::vector<Index> images, const std::vector<Index>& samples);
 

@@ -38,7 +38,8 @@ PartialShape make_partial_shape(Surface<3> surface, double unit, const Alignment
   EdgeGraph graph(surface);
   std::vector<double> to_border(surface.vertices.size(), std::numeric_limits<double>::infinity());
   for (const Index v : border_vertices(surface)) graph.lower_distances(v, to_border);
-  return {std::move(surface), std::move(graph), laplacian.mass, std::move(spectrum), std::move(coefficients), std::move(spin), std::move(to_border)};
+  return {std::move(surface),      std::move(graph), laplacian.mass,      std::move(spectrum),
+          std::move(coefficients), std::move(spin),  std::move(to_border)};
 }
 
 }  // namespace shellmatch

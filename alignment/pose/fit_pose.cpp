@@ -70,7 +70,8 @@ Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
   std::vector<double> weights(pairs.size());
   for (int sweep = 0; sweep < 20; ++sweep) {
     // 1.48 times the median estimates the standard deviation, and 4.685 of these is Tukey's usual limit.
-    const double limit = std::max(4.685 * 1.4826 * weighted_median(pairs, pose), 1e-12 * pose.translation.norm() + 1e-300);
+    const double limit =
+        std::max(4.685 * 1.4826 * weighted_median(pairs, pose), 1e-12 * pose.translation.norm() + 1e-300);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const double share = (pose(pairs[i].on_reference) - pairs[i].on_template).norm() / limit;
       weights[i] = share < 1 ? pairs[i].weight * std::pow(1 - share * share, 2) : 0;
@@ -120,7 +121,9 @@ Pose fit_pose(Pairs pairs, PoseKind kind, Mirroring mirroring) {
   if (mirroring != Mirroring::always) pose = best_pose(pairs, kind, 1);
   if (mirroring != Mirroring::never) mirrored = best_pose(pairs, kind, -1);
   // Where few or coplanar points fit both ways, rounding must not decide.
-  if (mirrored && (!pose || (mirrored->residual < mirrored_gain * pose->residual && pose->residual > 1e-9 * extent_of(pairs)))) pose = mirrored;
+  if (mirrored &&
+      (!pose || (mirrored->residual < mirrored_gain * pose->residual && pose->residual > 1e-9 * extent_of(pairs))))
+    pose = mirrored;
   if (!pose) throw_input_error("a pose needs pairs of points that do not lie on one line");
   return *pose;
 }

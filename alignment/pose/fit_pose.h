@@ -24,7 +24,8 @@ struct Pose {
 
 enum class PoseKind { rigid, similarity };
 
-/// Whether a pose reverses orientation. With `allowed` it does where its residual is below two thirds of that of the best proper one.
+/// Whether a pose reverses orientation. With `allowed` it does where its residual is below two thirds of that of the
+/// best proper one.
 enum class Mirroring { never, allowed, always };
 constexpr double mirrored_gain = 2.0 / 3;
 

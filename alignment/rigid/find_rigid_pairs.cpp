@@ -26,16 +26,17 @@ struct SearchedMotion {
 
 double angle_of(const Mat<3>& rotation) { return std::acos(std::clamp((rotation.trace() - 1) / 2, -1.0, 1.0)); }
 
-/// Rotations spread evenly: a spiral of unit quaternions (M. Alexa: Super-Fibonacci spirals: fast, low-discrepancy sampling of
-/// SO(3). CVPR 2022).
+/// Rotations spread evenly: a spiral of unit quaternions (M. Alexa: Super-Fibonacci spirals: fast, low-discrepancy
+/// sampling of SO(3). CVPR 2022).
 std::vector<Mat<3>> rotations_all_around(int n) {
   const double phi = std::numbers::sqrt2, psi = 1.533751168755204288118041;
   std::vector<Mat<3>> rotations;
   for (int i = 0; i < n; ++i) {
     const double s = i + 0.5, r = std::sqrt(s / n), big = std::sqrt(1 - s / n);
     const double alpha = 2 * std::numbers::pi * s / phi, beta = 2 * std::numbers::pi * s / psi;
-    rotations.push_back(Eigen::Quaterniond(r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta))
-                            .toRotationMatrix());
+    rotations.push_back(
+        Eigen::Quaterniond(r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta))
+            .toRotationMatrix());
   }
   return rotations;
 }
@@ -56,7 +57,8 @@ std::vector<Mat<3>> cube_rotations() {
 
 std::vector<RigidMotion> rigid_starts(const NormalizedSurface& first, const NormalizedSurface& second) {
   std::vector<RigidMotion> starts{{}};
-  for (const Mat<3>& m : cube_rotations()) starts.push_back({second.axes() * m * first.axes().transpose(), Vec<3>::Zero()});
+  for (const Mat<3>& m : cube_rotations())
+    starts.push_back({second.axes() * m * first.axes().transpose(), Vec<3>::Zero()});
   for (const Mat<3>& rotation : rotations_all_around(144)) starts.push_back({rotation, Vec<3>::Zero()});
   return starts;
 }
@@ -77,16 +79,21 @@ std::vector<SearchedMotion> distinct_motions(std::vector<SearchedMotion> motions
 }
 
 void improve(std::vector<SearchedMotion>& motions, const SampledPair& pair, int n_sweeps, std::size_t chunk_size) {
-  parallel_for(motions.size(), [&](std::size_t i) {
-    motions[i].motion = iterated_points(pair, motions[i].motion, n_sweeps);
-    motions[i].score = rigid_score(pair, motions[i].motion);
-  }, chunk_size);
+  parallel_for(
+      motions.size(),
+      [&](std::size_t i) {
+        motions[i].motion = iterated_points(pair, motions[i].motion, n_sweeps);
+        motions[i].score = rigid_score(pair, motions[i].motion);
+      },
+      chunk_size);
 }
 
-std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const NormalizedSurface& second, std::size_t n_most) {
+std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const NormalizedSurface& second,
+                                           std::size_t n_most) {
   const auto nearest_on = [](const auto& points) { return [&](const Vec<3>& x) { return points.nearest(x); }; };
   const SampleCloud on_first(first.samples(n_samples)), on_second(second.samples(n_samples));
-  const SampledPair few{first.samples(n_few_samples), second.samples(n_few_samples), nearest_on(on_first), nearest_on(on_second)};
+  const SampledPair few{first.samples(n_few_samples), second.samples(n_few_samples), nearest_on(on_first),
+                        nearest_on(on_second)};
   const SampledPair many{on_first.samples(), on_second.samples(), nearest_on(first), nearest_on(second)};
   std::vector<SearchedMotion> motions;
   for (const RigidMotion& start : rigid_starts(first, second)) motions.push_back({start, {}});
@@ -109,8 +116,8 @@ std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, c
     const double agreement = (motion.rotation * x.normal).dot(y.normal);
     // Sides that face each other by less than 70 degrees are no partners.
     if (agreement > 0.34)
-      pairs.push_back(
-          {first.centre() + first.radius() * x.point, second.centre() + second.radius() * y.point, agreement * agreement});
+      pairs.push_back({first.centre() + first.radius() * x.point, second.centre() + second.radius() * y.point,
+                       agreement * agreement});
   }
   return pairs;
 }
@@ -135,8 +142,8 @@ std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const 
     for (CorrespondingPoints& pair : candidate.pairs) pair.on_reference = sides.cwiseProduct(pair.on_reference);
     candidate.pose.rotation = found.motion.rotation * sides.asDiagonal();
     candidate.pose.scale = second.radius() / first.radius();
-    candidate.pose.translation =
-        second.centre() + second.radius() * found.motion.offset - candidate.pose.scale * (found.motion.rotation * first.centre());
+    candidate.pose.translation = second.centre() + second.radius() * found.motion.offset -
+                                 candidate.pose.scale * (found.motion.rotation * first.centre());
     if (!candidate.pairs.empty()) candidate.pose.residual = median_distance(candidate.pairs, candidate.pose);
   }
   return candidates;
@@ -148,7 +155,8 @@ bool differ_by_symmetry(const NormalizedSurface& surface, const Pose& a, const P
   double sum = 0;
   const std::vector<SurfacePoint> samples = surface.samples(n_samples);
   for (const SurfacePoint& sample : samples) {
-    const Vec<3> x = (b(a.inverse(surface.centre() + surface.radius() * sample.point)) - surface.centre()) / surface.radius();
+    const Vec<3> x =
+        (b(a.inverse(surface.centre() + surface.radius() * sample.point)) - surface.centre()) / surface.radius();
     sum += (surface.nearest(x).point - x).norm();
   }
   return sum < tolerance * static_cast<double>(samples.size());
@@ -156,13 +164,15 @@ bool differ_by_symmetry(const NormalizedSurface& surface, const Pose& a, const P
 
 }  // namespace
 
-RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface, const AlignmentOptions& options) {
+RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
+                            const AlignmentOptions& options) {
   RigidPairs result;
   std::vector<RigidCandidate>& candidates = result.candidates;
   const NormalizedSurface second(template_surface);
   candidates = rigid_candidates(reference, second, options, false);
   if (options.mirror)
-    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true)) candidates.push_back(std::move(candidate));
+    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true))
+      candidates.push_back(std::move(candidate));
   order_candidates(candidates, {options.identity_preference, score_noise}, [](const RigidCandidate& c) {
     return angle_of(c.is_mirrored ? Mat<3>(-c.pose.rotation) : c.pose.rotation);
   });

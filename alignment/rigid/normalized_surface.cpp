@@ -46,7 +46,8 @@ NormalizedSurface::NormalizedSurface(const Surface<3>& input) : surface_(input) 
   for (Vec<3>& x : surface_.vertices) x /= radius_;
   axes_ = Eigen::SelfAdjointEigenSolver<Mat<3>>(moments).eigenvectors();
   if (axes_.determinant() < 0) axes_.col(0) *= -1;
-  for (std::size_t f = 0; f < input.facets.size(); ++f) normals_.push_back(facet_normal(surface_, static_cast<Index>(f)).stableNormalized());
+  for (std::size_t f = 0; f < input.facets.size(); ++f)
+    normals_.push_back(facet_normal(surface_, static_cast<Index>(f)).stableNormalized());
   tree_.emplace(surface_);
 }
 
@@ -54,14 +55,15 @@ std::vector<SurfacePoint> NormalizedSurface::samples(std::size_t n) const {
   std::vector<SurfacePoint> samples;
   for (std::size_t k = 0; k < n; ++k) {
     const double at = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * area_up_to_.back();
-    const auto f = static_cast<std::size_t>(std::lower_bound(area_up_to_.begin(), area_up_to_.end(), at) - area_up_to_.begin());
+    const auto f =
+        static_cast<std::size_t>(std::lower_bound(area_up_to_.begin(), area_up_to_.end(), at) - area_up_to_.begin());
     // Kronecker's sequence of the golden ratio's kind spreads the points over the facets' interiors.
     double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(k), 1.0),
            v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(k), 1.0);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const auto& [a, b, c] = surface_.facets[f];
-    samples.push_back({(1 - u - v) * surface_.vertices[a] + u * surface_.vertices[b] + v * surface_.vertices[c],
-                       normals_[f]});
+    samples.push_back(
+        {(1 - u - v) * surface_.vertices[a] + u * surface_.vertices[b] + v * surface_.vertices[c], normals_[f]});
   }
   return samples;
 }
@@ -71,7 +73,8 @@ SurfacePoint NormalizedSurface::nearest(const Vec<3>& x) const {
   return {closest_point_on_facet<3>(surface_, f, x).point, normals_[static_cast<std::size_t>(f)]};
 }
 
-SampleCloud::SampleCloud(std::vector<SurfacePoint> samples) : samples_(std::move(samples)), points_(samples_.size(), 3) {
+SampleCloud::SampleCloud(std::vector<SurfacePoint> samples)
+    : samples_(std::move(samples)), points_(samples_.size(), 3) {
   for (std::size_t i = 0; i < samples_.size(); ++i)
     points_.row(static_cast<Eigen::Index>(i)) = samples_[i].point.transpose().array().cast<float>();
 }

@@ -23,7 +23,7 @@ class NormalizedSurface {
 
   const Vec<3>& centre() const { return centre_; }  ///< in the coordinates of the input
   double radius() const { return radius_; }         ///< the unit
-  const Mat<3>& axes() const { return axes_; }      ///< principal axes as columns, the shortest first; a proper rotation
+  const Mat<3>& axes() const { return axes_; }  ///< principal axes as columns, the shortest first; a proper rotation
 
   /// n points, each in the midst of an equal share of the area in the order of the facets.
   std::vector<SurfacePoint> samples(std::size_t n) const;
@@ -39,7 +39,8 @@ class NormalizedSurface {
   std::optional<FacetTree<3>> tree_;
 };
 
-/// Points in place of their surface: the nearest of some hundred, found in a quarter of the time of the nearest point between them.
+/// Points in place of their surface: the nearest of some hundred, found in a quarter of the time of the nearest point
+/// between them.
 class SampleCloud {
  public:
   /// \pre there are samples

@@ -27,7 +27,8 @@ class EdgeGraph {
   std::vector<double> distances_from(Index source) const;
   /// That of one vertex; quick where it is near.
   double distance(Index source, Index goal) const;
-  /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are shorter.
+  /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are
+  /// shorter.
   void lower_distances(Index source, std::vector<double>& distances) const;
 
  private:

@@ -36,7 +36,8 @@ std::vector<Index> numbered_components(const Surface<3>& surface) {
   std::vector<Index> component(surface.vertices.size());
   Index n = 0;
   // A set's first vertex stands for it.
-  for (Index v = 0; v < static_cast<Index>(component.size()); ++v) component[v] = sets.find(v) == v ? n++ : component[sets.find(v)];
+  for (Index v = 0; v < static_cast<Index>(component.size()); ++v)
+    component[v] = sets.find(v) == v ? n++ : component[sets.find(v)];
   return component;
 }
 
@@ -55,7 +56,8 @@ Components components_of(const Surface<3>& surface) {
 }
 
 Index largest_component(const Components& components) {
-  return static_cast<Index>(std::max_element(components.areas.begin(), components.areas.end()) - components.areas.begin());
+  return static_cast<Index>(std::max_element(components.areas.begin(), components.areas.end()) -
+                            components.areas.begin());
 }
 
 Surface<3> component_of(const Surface<3>& surface, const Components& components, Index wanted) {
@@ -99,7 +101,8 @@ PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions&
   const auto n_parts = std::count_if(components.areas.begin(), components.areas.end(), [](double a) { return a > 0; });
   if (n_parts > 1) {
     prepared.share = components.areas[wanted] / area;
-    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts, 100 * prepared.share));
+    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts,
+                                         100 * prepared.share));
   }
   const std::size_t n = prepared.surface.vertices.size();
   const auto most = static_cast<std::size_t>(options.max_vertices);
@@ -112,9 +115,9 @@ PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions&
   }
   while (prepared.surface.vertices.size() < n_least_vertices) cut_long_edges(prepared.surface, 0);
   if (prepared.surface.vertices.size() != n)
-    prepared.notes.push_back(
-        fmt::format("{} vertices {} {}", n, prepared.surface.vertices.size() < n ? "simplified to" : "divided into",
-                    prepared.surface.vertices.size()));
+    prepared.notes.push_back(fmt::format("{} vertices {} {}", n,
+                                         prepared.surface.vertices.size() < n ? "simplified to" : "divided into",
+                                         prepared.surface.vertices.size()));
   prepared.nearest = nearest_corners(input, components, wanted, prepared.surface);
   return prepared;
 }

@@ -10,14 +10,14 @@
 namespace shellmatch {
 
 struct PreparedSurface {
-  Surface<3> surface;           ///< connected, every vertex with a facet, in the coordinates of the input
-  std::vector<Index> nearest;   ///< for each vertex of the input one of `surface`; no_index on components left out
-  double share = 1;             ///< of the input's area; below 1 where other components were left out
+  Surface<3> surface;          ///< connected, every vertex with a facet, in the coordinates of the input
+  std::vector<Index> nearest;  ///< for each vertex of the input one of `surface`; no_index on components left out
+  double share = 1;            ///< of the input's area; below 1 where other components were left out
   std::vector<std::string> notes = {};  ///< what was changed, in words
 };
 
-/// The connected component of largest area, simplified (geometry/repair/simplify.h) to about options.max_vertices; facets
-/// of surfaces below n_least_vertices are divided into four until there are enough. Borders of holes remain.
+/// The connected component of largest area, simplified (geometry/repair/simplify.h) to about options.max_vertices;
+/// facets of surfaces below n_least_vertices are divided into four until there are enough. Borders of holes remain.
 /// \throws InputError if no facet has an area
 PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options);
 

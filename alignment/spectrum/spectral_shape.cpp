@@ -26,12 +26,12 @@ Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::Vect
 
 namespace {
 
-// Which way feet and a face point decides between front and back. Of 64 pairs of bodies the right map comes first in 59 with 0.08, in all
-// with this.
+// Which way feet and a face point decides between front and back. Of 64 pairs of bodies the right map comes first in 59
+// with 0.08, in all with this.
 constexpr double spin_radius = 0.2;
 // Of ends of limbs, in roots of the area; fingers and ears have less.
 constexpr double least_prominence = 0.05;
-constexpr std::size_t n_most_tips = 7;     // 130 thousand ways to match them
+constexpr std::size_t n_most_tips = 7;  // 130 thousand ways to match them
 constexpr std::size_t n_tip_samples = 50;
 
 /// A vertex that depends on the shape alone, not on the order of its vertices or its position.
@@ -70,11 +70,13 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
   Eigen::MatrixXf spin = spin_images(surface, laplacian, spin_radius);
-  const std::vector<Index> spread(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(n_tip_samples, samples.size())));
+  const std::vector<Index> spread(
+      samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(n_tip_samples, samples.size())));
   std::vector<SurfaceTip> tips = surface_tips(graph, spread, n_most_tips, least_prominence);
-  return {std::move(surface), std::move(graph), std::move(laplacian.mass), pairs.values, pairs.functions,
-          std::move(coefficients), std::move(normals), std::move(signature), std::move(spin), std::move(samples),
-          std::move(tips), centre, std::sqrt(area)};
+  return {std::move(surface), std::move(graph),        std::move(laplacian.mass), pairs.values,
+          pairs.functions,    std::move(coefficients), std::move(normals),        std::move(signature),
+          std::move(spin),    std::move(samples),      std::move(tips),           centre,
+          std::sqrt(area)};
 }
 
 }  // namespace shellmatch

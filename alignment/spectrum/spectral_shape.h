@@ -15,18 +15,18 @@ namespace shellmatch {
 struct SpectralShape {
   Surface<3> surface;
   EdgeGraph graph;
-  Eigen::VectorXd mass;        ///< n
-  Eigen::VectorXd values;      ///< k eigenvalues
-  Eigen::MatrixXd functions;   ///< n x k
-  Rows3 coefficients;          ///< k x 3: functions * coefficients are the smoothed coordinates
-  Rows3 normals;               ///< n x 3, of unit length
-  Eigen::MatrixXd signature;   ///< n x m, wave_kernel_signature()
-  Eigen::MatrixXf spin;        ///< 96 x n, spin_images()
-  std::vector<Index> samples;  ///< farthest point samples, n_spectral_samples of them or all vertices
+  Eigen::VectorXd mass;          ///< n
+  Eigen::VectorXd values;        ///< k eigenvalues
+  Eigen::MatrixXd functions;     ///< n x k
+  Rows3 coefficients;            ///< k x 3: functions * coefficients are the smoothed coordinates
+  Rows3 normals;                 ///< n x 3, of unit length
+  Eigen::MatrixXd signature;     ///< n x m, wave_kernel_signature()
+  Eigen::MatrixXf spin;          ///< 96 x n, spin_images()
+  std::vector<Index> samples;    ///< farthest point samples, n_spectral_samples of them or all vertices
   std::vector<SurfaceTip> tips;  ///< ends of limbs
-  Vec<3> centre;               ///< of the input
-  double root_area;            ///< of the input
-  double handedness = 1;       ///< -1 where it is the mirrored input
+  Vec<3> centre;                 ///< of the input
+  double root_area;              ///< of the input
+  double handedness = 1;         ///< -1 where it is the mirrored input
 
   std::size_t n_vertices() const { return surface.vertices.size(); }
   Vec<3> in_input_coordinates(const Vec<3>& x) const {

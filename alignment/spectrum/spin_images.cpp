@@ -33,16 +33,22 @@ int bin(double position, int n) { return std::clamp(static_cast<int>(position * 
 std::vector<Index> order_along_x(const Rows3& coordinates) {
   std::vector<Index> order(static_cast<std::size_t>(coordinates.rows()));
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return std::pair(coordinates(a, 0), a) < std::pair(coordinates(b, 0), b); });
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return std::pair(coordinates(a, 0), a) < std::pair(coordinates(b, 0), b); });
   return order;
 }
 
 }  // namespace
 
 SpinImages::SpinImages(Rows3 coordinates, Rows3 normals, Eigen::VectorXd areas, double radius)
-    : coordinates_(std::move(coordinates)), normals_(std::move(normals)), areas_(std::move(areas)), radius_(radius),
-      order_(order_along_x(coordinates_)), position_(order_.size()) {
-  for (std::size_t k = 0; k < order_.size(); ++k) position_[static_cast<std::size_t>(order_[k])] = static_cast<Index>(k);
+    : coordinates_(std::move(coordinates)),
+      normals_(std::move(normals)),
+      areas_(std::move(areas)),
+      radius_(radius),
+      order_(order_along_x(coordinates_)),
+      position_(order_.size()) {
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    position_[static_cast<std::size_t>(order_[k])] = static_cast<Index>(k);
 }
 
 void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
@@ -63,7 +69,8 @@ void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
 
 Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius) {
   Rows3 coordinates(static_cast<Eigen::Index>(surface.vertices.size()), 3);
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v) coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v)
+    coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
   Rows3 normals = smoothed(vertex_normals(surface.facets, coordinates), laplacian);
   const SpinImages spin(std::move(coordinates), std::move(normals), laplacian.mass, radius);
   Eigen::MatrixXf images(SpinImages::n_entries, static_cast<Eigen::Index>(surface.vertices.size()));

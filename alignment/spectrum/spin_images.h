@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// What a surface looks like around a vertex, in any position and nearly in any pose. Unlike the spectrum it is extrinsic, so that it
-/// tells front from back and arms from legs, and unlike positions it does not depend on where limbs point.
+/// What a surface looks like around a vertex, in any position and nearly in any pose. Unlike the spectrum it is
+/// extrinsic, so that it tells front from back and arms from legs, and unlike positions it does not depend on where
+/// limbs point.
 
 #include "alignment/spectrum/laplacian.h"
 #include "alignment/spectrum/vertex_normals.h"
@@ -10,14 +11,15 @@
 
 namespace shellmatch {
 
-/// Spin images of points of a surface: columns of unit length, histograms of the surface within a radius over distance, height along the
-/// normal and angle of the normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries are roots, so that differences are
-/// Hellinger's: their squares are 0 to 2.
+/// Spin images of points of a surface: columns of unit length, histograms of the surface within a radius over distance,
+/// height along the normal and angle of the normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries
+/// are roots, so that differences are Hellinger's: their squares are 0 to 2.
 class SpinImages {
  public:
   static constexpr int n_entries = 96;
 
-  /// \param coordinates, normals n x 3; normals of unit length \param areas n, that the points stand for \param radius above 0
+  /// \param coordinates, normals n x 3; normals of unit length \param areas n, that the points stand for \param radius
+  /// above 0
   SpinImages(Rows3 coordinates, Rows3 normals, Eigen::VectorXd areas, double radius);
 
   /// \param image of n_entries, is set to zero first

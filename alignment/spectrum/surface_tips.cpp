@@ -34,7 +34,8 @@ class Peaks {
 
 }  // namespace
 
-std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, const std::vector<Index>& samples, std::size_t n, double least_prominence) {
+std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, const std::vector<Index>& samples, std::size_t n,
+                                     double least_prominence) {
   const std::vector<double> height = mean_distances(graph, samples);
   std::vector<Index> descending(height.size());
   std::iota(descending.begin(), descending.end(), 0);
@@ -52,8 +53,10 @@ std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, const std::vector<I
       peaks.join(low, high);
     });
   }
-  if (!descending.empty()) tips.push_back({descending.front(), height[descending.front()] - height[descending.back()], {}});
-  std::stable_sort(tips.begin(), tips.end(), [](const SurfaceTip& a, const SurfaceTip& b) { return a.prominence > b.prominence; });
+  if (!descending.empty())
+    tips.push_back({descending.front(), height[descending.front()] - height[descending.back()], {}});
+  std::stable_sort(tips.begin(), tips.end(),
+                   [](const SurfaceTip& a, const SurfaceTip& b) { return a.prominence > b.prominence; });
   if (tips.size() > n) tips.resize(n);
   for (SurfaceTip& tip : tips) tip.distances = graph.distances_from(tip.vertex);
   return tips;

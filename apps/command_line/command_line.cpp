@@ -37,7 +37,9 @@ void describe_all(CLI::App& app, Commands& commands) {
   app.footer(help_text::program_footer);
   app.get_formatter()->column_width(34);
   CLI::Option* version = app.set_version_flag("--version", "shellmatch " SHELLMATCH_VERSION, "print the version");
-  app.add_flag_function("-v,--verbose", [](std::int64_t) {}, "with --version: versions and licences of all that is linked, too")->needs(version);
+  app.add_flag_function(
+         "-v,--verbose", [](std::int64_t) {}, "with --version: versions and licences of all that is linked, too")
+      ->needs(version);
   app.require_subcommand(1);
   // In the order of the help.
   describe(app, commands.match);
@@ -55,8 +57,10 @@ void describe_all(CLI::App& app, Commands& commands) {
   describe(app, commands.config);
   for (CLI::App* command : app.get_subcommands({})) add_limits(*command, commands.limits);
   for (const char* name : {"match", "apply"})
-    app.get_subcommand(name)->add_flag_callback("--xml", [] { throw_input_error("--xml: stands alone behind the command, with which it prints the description"); },
-                                                "alone: describe this command as a module of 3D Slicer (docs/slicer.md)");
+    app.get_subcommand(name)->add_flag_callback(
+        "--xml",
+        [] { throw_input_error("--xml: stands alone behind the command, with which it prints the description"); },
+        "alone: describe this command as a module of 3D Slicer (docs/slicer.md)");
 }
 
 // The command of this name, with what it needs.
@@ -80,9 +84,11 @@ Command named_command(const std::string& name, const Commands& commands) {
   if (name == "apply") {
     const ApplyCommand& apply = commands.apply;
     const bool has_fields = !apply.displacement.empty() || !apply.jacobian.empty() || !apply.log_jacobian.empty();
-    if (apply.file.empty() && !has_fields) throw_input_error("apply: say what to move: apply DIR FILE -o OUTPUT (see shellmatch apply --help)");
+    if (apply.file.empty() && !has_fields)
+      throw_input_error("apply: say what to move: apply DIR FILE -o OUTPUT (see shellmatch apply --help)");
     if (!apply.file.empty()) require_output(apply.output, "FILE");
-    else if (!apply.output.empty()) throw_input_error("apply: -o {}: there is no FILE to move (see shellmatch apply --help)", apply.output);
+    else if (!apply.output.empty())
+      throw_input_error("apply: -o {}: there is no FILE to move (see shellmatch apply --help)", apply.output);
     return commands.apply;
   }
   if (name == "inspect") return commands.inspect;
@@ -109,12 +115,15 @@ std::vector<std::string> with_hyphens(std::vector<std::string> words) {
 
 // What Slicer asks modules for, before it runs them.
 bool asks_for_module(const std::vector<std::string>& words) {
-  return std::ranges::find(words, "--xml") != words.end() && words.size() <= 2 && (words.size() == 1 || words[1] == "--xml");
+  return std::ranges::find(words, "--xml") != words.end() && words.size() <= 2 &&
+         (words.size() == 1 || words[1] == "--xml");
 }
 
 std::string module_text(const CLI::App& app, const std::string& name) {
   if (name != "match" && name != "apply")
-    throw_input_error("--xml: a command line module of 3D Slicer is one command; ask shellmatch match --xml or shellmatch apply --xml (docs/slicer.md)");
+    throw_input_error(
+        "--xml: a command line module of 3D Slicer is one command; ask shellmatch match --xml or shellmatch apply "
+        "--xml (docs/slicer.md)");
   return slicer_module_xml(*app.get_subcommand(name));
 }
 
@@ -132,7 +141,8 @@ Invocation parse_command_line(const std::vector<std::string>& given) {
   } catch (const CLI::CallForHelp&) {
     return {PrintCommand{app.help()}, {}};
   } catch (const CLI::CallForVersion&) {
-    const bool is_verbose = std::ranges::any_of(words, [](const std::string& w) { return w == "-v" || w == "--verbose"; });
+    const bool is_verbose =
+        std::ranges::any_of(words, [](const std::string& w) { return w == "-v" || w == "--verbose"; });
     return {PrintCommand{is_verbose ? versions_text() : "shellmatch " SHELLMATCH_VERSION "\n"}, {}};
   } catch (const CLI::ParseError& error) {
     std::string complaint = error.what();

@@ -12,7 +12,9 @@ namespace {
 
 void add_run_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning) {
   add_output_settings(command, settings, output_meaning);
-  command.add_option("--fail-on", settings.fail_on, "exit code 1 for this verdict or a worse one; the result is written all the same")
+  command
+      .add_option("--fail-on", settings.fail_on,
+                  "exit code 1 for this verdict or a worse one; the result is written all the same")
       ->type_name("look-here|not-matched");
   command.add_flag("--restart", settings.restart, "begin anew where the same command was stopped before");
 }
@@ -20,14 +22,16 @@ void add_run_settings(CLI::App& command, RunSettings& settings, const std::strin
 }  // namespace
 
 void describe(CLI::App& app, MatchCommand& match) {
-  CLI::App* command = add_command(app, "match", help_text::match, std::string(help_text::match_footer) + help_text::output_footer);
+  CLI::App* command =
+      add_command(app, "match", help_text::match, std::string(help_text::match_footer) + help_text::output_footer);
   command->add_option("REFERENCE", match.reference, "the shape that is deformed")->required()->type_name("");
   command->add_option("TEMPLATE", match.template_shape, "the shape it is to match")->required()->type_name("");
   add_run_settings(*command, match.settings, "output folder (required)");
 }
 
 void describe(CLI::App& app, RunCommand& run) {
-  CLI::App* command = add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
+  CLI::App* command =
+      add_command(app, "run", help_text::run, std::string(help_text::run_footer) + help_text::output_footer);
   command->add_option("CONFIG", run.config, "the YAML file")->required()->type_name("");
   add_run_settings(*command, run.settings, "output folder; without it out/NAME for NAME.yaml");
 }
@@ -35,9 +39,12 @@ void describe(CLI::App& app, RunCommand& run) {
 void describe(CLI::App& app, StudyCommand& study) {
   CLI::App* command = add_command(app, "study", help_text::study, help_text::study_footer);
   command->add_option("STUDY", study.study, "the YAML file")->required()->type_name("");
-  command->add_option("-o,--output", study.output, "output folder; without it out/NAME for NAME.yaml")->type_name("DIR");
+  command->add_option("-o,--output", study.output, "output folder; without it out/NAME for NAME.yaml")
+      ->type_name("DIR");
   command->add_option("-j,--jobs", study.jobs, "runs at the same time (1)")->type_name("N");
-  command->add_option("--set", study.assignments, "an option of an experiment for all runs, or limits.seconds and the like; repeatable")
+  command
+      ->add_option("--set", study.assignments,
+                   "an option of an experiment for all runs, or limits.seconds and the like; repeatable")
       ->type_name("KEY.SUB=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--retry", study.retry, "run again what has a result but did not finish");
@@ -52,26 +59,50 @@ void describe(CLI::App& app, StudyCommand& study) {
 
 void describe(CLI::App& app, CohortCommand& cohort) {
   CLI::App* command = add_command(app, "cohort", help_text::cohort, help_text::cohort_footer);
-  command->add_option("SHAPES", cohort.shapes, "files of subjects or patterns, or the YAML file of a cohort")->type_name("");
-  command->add_option("-o,--output", cohort.output, "output folder; without it out/NAME for NAME.yaml")->type_name("DIR");
-  command->add_option("--atlas", cohort.atlas, "the shape that is deformed onto all: a file, or the id of a subject")->type_name("SHAPE");
-  command->add_option("--kind", cohort.kind, "what becomes of the atlas; given with --atlas and without a file of the cohort, otherwise mean")->type_name("given|medoid|mean");
-  command->add_option("--atlas-landmarks", cohort.atlas_landmarks, "points of the atlas, which are carried to all subjects")->type_name("FILE");
-  command->add_option("--table", cohort.table, "CSV with the columns file, id, landmarks, group, reflect, instead of SHAPES")->type_name("FILE");
-  command->add_option("--levels", cohort.levels, "coarsest and finest level; cells have side 2^-level")->type_name("MIN:MAX");
-  command->add_option("-j,--jobs", cohort.jobs, "matchings at the same time; without it one for each core")->type_name("N");
-  command->add_option("--set", cohort.assignments, "an option of the cohort, as statistics.modes, or of the matchings; repeatable")
+  command->add_option("SHAPES", cohort.shapes, "files of subjects or patterns, or the YAML file of a cohort")
+      ->type_name("");
+  command->add_option("-o,--output", cohort.output, "output folder; without it out/NAME for NAME.yaml")
+      ->type_name("DIR");
+  command->add_option("--atlas", cohort.atlas, "the shape that is deformed onto all: a file, or the id of a subject")
+      ->type_name("SHAPE");
+  command
+      ->add_option("--kind", cohort.kind,
+                   "what becomes of the atlas; given with --atlas and without a file of the cohort, otherwise mean")
+      ->type_name("given|medoid|mean");
+  command
+      ->add_option("--atlas-landmarks", cohort.atlas_landmarks,
+                   "points of the atlas, which are carried to all subjects")
+      ->type_name("FILE");
+  command
+      ->add_option("--table", cohort.table,
+                   "CSV with the columns file, id, landmarks, group, reflect, instead of SHAPES")
+      ->type_name("FILE");
+  command->add_option("--levels", cohort.levels, "coarsest and finest level; cells have side 2^-level")
+      ->type_name("MIN:MAX");
+  command->add_option("-j,--jobs", cohort.jobs, "matchings at the same time; without it one for each core")
+      ->type_name("N");
+  command
+      ->add_option("--set", cohort.assignments,
+                   "an option of the cohort, as statistics.modes, or of the matchings; repeatable")
       ->type_name("KEY.SUB=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--retry", cohort.retry, "match again what has a result but did not finish");
-  command->add_flag("--list", cohort.list, "print the ids of the subjects; with -v also threads, seconds and MB of a matching");
-  command->add_flag("--list-stages", cohort.list_stages, "print the stages: the rounds that the search for the atlas may take, and last");
-  command->add_option("--only", cohort.only, "match this subject alone, in the first stage that is not closed; repeatable")
+  command->add_flag("--list", cohort.list,
+                    "print the ids of the subjects; with -v also threads, seconds and MB of a matching");
+  command->add_flag("--list-stages", cohort.list_stages,
+                    "print the stages: the rounds that the search for the atlas may take, and last");
+  command
+      ->add_option("--only", cohort.only, "match this subject alone, in the first stage that is not closed; repeatable")
       ->type_name("ID")
       ->allow_extra_args(false);
-  command->add_option("--shard", cohort.shard, "match the I-th, (I+N)-th, ... subject alone, likewise")->type_name("I/N");
-  command->add_option("--stage", cohort.stage, "with --only, --shard or --collect: this stage; nothing where the atlas is found before it")->type_name("ROUND|last");
-  command->add_flag("--collect", cohort.collect, "match nothing: close the rounds that are complete, and write tables, model and report");
+  command->add_option("--shard", cohort.shard, "match the I-th, (I+N)-th, ... subject alone, likewise")
+      ->type_name("I/N");
+  command
+      ->add_option("--stage", cohort.stage,
+                   "with --only, --shard or --collect: this stage; nothing where the atlas is found before it")
+      ->type_name("ROUND|last");
+  command->add_flag("--collect", cohort.collect,
+                    "match nothing: close the rounds that are complete, and write tables, model and report");
   command->add_option("--program", cohort.program, "another build of shellmatch to run")->type_name("FILE");
   command->add_flag("--options", cohort.options, "print every option of a cohort's file");
   add_verbosity(*command, cohort.verbosity, "more, where there is more");
@@ -83,17 +114,22 @@ void describe(CLI::App& app, CurvatureCommand& curvature) {
   add_output_settings(*command, curvature.settings, "output folder (required)");
   command->add_option("--degree", curvature.degree, "of the polynomials fitted to a mesh, 2 to 4; 2 if not given")
       ->type_name("N");
-  command->add_option("--rings", curvature.rings, "of neighbours that the fit to the mesh takes in, 1 to 10; 2 if not given")
+  command
+      ->add_option("--rings", curvature.rings,
+                   "of neighbours that the fit to the mesh takes in, 1 to 10; 2 if not given")
       ->type_name("N");
 }
 
 void describe(CLI::App& app, CheckGradientCommand& check_gradient) {
   CLI::App* command = add_command(app, "check-gradient", help_text::check_gradient, help_text::check_gradient_footer);
   command->add_option("CONFIG", check_gradient.config, "the YAML file")->required()->type_name("");
-  command->add_option("--level", check_gradient.level, "level of the grid; 5, in the plane 7, where the cascade has it")->type_name("L");
+  command->add_option("--level", check_gradient.level, "level of the grid; 5, in the plane 7, where the cascade has it")
+      ->type_name("L");
   command->add_option("--state", check_gradient.state, "the deformation to check at; random:0.03:1 where not given")
       ->type_name("identity|random:A[:SEED]|DIR");
-  command->add_option("--directions", check_gradient.directions, "random directions for the Taylor remainder; 2 where not given")
+  command
+      ->add_option("--directions", check_gradient.directions,
+                   "random directions for the Taylor remainder; 2 where not given")
       ->type_name("N");
   command->add_option("--json", check_gradient.json, "write all figures to this file")->type_name("FILE");
   add_experiment_settings(*command, check_gradient.settings, "replace the file of --json if it exists", "every phase");

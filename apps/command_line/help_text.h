@@ -21,7 +21,8 @@ needed (memory, disk, permission); 4 --max-seconds or --max-memory was reached; 
 
 inline constexpr const char* match = "Match two shapes: two files in, an output folder out. No YAML is needed.";
 
-inline constexpr const char* match_footer = R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP, GIfTI, FreeSurfer, glTF, 3MF, COLLADA), labels of volumes (NIfTI, NRRD, MetaImage, VTI; scan.nii.gz:3 or
+inline constexpr const char* match_footer =
+    R"(Shapes are closed surfaces (OBJ, PLY, OFF, STL, VTK, VTP, GIfTI, FreeSurfer, glTF, 3MF, COLLADA), labels of volumes (NIfTI, NRRD, MetaImage, VTI; scan.nii.gz:3 or
 "scan.nii.gz:>0.5", otherwise all above 0), closed contours in the plane (CSV) or pictures of them (PNG, PGM, TIFF, JPEG, BMP; cells.png:3 is one label), or built-in ones by name, as generate:hand/bent (`shellmatch generate --list`). Both must be of the same dimension.
 
 Examples:
@@ -31,7 +32,8 @@ Examples:
 
 inline constexpr const char* run = "Run an experiment that a YAML file describes.";
 
-inline constexpr const char* run_footer = R"(`shellmatch config` prints a YAML file with every option, ready to be edited. Options given here win over the
+inline constexpr const char* run_footer =
+    R"(`shellmatch config` prints a YAML file with every option, ready to be edited. Options given here win over the
 file's, and --set over the named ones.
 
 Examples:
@@ -57,9 +59,11 @@ inline constexpr const char* generate_footer = R"(Examples:
   shellmatch generate hand -o pointing.ply --set bend_middle=50 --set bend_ring=50 --edge-length 0.01
 The same names serve as inputs elsewhere, as in `shellmatch match generate:hand generate:hand/bent -o out`.)";
 
-inline constexpr const char* apply = "Move something else by a deformation that was found: a mesh, a contour, points or a volume; or write its fields.";
+inline constexpr const char* apply =
+    "Move something else by a deformation that was found: a mesh, a contour, points or a volume; or write its fields.";
 
-inline constexpr const char* apply_footer = R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
+inline constexpr const char* apply_footer =
+    R"(The file is in the coordinates of the reference that was matched, the result in those of the template. Points
 outside the domain move with the nearest point of the domain. With --inverse the file is in the coordinates of the template, and the result in
 those of the reference. With --keep-pose the result stays where the reference lies: it is deformed, but neither turned, moved nor scaled
 by the motion that alignment found. Together with --inverse the file lies there.
@@ -79,7 +83,8 @@ Examples:
   shellmatch apply out labels.nii.gz -o on_template.nii.gz --like template.nii.gz
   shellmatch apply out --displacement field.nii.gz --log-jacobian growth.nii.gz --like reference.nii.gz)";
 
-inline constexpr const char* inspect = "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
+inline constexpr const char* inspect =
+    "Say what the program thinks of a shape: dimension, pieces, size, genus, what was mended, and levels that suit it.";
 
 inline constexpr const char* inspect_footer = R"(Examples:
   shellmatch inspect shape.ply
@@ -88,7 +93,8 @@ inline constexpr const char* inspect_footer = R"(Examples:
 inline constexpr const char* curvature =
     "Compare the curvatures that the grids see of a shape with fits to its mesh and, where there is one, a formula.";
 
-inline constexpr const char* curvature_footer = R"(One grid for each of the levels, refined at the shape as for a matching. The output folder holds summary.json,
+inline constexpr const char* curvature_footer =
+    R"(One grid for each of the levels, refined at the shape as for a matching. The output folder holds summary.json,
 curvature.ply (the finest level; curvature.csv for contours), pictures/ and config.yaml.
 
 Examples:
@@ -97,10 +103,12 @@ Examples:
   shellmatch curvature generate:ellipsoid/long -o marched --set coefficients.distance=fast_marching)";
 
 inline constexpr const char* check_gradient =
-    "Check the derivatives of an experiment's energy, term by term: order of the Taylor remainder, element functors with "
+    "Check the derivatives of an experiment's energy, term by term: order of the Taylor remainder, element functors "
+    "with "
     "dual numbers, differences, Ceres' checker, and symmetry and sign of the Newton model.";
 
-inline constexpr const char* check_gradient_footer = R"(The grid and the energy are those of the cascade at the end of the level. The deformation is identity,
+inline constexpr const char* check_gradient_footer =
+    R"(The grid and the energy are those of the cascade at the end of the level. The deformation is identity,
 random:AMPLITUDE[:SEED] (in sides of the domain), or the output folder of a run. Exit code 1 where a derivative is wrong.
 
 Examples:
@@ -109,9 +117,11 @@ Examples:
   shellmatch check-gradient configs/leaf.yaml --state random:0.05:7 --set energy.volume=full)";
 
 inline constexpr const char* self_test =
-    "Check what this program computes on this machine against what is known: closed forms, gradients, certificates of folds, small matches.";
+    "Check what this program computes on this machine against what is known: closed forms, gradients, certificates of "
+    "folds, small matches.";
 
-inline constexpr const char* self_test_footer = R"(A table of figures and bounds; exit code 1 where one exceeds its bound. It writes no files.
+inline constexpr const char* self_test_footer =
+    R"(A table of figures and bounds; exit code 1 where one exceeds its bound. It writes no files.
 
 Examples:
   shellmatch self-test
@@ -119,7 +129,8 @@ Examples:
 
 inline constexpr const char* view = "Open the page of a result in the browser.";
 
-inline constexpr const char* view_footer = R"(A run writes report.html into its output folder: shapes to turn, time and level to slide over, colours, the verdict's places,
+inline constexpr const char* view_footer =
+    R"(A run writes report.html into its output folder: shapes to turn, time and level to slide over, colours, the verdict's places,
 plots, figures and options in one file that needs no network (docs/report.md). Its name is printed; where there is no display, open it elsewhere.
 
 Examples:
@@ -128,7 +139,8 @@ Examples:
 
 inline constexpr const char* render = "Draw a result with a chosen view: a picture or an animation.";
 
-inline constexpr const char* render_footer = R"(It reads the output folder, and the reference that its config.yaml names. Pictures of surfaces in SVG and PDF are placed as pixels; text and scales are lines.
+inline constexpr const char* render_footer =
+    R"(It reads the output folder, and the reference that its config.yaml names. Pictures of surfaces in SVG and PDF are placed as pixels; text and scales are lines.
 
 Examples:
   shellmatch render out/hand -o hand.png --show all --color distance
@@ -137,16 +149,19 @@ Examples:
   shellmatch render out/hand -o turn.webp --motion turntable --frames 90 --seconds 6 --size 400
   shellmatch render out/hand -o morph --motion morph; ffmpeg -i morph/frame_%04d.png -pix_fmt yuv420p morph.mp4)";
 
-inline constexpr const char* config = "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
+inline constexpr const char* config =
+    "Print every option with its default, range, unit and meaning, as a YAML file that is ready to be edited.";
 
 inline constexpr const char* config_footer = R"(Examples:
   shellmatch config > experiment.yaml
   shellmatch config --profile paper
   shellmatch config --markdown)";
 
-inline constexpr const char* cohort = "Match one shape onto many, and compute their mean, modes of variation and differences of groups.";
+inline constexpr const char* cohort =
+    "Match one shape onto many, and compute their mean, modes of variation and differences of groups.";
 
-inline constexpr const char* cohort_footer = R"(An atlas is deformed onto every subject, so that all have the same points. It is a shape that is given, or the subjects'
+inline constexpr const char* cohort_footer =
+    R"(An atlas is deformed onto every subject, so that all have the same points. It is a shape that is given, or the subjects'
 mean: all are matched, the mean becomes the next atlas, until it converges. Each matching is a process of its own: one that fails costs its own row
 only. The same command again goes on where it was stopped, and matches only what is new. docs/cohorts.md describes the file and the output folder.
 
@@ -157,9 +172,11 @@ Examples:
   shellmatch cohort cohort.yaml                                              (out/cohort; --options prints what can be in it)
   shellmatch cohort cohort.yaml --shard 3/16; shellmatch cohort cohort.yaml --collect)";
 
-inline constexpr const char* study = "Run a comparison study that a YAML file describes: problems x solvers x metrics x parameters.";
+inline constexpr const char* study =
+    "Run a comparison study that a YAML file describes: problems x solvers x metrics x parameters.";
 
-inline constexpr const char* study_footer = R"(Each run is a process of its own with limits of time and memory: a run that crashes, hangs or takes too much costs
+inline constexpr const char* study_footer =
+    R"(Each run is a process of its own with limits of time and memory: a run that crashes, hangs or takes too much costs
 its own row of the table only. The same command again goes on where it was stopped; runs that have a result of the
 same configuration are not run again. docs/studies.md describes the file and the output folder.
 

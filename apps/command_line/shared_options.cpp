@@ -36,23 +36,32 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, cons
 }
 
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const char* more) {
-  command.add_flag_function("-q,--quiet", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::quiet); }, "errors only");
-  command.add_flag_function("-v,--verbose", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::verbose); }, more);
+  command.add_flag_function(
+      "-q,--quiet", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::quiet); }, "errors only");
+  command.add_flag_function(
+      "-v,--verbose", [&](std::int64_t) { set_verbosity(verbosity, Verbosity::verbose); }, more);
 }
 
-void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning, const char* verbose_meaning) {
-  command.add_option("--placement", settings.placement,
-                     "fit moves both shapes into the unit domain together, as-is leaves them where they are")
+void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning,
+                             const char* verbose_meaning) {
+  command
+      .add_option("--placement", settings.placement,
+                  "fit moves both shapes into the unit domain together, as-is leaves them where they are")
       ->type_name("fit|as-is");
-  command.add_option("--align", settings.align,
-                     "auto finds the pose and pairs of points before the matching (docs/alignment.md)")
+  command
+      .add_option("--align", settings.align,
+                  "auto finds the pose and pairs of points before the matching (docs/alignment.md)")
       ->type_name("none|auto|rigid|similarity|landmarks");
-  command.add_option("--landmarks", settings.landmarks, "points that correspond: CSV, .fcsv, .mrk.json or .tps (docs/landmarks.md)")
+  command
+      .add_option("--landmarks", settings.landmarks,
+                  "points that correspond: CSV, .fcsv, .mrk.json or .tps (docs/landmarks.md)")
       ->type_name("FILE");
-  command.add_option("--template-landmarks", settings.template_landmarks,
-                     "file of the template's points, where --landmarks has those of the reference alone")
+  command
+      .add_option("--template-landmarks", settings.template_landmarks,
+                  "file of the template's points, where --landmarks has those of the reference alone")
       ->type_name("FILE");
-  command.add_flag("--strict", settings.strict, "refuse meshes that are not closed, instead of closing them (docs/closing.md)");
+  command.add_flag("--strict", settings.strict,
+                   "refuse meshes that are not closed, instead of closing them (docs/closing.md)");
   command.add_option("--profile", settings.profile, meaning_of("profile"))->type_name("default|paper");
   command.add_option("--threads", settings.threads, meaning_of("threads"))->type_name("N");
   command.add_option("--set", settings.assignments, "any other option (`shellmatch config` lists them); repeatable")
@@ -70,8 +79,11 @@ void add_output_settings(CLI::App& command, RunSettings& settings, const std::st
 }
 
 void add_limits(CLI::App& command, Limits& limits) {
-  command.add_option("--max-seconds", limits.seconds, "stop in order after this time (exit code 4)")->type_name("SECONDS");
-  command.add_option("--max-memory", limits.memory, "stop in order before more is used (exit code 4); runs of a study or cohort together")
+  command.add_option("--max-seconds", limits.seconds, "stop in order after this time (exit code 4)")
+      ->type_name("SECONDS");
+  command
+      .add_option("--max-memory", limits.memory,
+                  "stop in order before more is used (exit code 4); runs of a study or cohort together")
       ->type_name("800MB|4GB");
 }
 

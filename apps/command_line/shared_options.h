@@ -20,7 +20,8 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* meaning, cons
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const char* more);
 
 /// The options that all commands reading an experiment share.
-void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning, const char* verbose_meaning);
+void add_experiment_settings(CLI::App& command, RunSettings& settings, const char* force_meaning,
+                             const char* verbose_meaning);
 
 /// Those, and an output folder and levels.
 void add_output_settings(CLI::App& command, RunSettings& settings, const std::string& output_meaning);

@@ -26,7 +26,9 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-std::string element(std::string_view tag, std::string_view text) { return fmt::format("      <{}>{}</{}>\n", tag, escaped(text), tag); }
+std::string element(std::string_view tag, std::string_view text) {
+  return fmt::format("      <{}>{}</{}>\n", tag, escaped(text), tag);
+}
 
 // Options of the command line that stand for one of an experiment.
 constexpr std::pair<std::string_view, std::string_view> keys[] = {
@@ -69,7 +71,8 @@ Parameter named(const CLI::Option& option, const std::string& name, const Option
   const std::string type = option.get_type_name();
   if (option.get_items_expected_max() == 0) return {"boolean", "", element("default", "false")};
   if (type == "DIR") return {"directory", "", element("channel", "output")};
-  if (type == "FILE" && name == "output") return file_parameter(fmt::format("{},.mrk.json,.fcsv,.csv,.tps,{}", meshes, volumes), "output");
+  if (type == "FILE" && name == "output")
+    return file_parameter(fmt::format("{},.mrk.json,.fcsv,.csv,.tps,{}", meshes, volumes), "output");
   if (type == "FILE") return file_parameter(".mrk.json,.fcsv,.csv", "input");
   if (type == "VOLUME") return file_parameter(volumes, name == "like" ? "input" : "output");
   if (node != nullptr && node->kind == OptionKind::choice) {
@@ -78,9 +81,11 @@ Parameter named(const CLI::Option& option, const std::string& name, const Option
     return parameter;
   }
   if (node != nullptr && node->kind == OptionKind::integer)
-    return {"integer", "", element("default", fmt::format("{}", std::get<int>(node->get().front()))) +
-                               fmt::format("      <constraints>\n        <minimum>{}</minimum>\n        <maximum>{}</maximum>\n        <step>1</step>\n      </constraints>\n",
-                                           node->info.min, node->info.max)};
+    return {"integer", "",
+            element("default", fmt::format("{}", std::get<int>(node->get().front()))) +
+                fmt::format("      <constraints>\n        <minimum>{}</minimum>\n        <maximum>{}</maximum>\n       "
+                            " <step>1</step>\n      </constraints>\n",
+                            node->info.min, node->info.max)};
   return {"string", option.get_items_expected_max() > 1 ? " multiple=\"true\"" : "", ""};
 }
 
@@ -90,9 +95,10 @@ std::string label_of(std::string name) {
   return name;
 }
 
-std::string parameter_text(const Parameter& p, const std::string& name, const std::string& place, const std::string& description) {
-  return fmt::format("    <{}{}>\n{}{}{}{}{}    </{}>\n", p.tag, p.attributes, element("name", name), place, element("label", label_of(name)),
-                     element("description", description), p.more, p.tag);
+std::string parameter_text(const Parameter& p, const std::string& name, const std::string& place,
+                           const std::string& description) {
+  return fmt::format("    <{}{}>\n{}{}{}{}{}    </{}>\n", p.tag, p.attributes, element("name", name), place,
+                     element("label", label_of(name)), element("description", description), p.more, p.tag);
 }
 
 }  // namespace
@@ -117,15 +123,21 @@ std::string slicer_module_xml(const CLI::App& command) {
     std::string description = option->get_description();
     // The words between which a text chooses, and its form, stand in the help as its type.
     if (p.tag == "string") description += fmt::format(" ({})", option->get_type_name());
-    (p.tag == "file" || p.tag == "directory" ? main : further) += parameter_text(p, name, element("longflag", name), description);
+    (p.tag == "file" || p.tag == "directory" ? main : further) +=
+        parameter_text(p, name, element("longflag", name), description);
   }
   const std::string title = "Shellmatch " + command.get_name();
-  return fmt::format("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Surface Models.Registration</category>\n  <title>{}</title>\n"
-                     "  <description>{}</description>\n  <version>" SHELLMATCH_VERSION "</version>\n  <documentation-url></documentation-url>\n"
-                     "  <license></license>\n  <contributor></contributor>\n"
-                     "  <parameters>\n    <label>Shapes and files</label>\n    <description>What is read and written</description>\n{}  </parameters>\n"
-                     "  <parameters advanced=\"true\">\n    <label>Options</label>\n    <description>As on the command line</description>\n{}  </parameters>\n</executable>\n",
-                     escaped(title), escaped(command.get_description()), main, further);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Surface Models.Registration</category>\n  "
+      "<title>{}</title>\n"
+      "  <description>{}</description>\n  <version>" SHELLMATCH_VERSION
+      "</version>\n  <documentation-url></documentation-url>\n"
+      "  <license></license>\n  <contributor></contributor>\n"
+      "  <parameters>\n    <label>Shapes and files</label>\n    <description>What is read and "
+      "written</description>\n{}  </parameters>\n"
+      "  <parameters advanced=\"true\">\n    <label>Options</label>\n    <description>As on the command "
+      "line</description>\n{}  </parameters>\n</executable>\n",
+      escaped(title), escaped(command.get_description()), main, further);
 }
 
 }  // namespace shellmatch

@@ -34,7 +34,8 @@ void set_handlers(void (*handler)(int)) {
 extern "C" void end_unheard(int) {
   if (heard) return;
   constexpr char text[] = "shellmatch: stopped at once, within a step that cannot be interrupted\n";
-  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) {}  // nothing is left to be done where nobody listens
+  if (write(STDERR_FILENO, text, sizeof text - 1) < 0) {
+  }  // nothing is left to be done where nobody listens
   _exit(128 + requested);
 }
 

@@ -34,11 +34,12 @@ std::pair<double, std::string> number_and_rest(const std::string& text) {
 // Looks at the resident memory of this process every hundredth of a second, on a thread of its own.
 class MemoryWatch {
  public:
-  explicit MemoryWatch(std::uint64_t bytes) : thread_([this, bytes](const std::stop_token& ended) {
-    std::unique_lock lock(mutex_);
-    while (!wake_.wait_for(lock, ended, std::chrono::milliseconds(10), [&] { return ended.stop_requested(); }))
-      if (resident_memory_bytes() > bytes) is_exceeded_ = true;
-  }) {}
+  explicit MemoryWatch(std::uint64_t bytes)
+      : thread_([this, bytes](const std::stop_token& ended) {
+          std::unique_lock lock(mutex_);
+          while (!wake_.wait_for(lock, ended, std::chrono::milliseconds(10), [&] { return ended.stop_requested(); }))
+            if (resident_memory_bytes() > bytes) is_exceeded_ = true;
+        }) {}
   bool is_exceeded() const { return is_exceeded_; }
 
  private:
@@ -82,7 +83,8 @@ StopCause stop_cause() {
 KeptLimits::KeptLimits(const Limits& limits, Memory memory) : limits_(limits) {
   const double seconds = parse_seconds(limits.seconds);
   const std::uint64_t bytes = parse_memory(limits.memory);
-  if (seconds > 0) deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  if (seconds > 0)
+    deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   set_memory_limit_bytes(bytes);
   if (bytes > 0 && memory == Memory::of_process) {
     watch.emplace(bytes);

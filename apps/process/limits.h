@@ -24,8 +24,8 @@ double parse_seconds(const std::string& text);
 StopCause stop_cause();
 
 /// Keeps the limits of one command, of which there is one in a process, while it lives: parallel loops end with Stopped
-/// (base/stop.h) once a limit is exceeded or a signal has come. Resident memory is looked at every hundredth of a second; estimates
-/// (matching/cascade/level_memory.h) end a matching before a level that would exceed it.
+/// (base/stop.h) once a limit is exceeded or a signal has come. Resident memory is looked at every hundredth of a
+/// second; estimates (matching/cascade/level_memory.h) end a matching before a level that would exceed it.
 class KeptLimits {
  public:
   /// What the limit of memory holds for.

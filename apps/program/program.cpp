@@ -36,35 +36,43 @@ int fail(int code, const std::string& text) {
 bool has_levels(const Invocation& invocation) {
   return std::visit(
       []<class C>(const C&) {
-        return std::is_same_v<C, MatchCommand> || std::is_same_v<C, RunCommand> || std::is_same_v<C, CurvatureCommand> ||
-               std::is_same_v<C, CohortCommand> || std::is_same_v<C, StudyCommand>;
+        return std::is_same_v<C, MatchCommand> || std::is_same_v<C, RunCommand> ||
+               std::is_same_v<C, CurvatureCommand> || std::is_same_v<C, CohortCommand> ||
+               std::is_same_v<C, StudyCommand>;
       },
       invocation.command);
 }
 
 // What to do where a limit was reached; the message before it says what has been kept.
 int fail_at_limit(const Invocation& invocation, const KeptLimits& limits, StopCause cause, const std::string& text) {
-  const char* advice = cause != StopCause::memory_limit ? "" : has_levels(invocation) ? "; give more, or match to a lower finest level (--levels)" : "; give more";
+  const char* advice = cause != StopCause::memory_limit ? ""
+                       : has_levels(invocation)         ? "; give more, or match to a lower finest level (--levels)"
+                                                        : "; give more";
   return fail(limit_reached, fmt::format("{}: {}{}", limits.text(cause), text, advice));
 }
 
 int perform(const Invocation& invocation) {
-  const bool has_runs = std::holds_alternative<StudyCommand>(invocation.command) || std::holds_alternative<CohortCommand>(invocation.command);
+  const bool has_runs = std::holds_alternative<StudyCommand>(invocation.command) ||
+                        std::holds_alternative<CohortCommand>(invocation.command);
   const KeptLimits limits(invocation.limits, has_runs ? KeptLimits::Memory::of_runs : KeptLimits::Memory::of_process);
   try {
     std::visit([](const auto& c) { execute(c); }, invocation.command);
     if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
     return success;
   } catch (const Stopped& stopped) {
-    if (stopped.cause() != StopCause::request) return fail_at_limit(invocation, limits, stopped.cause(), stopped.what());
+    if (stopped.cause() != StopCause::request)
+      return fail_at_limit(invocation, limits, stopped.cause(), stopped.what());
     std::fputs(fmt::format("shellmatch: {}\n", printable(stopped.what(), max_message_length)).c_str(), stderr);
     return interrupt_exit_code();
   } catch (const MemoryError& want) {
     if (invocation.limits.memory.empty()) throw;
     return fail_at_limit(invocation, limits, StopCause::memory_limit, want.what());
   } catch (const std::bad_alloc&) {
-    if (!invocation.limits.memory.empty()) return fail_at_limit(invocation, limits, StopCause::memory_limit, "not enough memory");
-    return fail(environment_error, has_levels(invocation) ? "not enough memory; a lower finest level (--levels) needs less" : "not enough memory");
+    if (!invocation.limits.memory.empty())
+      return fail_at_limit(invocation, limits, StopCause::memory_limit, "not enough memory");
+    return fail(environment_error, has_levels(invocation)
+                                       ? "not enough memory; a lower finest level (--levels) needs less"
+                                       : "not enough memory");
   }
 }
 

@@ -33,9 +33,8 @@ class CohortProgress final : public RunsProgress, public CohortObserver {
     say(fmt::format("{}: {} subject{}", stage.name(), n_subjects, n_subjects == 1 ? "" : "s"));
   }
   void round_ended(const AtlasRound& round) override {
-    say(fmt::format(
-        "round {}: the mean of {} subjects is {:.2g} diagonals from the atlas (their spread: {:.2g})",
-        round.round, round.n_subjects, round.change, round.spread));
+    say(fmt::format("round {}: the mean of {} subjects is {:.2g} diagonals from the atlas (their spread: {:.2g})",
+                    round.round, round.n_subjects, round.change, round.spread));
   }
   void note(const std::string& text) override { say(text); }
 };
@@ -59,8 +58,7 @@ Cohort cohort_of(const CohortCommand& command) {
   // An atlas that is named is meant to be it.
   if (!command.atlas.empty() && command.kind.empty() && file.empty())
     words.overrides.push_back({"atlas.kind", "given", "--atlas"});
-  if (!command.kind.empty())
-    words.overrides.push_back({"atlas.kind", command.kind, "--kind " + command.kind});
+  if (!command.kind.empty()) words.overrides.push_back({"atlas.kind", command.kind, "--kind " + command.kind});
   if (!command.atlas_landmarks.empty())
     words.overrides.push_back({"atlas.landmarks", command.atlas_landmarks, "--atlas-landmarks"});
   RunSettings settings;
@@ -102,8 +100,7 @@ std::vector<std::size_t> only(const Cohort& cohort, const std::vector<std::strin
 
 // Sets the part; false where a shard is empty, as there are more of them than subjects.
 bool choose_part(const CohortCommand& command, const Cohort& cohort, CohortPart& part) {
-  if (!command.only.empty() && !command.shard.empty())
-    throw_input_error("--only and --shard exclude each other");
+  if (!command.only.empty() && !command.shard.empty()) throw_input_error("--only and --shard exclude each other");
   if (command.collect && (!command.only.empty() || !command.shard.empty()))
     throw_input_error("--collect is for the whole cohort, not for --only or --shard");
   part.collect = command.collect;
@@ -150,8 +147,7 @@ void execute(const CohortCommand& command) {
   Cohort cohort = cohort_of(command);
   const int threads = std::max(1, cohort.experiment.threads);
   const TaskSettings settings{checked_program(command.program),
-                              number_of_jobs(command.jobs, std::max(1, n_threads() / threads)),
-                              command.retry};
+                              number_of_jobs(command.jobs, std::max(1, n_threads() / threads)), command.retry};
   if (command.list) return list(cohort, command);
   if (command.list_stages) return list_stages(cohort);
   if (command.output.empty() && cohort.name == "cohort")
@@ -163,13 +159,13 @@ void execute(const CohortCommand& command) {
   check_inputs_are_kept(cohort, output);
   if (!is_its_own(cohort, output + "/cohort.yaml")) check_copy_place(output + "/cohort.yaml", to_yaml(cohort));
   const RunsFolder folder(output, cohort_folder_kind, part.subjects.empty());
-  if (const std::string copy = folder.path() + "/cohort.yaml"; !is_its_own(cohort, copy)) keep_copy(copy, to_yaml(cohort));
+  if (const std::string copy = folder.path() + "/cohort.yaml"; !is_its_own(cohort, copy))
+    keep_copy(copy, to_yaml(cohort));
   keep_memory_of_runs(cohort.options.limits, settings.jobs);
   catch_interrupts();
   CohortProgress progress(command.verbosity == Verbosity::quiet);
   CohortOutcome outcome = run_cohort(cohort, folder, settings, part, progress);
-  if (outcome.end == CohortEnd::stopped)
-    throw Stopped(matchings_are_kept(output), stop_cause());
+  if (outcome.end == CohortEnd::stopped) throw Stopped(matchings_are_kept(output), stop_cause());
   if (outcome.end == CohortEnd::in_part) return;
   std::vector<std::string> notes;
   std::string without_result;

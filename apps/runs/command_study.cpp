@@ -49,13 +49,14 @@ std::optional<std::string> folder_in(const std::string& text) {
   return std::nullopt;
 }
 
-// The study's text with the folder to which its paths are relative, so that the copy can be run from where it lies. Unchanged where the text
-// names a folder, or has a form in which none can be added.
+// The study's text with the folder to which its paths are relative, so that the copy can be run from where it lies.
+// Unchanged where the text names a folder, or has a form in which none can be added.
 std::string text_of_copy(const Study& study) {
   const std::string text = contents_of(study.file);
   if (folder_in(text)) return text;
   const std::string& chosen = study.options.folder;
-  const std::string folder = chosen.empty() ? std::filesystem::absolute(study.file).parent_path().lexically_normal().string() : chosen;
+  const std::string folder =
+      chosen.empty() ? std::filesystem::absolute(study.file).parent_path().lexically_normal().string() : chosen;
   const std::string entry = "folder: " + scalar_text(folder, OptionKind::text);
   // A map in braces, or one with a key on each line.
   std::size_t begin = 0;
@@ -111,7 +112,8 @@ void execute(const StudyCommand& command) {
   catch_interrupts();
   RunsProgress progress(command.verbosity == Verbosity::quiet);
   if (!command.collect && !run_tasks(tasks_of(runs), study.options.limits, folder, settings, progress))
-    throw Stopped(fmt::format("stopped; the same command goes on where it was (results so far: {})", output), stop_cause());
+    throw Stopped(fmt::format("stopped; the same command goes on where it was (results so far: {})", output),
+                  stop_cause());
   if (command.only.empty()) {
     collect_study(study, all, folder);
     progress.say(fmt::format("written: {}/summary.md", output));

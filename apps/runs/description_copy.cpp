@@ -38,12 +38,16 @@ void check_copy_place(const std::string& path, const std::string& text) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) return;
   const std::string contents = contents_of(path);
   if (contents != text && !is_marked(contents))
-    throw_input_error("{}: is not replaced, since it has been written or edited by somebody; move it, or choose another folder with -o", path);
+    throw_input_error(
+        "{}: is not replaced, since it has been written or edited by somebody; move it, or choose another folder with "
+        "-o",
+        path);
 }
 
 void keep_copy(const std::string& path, const std::string& text) {
   check_copy_place(path, text);
-  if (const std::string contents = contents_of(path); contents != text && contents != marked(text)) replace_file(path, marked(text));
+  if (const std::string contents = contents_of(path); contents != text && contents != marked(text))
+    replace_file(path, marked(text));
 }
 
 }  // namespace shellmatch

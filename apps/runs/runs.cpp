@@ -40,8 +40,7 @@ std::string RunsProgress::place() const {
 bool RunsProgress::stop_requested() { return stop_cause() != StopCause::none; }
 
 void RunsProgress::say(const std::string& text) const {
-  if (!is_quiet_)
-    say_line("shellmatch: " + text);
+  if (!is_quiet_) say_line("shellmatch: " + text);
 }
 
 int number_of_jobs(const std::string& text, int fallback) {

@@ -90,7 +90,8 @@ void Progress::beat() {
   const std::optional<ActivityState> activity = last_activity();
   const std::string part = activity && activity->name != doing_ ? ", " + activity->name : "";
   const double here = now() - doing_since_;
-  rewrite(fmt::format("{}{}: {:.0f} s{}{}", doing_, part, here, now() - here >= 1 ? fmt::format(" of {:.0f} s so far", now()) : "",
+  rewrite(fmt::format("{}{}: {:.0f} s{}{}", doing_, part, here,
+                      now() - here >= 1 ? fmt::format(" of {:.0f} s so far", now()) : "",
                       has_estimate_ ? left() : left_of(activity)));
 }
 
@@ -111,14 +112,16 @@ void Progress::stage(const std::string& name) {
   doing_since_ = now();
   has_estimate_ = false;
   if (terminal_) rewrite(name);
-  else if (now() > 0.05 || verbosity_ == Verbosity::verbose) line(fmt::format("{} ({:.1f} s)", name, now()));  // what begins at once needs no word
+  else if (now() > 0.05 || verbosity_ == Verbosity::verbose)
+    line(fmt::format("{} ({:.1f} s)", name, now()));  // what begins at once needs no word
 }
 
 void Progress::trial_iterated() {
   stop_if_wanted();
   const std::lock_guard lock(mutex_);
   doing_ = "alignment, starts are tried";
-  if (terminal_ && now() - last_rewrite_ > 0.1) rewrite(fmt::format("alignment: starts are tried, {:.0f} s so far", now()));
+  if (terminal_ && now() - last_rewrite_ > 0.1)
+    rewrite(fmt::format("alignment: starts are tried, {:.0f} s so far", now()));
 }
 
 void Progress::minimisation_started(const LevelStart& start) {
@@ -128,7 +131,8 @@ void Progress::minimisation_started(const LevelStart& start) {
   has_estimate_ = true;
   doing_ = place(start, max_level_);
   doing_since_ = now();
-  std::string text = fmt::format("{}: {} nodes, {} of them free, {} cells", doing_, start.n_nodes, start.n_free_nodes, start.n_cells);
+  std::string text =
+      fmt::format("{}: {} nodes, {} of them free, {} cells", doing_, start.n_nodes, start.n_free_nodes, start.n_cells);
   if (verbosity_ == Verbosity::verbose)
     text += fmt::format(", nu {:.3g}, c_vol {:.3g}, sigma {:.3g}", start.nu, start.volume_weight, start.sigma);
   if (terminal_) rewrite(text);
@@ -139,9 +143,10 @@ bool Progress::iterated(const LevelStart& start, const IterationRecord& record) 
   stop_if_wanted();
   const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::verbose) {
-    line(fmt::format("{}, iteration {}: energy {:.6e}, terms {:.4e}, gradient {:.3e}, step {:.3e}, {} evaluations, {:.2f} s",
-                     place(start, max_level_), record.iteration, record.value, fmt::join(record.terms, " "),
-                     record.gradient_norm, record.step, record.value_evaluations, record.seconds));
+    line(fmt::format(
+        "{}, iteration {}: energy {:.6e}, terms {:.4e}, gradient {:.3e}, step {:.3e}, {} evaluations, {:.2f} s",
+        place(start, max_level_), record.iteration, record.value, fmt::join(record.terms, " "), record.gradient_norm,
+        record.step, record.value_evaluations, record.seconds));
   } else if (terminal_ && now() - last_rewrite_ > 0.1) {
     rewrite(fmt::format("{}, iteration {}: energy {:.4e}, {:.0f} s so far{}", place(start, max_level_),
                         record.iteration, record.value, now(), left()));
@@ -162,7 +167,8 @@ void Progress::minimisation_finished(const LevelStart& start, const MinimizerSum
   line(fmt::format("{}: energy {:.4e} after {} iterations in {:.1f} s ({}){}", place(start, max_level_),
                    summary.final_value, summary.iterations, summary.seconds, enum_name(summary.reason),
                    start.level < max_level_ ? left() : ""));
-  for (const LibraryReport& report : summary.library_reports) line(verbosity_ == Verbosity::verbose ? report.full : report.brief);
+  for (const LibraryReport& report : summary.library_reports)
+    line(verbosity_ == Verbosity::verbose ? report.full : report.brief);
 }
 
 }  // namespace shellmatch

@@ -14,9 +14,10 @@
 
 namespace shellmatch {
 
-/// Writes to stderr. On a terminal, one line with the stage, energy and estimated time is rewritten, at least once a second, and one
-/// line per finished level stays; elsewhere each stage and each minimisation writes a line at its beginning, and minimisations also at
-/// their end. Between stages and iterations the observer stops the run on request (base/stop.h).
+/// Writes to stderr. On a terminal, one line with the stage, energy and estimated time is rewritten, at least once a
+/// second, and one line per finished level stays; elsewhere each stage and each minimisation writes a line at its
+/// beginning, and minimisations also at their end. Between stages and iterations the observer stops the run on request
+/// (base/stop.h).
 class Progress final : public Observer {
  public:
   Progress(Verbosity verbosity, int max_level);
@@ -41,14 +42,14 @@ class Progress final : public Observer {
   void rewrite(const std::string& text);  // writes a line that the next one replaces
   void clear();
   void beat();
-  std::string left() const;               // the estimate with a comma before it, or nothing
+  std::string left() const;  // the estimate with a comma before it, or nothing
 
   Verbosity verbosity_;
   int max_level_;
-  bool terminal_;            // stderr is a terminal, on which lines are rewritten
-  bool pending_ = false;     // the last line is one to be replaced
+  bool terminal_;         // stderr is a terminal, on which lines are rewritten
+  bool pending_ = false;  // the last line is one to be replaced
   double last_rewrite_ = -1;
-  std::string doing_;        // the stage, or the place in the cascade
+  std::string doing_;  // the stage, or the place in the cascade
   double doing_since_ = 0;
   bool has_estimate_ = false;
   TimeLeft time_left_;

@@ -9,7 +9,8 @@
 namespace shellmatch {
 
 /// \param option for the message, "--rings" \throws InputError for a word that is no whole number of the range
-int whole_number(std::string_view word, std::string_view option, int least, int greatest = std::numeric_limits<int>::max());
+int whole_number(std::string_view word, std::string_view option, int least,
+                 int greatest = std::numeric_limits<int>::max());
 
 /// \throws InputError for a word that is no number of the range
 double number(std::string_view word, std::string_view option, double least = std::numeric_limits<double>::lowest(),

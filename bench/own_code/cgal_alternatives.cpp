@@ -21,9 +21,11 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Kernel::Triangle_3>;
 #if __has_include(<CGAL/AABB_traits_3.h>)
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>>>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>>>;
 #else
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
 #endif
 
 struct Built {
@@ -37,7 +39,8 @@ Distance cgal_distance(const Surface<3>& surface) {
   const auto built = std::make_shared<Built>();
   const auto point = [](const Vec<3>& x) { return Kernel::Point_3(x.x(), x.y(), x.z()); };
   for (const auto& f : surface.facets)
-    built->triangles.emplace_back(point(surface.vertices[f[0]]), point(surface.vertices[f[1]]), point(surface.vertices[f[2]]));
+    built->triangles.emplace_back(point(surface.vertices[f[0]]), point(surface.vertices[f[1]]),
+                                  point(surface.vertices[f[2]]));
   built->tree.insert(built->triangles.begin(), built->triangles.end());
   built->tree.build();
   built->tree.accelerate_distance_queries();

@@ -37,7 +37,8 @@ struct Nearest {
 bool visit(RTCPointQueryFunctionArguments* arguments) {
   auto& nearest = *static_cast<Nearest*>(arguments->userPtr);
   const auto facet = static_cast<Index>(arguments->primID);
-  const double distance = (closest_point_on_facet<3>(*nearest.surface, facet, nearest.point).point - nearest.point).norm();
+  const double distance =
+      (closest_point_on_facet<3>(*nearest.surface, facet, nearest.point).point - nearest.point).norm();
   if (!(distance < nearest.distance)) return false;
   nearest.distance = distance;
   arguments->query->radius = static_cast<float>(distance * (1 + 1e-6) + 1e-6);

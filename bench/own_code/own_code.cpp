@@ -108,20 +108,22 @@ void compare_distances(const Surface<3>& surface) {
       const double asked = cpu_seconds();
       for (const Vec<3>& x : points) found.push_back(distance(x));
       t.seconds[1] = cpu_seconds() - asked;
-      for (std::size_t i = 0; i < points.size(); ++i) t.found[0] = std::max(t.found[0], std::abs(found[i] - expected[i]));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        t.found[0] = std::max(t.found[0], std::abs(found[i] - expected[i]));
     };
   };
   const std::vector<Alternative> all{{"ours: `FacetTree`", trial_of(facet_tree_distance)},
                                      {"CGAL: `AABB_tree`", trial_of(cgal_distance)},
                                      {"Embree: `rtcPointQuery`", trial_of(embree_distance)}};
   const std::vector<Trial> trials = in_turn(all);
-  fmt::print("Closest points: {} triangles, {} nodes of a grid of level 7\n\n"
-             "| | built, ms | one point, ns | ratio | MB | largest difference |\n|---|---|---|---|---|---|\n",
-             surface.facets.size(), points.size());
+  fmt::print(
+      "Closest points: {} triangles, {} nodes of a grid of level 7\n\n"
+      "| | built, ms | one point, ns | ratio | MB | largest difference |\n|---|---|---|---|---|---|\n",
+      surface.facets.size(), points.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     fmt::print("| {} | {:.1f} | {:.0f} | {:.2f} | {:.1f} | {:.1g} |\n", all[i].name, 1e3 * trials[i].seconds[0],
-               1e9 * trials[i].seconds[1] / static_cast<double>(points.size()), trials[i].seconds[1] / trials[0].seconds[1],
-               trials[i].megabytes, trials[i].found[0]);
+               1e9 * trials[i].seconds[1] / static_cast<double>(points.size()),
+               trials[i].seconds[1] / trials[0].seconds[1], trials[i].megabytes, trials[i].found[0]);
 }
 
 std::optional<OriginalShape<3>> own_ply(const std::string& path) {
@@ -140,8 +142,12 @@ std::optional<GreyImage> own_pgm(const std::string& path) {
   }
 }
 
-bool same(const OriginalShape<3>& a, const OriginalShape<3>& b) { return a.vertices == b.vertices && a.polygons == b.polygons; }
-bool same(const GreyImage& a, const GreyImage& b) { return a.width == b.width && a.height == b.height && a.values == b.values; }
+bool same(const OriginalShape<3>& a, const OriginalShape<3>& b) {
+  return a.vertices == b.vertices && a.polygons == b.polygons;
+}
+bool same(const GreyImage& a, const GreyImage& b) {
+  return a.width == b.width && a.height == b.height && a.values == b.values;
+}
 
 // What comes of a file that is cut off, or of which bytes are altered.
 struct Damage {
@@ -152,17 +158,18 @@ struct Damage {
 };
 
 template <class Reader>
-Damage damage(const Reader& read, const std::string& folder, const std::string& whole, const std::string& name, bool cut) {
+Damage damage(const Reader& read, const std::string& folder, const std::string& whole, const std::string& name,
+              bool cut) {
   Damage result;
   std::mt19937 random(11);
   for (int trial = 0; trial < 100; ++trial) {
     std::string bytes = cut ? whole.substr(0, random() % whole.size()) : whole;
     for (int k = 0; !cut && k < 1 + trial % 4; ++k)
-      bytes[trial % 2 ? random() % std::min<std::size_t>(bytes.size(), 200) : random() % bytes.size()] = static_cast<char>(random());
+      bytes[trial % 2 ? random() % std::min<std::size_t>(bytes.size(), 200) : random() % bytes.size()] =
+          static_cast<char>(random());
     const std::string path = folder + "/" + name;
     replace_file(path, bytes);
-    const Trial t = run_trial(
-        [&](Trial& found) { found.found[0] = read(path) ? 1 : 0; }, 20);
+    const Trial t = run_trial([&](Trial& found) { found.found[0] = read(path) ? 1 : 0; }, 20);
     if (!t.returned) ++result.n_ended;
     else ++(t.found[0] == 0 ? result.n_refused : result.n_taken);
   }
@@ -188,8 +195,10 @@ void compare_readers(const std::string& title, const std::vector<FileReader<Thin
                      t.found[0] = thing && same(*thing, *expected) ? 1 : 0;
                    }});
   const std::vector<Trial> trials = in_turn(all);
-  fmt::print("\n{}, {:.1f} MB\n\n| | ms | ratio | MB | same result | cut off: of 100 | bytes altered: of 100 |\n|---|---|---|---|---|---|---|\n",
-             title, 1e-6 * static_cast<double>(std::filesystem::file_size(large)));
+  fmt::print(
+      "\n{}, {:.1f} MB\n\n| | ms | ratio | MB | same result | cut off: of 100 | bytes altered: of 100 "
+      "|\n|---|---|---|---|---|---|---|\n",
+      title, 1e-6 * static_cast<double>(std::filesystem::file_size(large)));
   const std::string whole = read_file_bytes(small), name = "damaged" + file_extension(small);
   for (std::size_t i = 0; i < all.size(); ++i)
     fmt::print("| {} | {:.1f} | {:.2f} | {:.1f} | {} | {} | {} |\n", all[i].name, 1e3 * trials[i].seconds[0],
@@ -211,7 +220,8 @@ GreyImage wavy_disc(int size) {
 
 std::string pgm_of(const GreyImage& image, const char* kind) {
   const std::string_view format = kind;
-  std::string bytes = fmt::format("{}\n{} {}\n{}\n", format.substr(0, 2), image.width, image.height, format == "P5 16" ? 65535 : 255);
+  std::string bytes =
+      fmt::format("{}\n{} {}\n{}\n", format.substr(0, 2), image.width, image.height, format == "P5 16" ? 65535 : 255);
   for (const float v : image.values) {
     if (format == "P2") bytes += v > 0.5f ? "255\n" : "0\n";
     else bytes.append(format == "P5 16" ? 2 : 1, v > 0.5f ? '\xff' : '\0');
@@ -246,28 +256,33 @@ void compare_masks() {
          t.found = {static_cast<double>(points.size()), worst, n_same / static_cast<double>(points.size()), 0};
        }}};
   const std::vector<Trial> trials = in_turn(all);
-  fmt::print("\nBorder of a mask of 1024 x 1024 pixels\n\n| | ms | ratio | MB | points | equal to the bit | largest difference, pixels |\n|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "\nBorder of a mask of 1024 x 1024 pixels\n\n| | ms | ratio | MB | points | equal to the bit | largest "
+      "difference, pixels |\n|---|---|---|---|---|---|---|\n");
   for (std::size_t i = 0; i < all.size(); ++i)
     fmt::print("| {} | {:.1f} | {:.2f} | {:.1f} | {} | {:.0f} % | {:.1g} |\n", all[i].name, 1e3 * trials[i].seconds[0],
-               trials[i].seconds[0] / trials[0].seconds[0], trials[i].megabytes, trials[i].found[0], 100 * trials[i].found[2],
-               trials[i].found[1]);
+               trials[i].seconds[0] / trials[0].seconds[0], trials[i].megabytes, trials[i].found[0],
+               100 * trials[i].found[2], trials[i].found[1]);
 }
 
 void compare_all() {
-  const std::string folder = fmt::format("{}/shellmatch_own_code_{}", std::filesystem::temp_directory_path().string(), getpid());
+  const std::string folder =
+      fmt::format("{}/shellmatch_own_code_{}", std::filesystem::temp_directory_path().string(), getpid());
   std::filesystem::create_directories(folder);
   const auto hand = std::get<OriginalShape<3>>(generate_shape("hand"));
   compare_distances(triangles_of(hand));
 
   write_shape(folder + "/hand.ply", hand);
   write_shape(folder + "/sphere.ply", std::get<OriginalShape<3>>(generate_shape("sphere")));
-  compare_readers<OriginalShape<3>>("Binary PLY", {{"ours: `read_ply`", own_ply}, {"CGAL: `read_PLY`", cgal_ply}, {"VTK: `vtkPLYReader`", vtk_ply}},
-                                    folder, folder + "/hand.ply", folder + "/sphere.ply");
+  compare_readers<OriginalShape<3>>(
+      "Binary PLY", {{"ours: `read_ply`", own_ply}, {"CGAL: `read_PLY`", cgal_ply}, {"VTK: `vtkPLYReader`", vtk_ply}},
+      folder, folder + "/hand.ply", folder + "/sphere.ply");
   const GreyImage large = wavy_disc(2048), small = wavy_disc(24);
   for (const char* kind : {"P5", "P5 16", "P2"}) {
     replace_file(folder + "/large.pgm", pgm_of(large, kind));
     replace_file(folder + "/small.pgm", pgm_of(small, kind));
-    compare_readers<GreyImage>(fmt::format("PGM ({})", kind), {{"ours: `read_pgm`", own_pgm}, {"VTK: `vtkPNMReader`", vtk_pgm}}, folder,
+    compare_readers<GreyImage>(fmt::format("PGM ({})", kind),
+                               {{"ours: `read_pgm`", own_pgm}, {"VTK: `vtkPNMReader`", vtk_pgm}}, folder,
                                folder + "/large.pgm", folder + "/small.pgm");
   }
   compare_masks();

@@ -8,9 +8,9 @@
 namespace shellmatch::own_code {
 
 struct Trial {
-  bool returned = false;  ///< else it crashed, called exit() or was out of time
-  double seconds[2] = {};       ///< CPU seconds that the work states itself, of building and of asking for example
-  double megabytes = 0;         ///< rise of the largest resident memory
+  bool returned = false;          ///< else it crashed, called exit() or was out of time
+  double seconds[2] = {};         ///< CPU seconds that the work states itself, of building and of asking for example
+  double megabytes = 0;           ///< rise of the largest resident memory
   std::array<double, 4> found{};  ///< whatever the work returns
 };
 

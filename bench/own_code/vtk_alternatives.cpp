@@ -66,8 +66,7 @@ std::optional<GreyImage> vtk_pgm(const std::string& path) {
     copy(static_cast<const unsigned char*>(data.GetScalarPointer()), 255.0f);
   else if (data.GetScalarType() == VTK_UNSIGNED_SHORT)
     copy(static_cast<const unsigned short*>(data.GetScalarPointer()), 65535.0f);
-  else
-    return std::nullopt;
+  else return std::nullopt;
   return image;
 }
 
@@ -80,7 +79,8 @@ std::vector<Vec<2>> vtk_mask_points(const GreyImage& image, double deviation) {
   std::fill_n(values, data->GetNumberOfPoints(), 0.0f);
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)
-      values[static_cast<std::ptrdiff_t>(image.height - 1 - row + pad) * (image.width + 2 * pad) + column + pad] = image.at(column, row);
+      values[static_cast<std::ptrdiff_t>(image.height - 1 - row + pad) * (image.width + 2 * pad) + column + pad] =
+          image.at(column, row);
   vtkNew<vtkImageGaussianSmooth> smooth;
   smooth->SetInputData(data);
   smooth->SetDimensionality(2);

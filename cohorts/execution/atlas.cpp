@@ -24,8 +24,7 @@ std::string landmark_file(const std::string& folder, const std::string& name) {
 Surface<2> facets_of(const OriginalShape<2>& shape, const std::string&) {
   Surface<2> surface{shape.vertices, {}};
   for (const std::vector<Index>& ring : shape.polygons)
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      surface.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
+    for (std::size_t k = 0; k < ring.size(); ++k) surface.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
   return surface;
 }
 
@@ -53,15 +52,13 @@ Atlas<Dim> complete(Atlas<Dim> atlas) {
 }  // namespace
 
 template <int Dim>
-Atlas<Dim> make_atlas(OriginalShape<Dim> shape, std::vector<NamedPoint<Dim>> landmarks,
-                      const std::string& folder, const std::string& name) {
+Atlas<Dim> make_atlas(OriginalShape<Dim> shape, std::vector<NamedPoint<Dim>> landmarks, const std::string& folder,
+                      const std::string& name) {
   Atlas<Dim> atlas;
   fs::create_directories(folder);
   atlas.files.shape = shape_file(folder, name, Dim);
-  if constexpr (Dim == 3)
-    write_ply(atlas.files.shape, shape);
-  else
-    write_outline_csv(atlas.files.shape, shape);
+  if constexpr (Dim == 3) write_ply(atlas.files.shape, shape);
+  else write_outline_csv(atlas.files.shape, shape);
   if (!landmarks.empty()) write_named_points(atlas.files.landmarks = landmark_file(folder, name), landmarks);
   atlas.shape = std::move(shape);
   atlas.landmarks = std::move(landmarks);
@@ -72,15 +69,12 @@ template <int Dim>
 Atlas<Dim> read_atlas(const std::string& folder, const std::string& name) {
   Atlas<Dim> atlas;
   atlas.files.shape = shape_file(folder, name, Dim);
-  if constexpr (Dim == 3)
-    atlas.shape = read_points_or_mesh_3d(atlas.files.shape);
-  else
-    atlas.shape = read_points_or_outline_2d(atlas.files.shape);
+  if constexpr (Dim == 3) atlas.shape = read_points_or_mesh_3d(atlas.files.shape);
+  else atlas.shape = read_points_or_outline_2d(atlas.files.shape);
   if (const std::string file = landmark_file(folder, name); fs::exists(file)) {
     std::vector<std::string> notes;
     atlas.files.landmarks = file;
-    atlas.landmarks =
-        read_named_points<Dim>(file, atlas.shape.vertices, atlas.shape.space, atlas.shape.space, notes);
+    atlas.landmarks = read_named_points<Dim>(file, atlas.shape.vertices, atlas.shape.space, atlas.shape.space, notes);
   }
   return complete(std::move(atlas));
 }

@@ -16,7 +16,7 @@ template <int Dim>
 struct Atlas {
   AtlasFiles files;
   OriginalShape<Dim> shape;
-  Surface<Dim> surface;  ///< its polygons as triangles or segments, of all vertices in their order
+  Surface<Dim> surface;                    ///< its polygons as triangles or segments, of all vertices in their order
   std::vector<NamedPoint<Dim>> landmarks;  ///< on it
   Eigen::VectorXd points;                  ///< vertices and then landmarks, Dim coordinates each
   Eigen::VectorXd weights;                 ///< of these: shares of the surface, and 0 for landmarks; sum 1
@@ -27,8 +27,8 @@ struct Atlas {
 /// NAME_landmarks.csv, and returns the atlas. \throws InputError for a shape without extent or without
 /// polygons, EnvironmentError if nothing can be written
 template <int Dim>
-Atlas<Dim> make_atlas(OriginalShape<Dim> shape, std::vector<NamedPoint<Dim>> landmarks,
-                      const std::string& folder, const std::string& name);
+Atlas<Dim> make_atlas(OriginalShape<Dim> shape, std::vector<NamedPoint<Dim>> landmarks, const std::string& folder,
+                      const std::string& name);
 
 /// Reads an atlas that make_atlas() has written. \throws InputError
 template <int Dim>

@@ -32,12 +32,10 @@ CohortCost estimate_cost(const Cohort& cohort) {
   const std::string& atlas = cohort.options.atlas.shape;
   const auto subject = std::ranges::find(cohort.subjects, atlas, &Subject::id);
   const InputOptions& input = cohort.experiment.input;
-  const AnyShape shape = open_shape(subject == cohort.subjects.end() ? atlas : subject->source, input.close,
-                                    volume_space(input));
-  const SizeEstimate size =
-      std::visit([&](const auto& s) { return size_of(s.surface, cohort.experiment); }, shape);
-  if (cost.seconds == 0)
-    cost.seconds = least_seconds + reserve * seconds_per_node * size.n_nodes / cost.threads;
+  const AnyShape shape =
+      open_shape(subject == cohort.subjects.end() ? atlas : subject->source, input.close, volume_space(input));
+  const SizeEstimate size = std::visit([&](const auto& s) { return size_of(s.surface, cohort.experiment); }, shape);
+  if (cost.seconds == 0) cost.seconds = least_seconds + reserve * seconds_per_node * size.n_nodes / cost.threads;
   if (cost.memory_mb == 0) cost.memory_mb = reserve * size.memory_bytes / 1e6;
   return cost;
 }

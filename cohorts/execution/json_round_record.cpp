@@ -15,9 +15,7 @@ static void describe(Record& r, Member&& member) {
   member("converged", r.converged), member("nearest", r.nearest);
 }
 
-void write_round(const RoundRecord& record, const std::string& path) {
-  replace_file(path, json_text(json_of(record)));
-}
+void write_round(const RoundRecord& record, const std::string& path) { replace_file(path, json_text(json_of(record))); }
 
 std::optional<RoundRecord> read_round(const std::string& path) {
   std::ifstream in(path);

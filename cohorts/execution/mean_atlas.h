@@ -17,8 +17,7 @@ struct MeanAtlas {
   /// Root mean square distance of the mean's points from the atlas' surface, over the atlas' diagonal. Points
   /// may slide along the surface, which does not change the shape.
   double change = 0;
-  double spread =
-      0;  ///< of the images about the mean, root mean square over the surface and the atlas' diagonal
+  double spread = 0;        ///< of the images about the mean, root mean square over the surface and the atlas' diagonal
   std::size_t nearest = 0;  ///< the column of the image that is nearest to the mean
 };
 

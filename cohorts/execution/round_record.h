@@ -14,7 +14,7 @@ struct RoundRecord {
   std::string results;  ///< checksum of all on which the mean depends
   AtlasRound round;
   bool converged = false;  ///< the mean has moved by no more than atlas.tolerance allows
-  std::string nearest;  ///< id of the subject nearest to the mean
+  std::string nearest;     ///< id of the subject nearest to the mean
 };
 
 /// \throws EnvironmentError if the file cannot be written

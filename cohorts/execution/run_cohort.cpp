@@ -21,8 +21,7 @@ namespace shellmatch {
 namespace {
 
 // The folder of a round holds the mean that it has come to.
-const RunsFolderKind round_folder_kind{
-    "cohort", {}, {"mean.ply", "mean.csv", "mean_landmarks.csv", "round.json"}, ""};
+const RunsFolderKind round_folder_kind{"cohort", {}, {"mean.ply", "mean.csv", "mean_landmarks.csv", "round.json"}, ""};
 
 // All but the contents of files on which the means of rounds depend.
 std::string text_of_rounds(const Cohort& cohort) {
@@ -33,7 +32,8 @@ std::string text_of_rounds(const Cohort& cohort) {
   c.options.statistics = {};
   c.options.statistics.procrustes = cohort.options.statistics.procrustes;
   std::string text = to_yaml(c);
-  for (const Subject& subject : cohort.subjects) text += fmt::format("\n{} {} {}", subject.id, subject.landmarks, subject.reflect);
+  for (const Subject& subject : cohort.subjects)
+    text += fmt::format("\n{} {} {}", subject.id, subject.landmarks, subject.reflect);
   return text;
 }
 
@@ -45,8 +45,8 @@ const Subject* find_subject(const Cohort& cohort, const std::string& id) {
 template <int Dim>
 class CohortRun {
  public:
-  CohortRun(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,
-            const CohortPart& part, CohortObserver& observer)
+  CohortRun(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings, const CohortPart& part,
+            CohortObserver& observer)
       : cohort_(cohort),
         folder_(folder),
         settings_(settings),
@@ -59,14 +59,15 @@ class CohortRun {
   }
 
   CohortOutcome go(OriginalShape<Dim> shape, const std::string& landmarks) {
-    Atlas<Dim> atlas =
-        make_atlas<Dim>(shape, read_landmarks_of(shape, landmarks), folder_.path() + "/atlas", "start");
+    Atlas<Dim> atlas = make_atlas<Dim>(shape, read_landmarks_of(shape, landmarks), folder_.path() + "/atlas", "start");
     const AtlasKind kind = cohort_.options.atlas.kind;
     const int n = n_rounds(cohort_);
     if (n == 0 && kind != AtlasKind::given && !is_part())
-      observer_.note(fmt::format("a cohort of one subject has no mean{}, and no rounds are done for it",
-                                 find_subject(cohort_, cohort_.options.atlas.shape) == nullptr
-                                     ? "" : "; without another shape for the atlas (--atlas FILE) it is matched onto itself"));
+      observer_.note(
+          fmt::format("a cohort of one subject has no mean{}, and no rounds are done for it",
+                      find_subject(cohort_, cohort_.options.atlas.shape) == nullptr
+                          ? ""
+                          : "; without another shape for the atlas (--atlas FILE) it is matched onto itself"));
     for (int k = 1; k <= n; ++k) {
       const Stage stage{k};
       const std::optional<CohortEnd> end = perform_round(stage, atlas);
@@ -91,8 +92,7 @@ class CohortRun {
  private:
   bool is_part() const { return !part_.subjects.empty(); }
 
-  std::vector<NamedPoint<Dim>> read_landmarks_of(const OriginalShape<Dim>& shape,
-                                                 const std::string& file) const {
+  std::vector<NamedPoint<Dim>> read_landmarks_of(const OriginalShape<Dim>& shape, const std::string& file) const {
     std::vector<std::string> notes;
     if (file.empty()) return {};
     const Space space = space_beside(shape, file, wanted_space(cohort_.experiment.input));
@@ -102,13 +102,13 @@ class CohortRun {
   Atlas<Dim> atlas_of_subject(const std::string& id) {
     const Subject* found = find_subject(cohort_, id);
     if (found == nullptr)
-      throw_input_error("{}: {} is the medoid and no longer a subject: close the rounds again with --collect", folder_.path(), id);
+      throw_input_error("{}: {} is the medoid and no longer a subject: close the rounds again with --collect",
+                        folder_.path(), id);
     const Subject& subject = *found;
-    Shape<Dim> shape = std::get<Shape<Dim>>(open_shape(
-        tasks_.source_of(subject), cohort_.experiment.input.close, volume_space(cohort_.experiment.input)));
+    Shape<Dim> shape = std::get<Shape<Dim>>(
+        open_shape(tasks_.source_of(subject), cohort_.experiment.input.close, volume_space(cohort_.experiment.input)));
     std::vector<NamedPoint<Dim>> landmarks = read_landmarks_of(shape.original, tasks_.landmarks_of(subject));
-    return make_atlas<Dim>(std::move(shape.original), std::move(landmarks), folder_.path() + "/atlas",
-                           "medoid");
+    return make_atlas<Dim>(std::move(shape.original), std::move(landmarks), folder_.path() + "/atlas", "medoid");
   }
 
   std::vector<std::string> landmark_files() const {
@@ -121,8 +121,7 @@ class CohortRun {
   std::string checksum_of(const RunsFolder& runs, const std::vector<RunTask>& tasks) const {
     std::string text = checksum_;
     for (const RunTask& task : tasks)
-      text +=
-          fmt::format("\n{} {} {}", task.name, task.fingerprint, status_name(runs.result_of(task).status));
+      text += fmt::format("\n{} {} {}", task.name, task.fingerprint, status_name(runs.result_of(task).status));
     return text_checksum(text);
   }
 
@@ -133,10 +132,12 @@ class CohortRun {
   }
 
   static std::size_t n_unmatched(const std::vector<RunTask>& tasks, const RunsFolder& runs) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(tasks, [&](const RunTask& task) { return runs.result_of(task).status == RunStatus::not_run; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        tasks, [&](const RunTask& task) { return runs.result_of(task).status == RunStatus::not_run; }));
   }
-  static bool is_matched(const std::vector<RunTask>& tasks, const RunsFolder& runs) { return n_unmatched(tasks, runs) == 0; }
+  static bool is_matched(const std::vector<RunTask>& tasks, const RunsFolder& runs) {
+    return n_unmatched(tasks, runs) == 0;
+  }
 
   // How the work ends with this round; nothing where it goes on.
   std::optional<CohortEnd> perform_round(const Stage& stage, const Atlas<Dim>& atlas) {
@@ -146,11 +147,12 @@ class CohortRun {
     if (is_part()) {
       const bool is_ours = !part_.stage || *part_.stage == stage;
       // A subject whose file has changed is matched again, though the round was closed with it.
-      if (is_known && is_matched(tasks_.of(stage, atlas.files, part_.subjects), RunsFolder(folder, round_folder_kind, false)))
+      if (is_known &&
+          is_matched(tasks_.of(stage, atlas.files, part_.subjects), RunsFolder(folder, round_folder_kind, false)))
         return is_ours && part_.stage ? std::optional(CohortEnd::in_part) : std::nullopt;
       if (!is_ours)
-        throw_input_error("{}: {} waits for {}: close that with --collect", folder_.path(),
-                          part_.stage->name(), stage.name());
+        throw_input_error("{}: {} waits for {}: close that with --collect", folder_.path(), part_.stage->name(),
+                          stage.name());
       const RunsFolder runs(folder, round_folder_kind, false);
       return match(stage, tasks_.of(stage, atlas.files, part_.subjects), runs) ? CohortEnd::in_part
                                                                                : CohortEnd::stopped;
@@ -168,8 +170,8 @@ class CohortRun {
   }
 
   // Makes the mean of a round, which is the atlas of the next one.
-  void close(const Stage& stage, const Atlas<Dim>& atlas, const std::vector<RunTask>& tasks,
-             const RunsFolder& runs, const std::string& results) {
+  void close(const Stage& stage, const Atlas<Dim>& atlas, const std::vector<RunTask>& tasks, const RunsFolder& runs,
+             const std::string& results) {
     const StageResult<Dim> matched = read_stage<Dim>(cohort_, stage, runs, tasks, atlas, landmark_files());
     if (matched.rows.empty())
       throw_input_error("{}: {}: no subject can be used for the mean; the first, {}: {}{}", folder_.path(),
@@ -182,7 +184,7 @@ class CohortRun {
     record.results = results;
     record.round = {stage.round, matched.rows.size(), mean.change, mean.spread};
     record.converged = mean.change <= cohort_.options.atlas.tolerance * mean.spread /
-                                      std::sqrt(static_cast<double>(matched.rows.size()));
+                                          std::sqrt(static_cast<double>(matched.rows.size()));
     record.nearest = cohort_.subjects[matched.rows[mean.nearest]].id;
     write_round(record, runs.path() + "/round.json");
   }
@@ -212,14 +214,14 @@ class CohortRun {
   std::vector<AtlasRound> rounds_;
 };
 
-CohortOutcome run(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,
-                  const CohortPart& part, CohortObserver& observer) {
+CohortOutcome run(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings, const CohortPart& part,
+                  CohortObserver& observer) {
   const StageTasks sources(cohort, folder.path() + "/mirrored");
   const AtlasOptions& atlas = cohort.options.atlas;
   const InputOptions& input = cohort.experiment.input;
   const Subject* subject = find_subject(cohort, atlas.shape);
-  const AnyShape shape = open_shape(subject != nullptr ? sources.source_of(*subject) : atlas.shape,
-                                    input.close, volume_space(input));
+  const AnyShape shape =
+      open_shape(subject != nullptr ? sources.source_of(*subject) : atlas.shape, input.close, volume_space(input));
   const std::string landmarks =
       atlas.landmarks.empty() && subject != nullptr ? sources.landmarks_of(*subject) : atlas.landmarks;
   return std::visit(
@@ -240,8 +242,8 @@ int n_rounds(const Cohort& cohort) {
 const RunsFolderKind cohort_folder_kind{
     "cohort",
     {"cohort.yaml"},
-    {"atlas", "atlas.ply", "atlas.csv", "atlas_landmarks.csv", "mirrored", "model", "subjects.csv",
-     "times.csv", "landmarks.csv", "landmarks.tps", "landmarks.txt", "landmarks_on_atlas.csv", "summary.json", "report.html"},
+    {"atlas", "atlas.ply", "atlas.csv", "atlas_landmarks.csv", "mirrored", "model", "subjects.csv", "times.csv",
+     "landmarks.csv", "landmarks.tps", "landmarks.txt", "landmarks_on_atlas.csv", "summary.json", "report.html"},
     "model"};
 
 CohortOutcome run_cohort(const Cohort& cohort, const RunsFolder& folder, const TaskSettings& settings,

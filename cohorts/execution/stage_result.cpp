@@ -26,10 +26,8 @@ constexpr double largest_unreached = 0.3;
 
 template <int Dim>
 OriginalShape<Dim> read_shape_as_it_is(const std::string& folder, const std::string& name) {
-  if constexpr (Dim == 3)
-    return read_points_or_mesh_3d(folder + "/" + name + ".ply");
-  else
-    return read_points_or_outline_2d(folder + "/" + name + ".csv");
+  if constexpr (Dim == 3) return read_points_or_mesh_3d(folder + "/" + name + ".ply");
+  else return read_points_or_outline_2d(folder + "/" + name + ".csv");
 }
 
 // The results of one stage, subject by subject.
@@ -53,8 +51,7 @@ class Reader {
       try {
         finished = read_finished(task, !landmarks.empty());
       } catch (const InputError& error) {
-        throw_input_error("{}; remove {} so that it is matched again", error.what(),
-                          folder_.run_folder(task));
+        throw_input_error("{}; remove {} so that it is matched again", error.what(), folder_.run_folder(task));
       }
       use(std::move(*finished), k, task, landmarks, row);
     }
@@ -75,8 +72,8 @@ class Reader {
     std::string output;
     MatchSummary summary;
     OriginalShape<Dim> deformed;
-    std::optional<Deformation<Dim>> map;       // where there are landmarks
-    std::optional<OriginalShape<Dim>> subject; // where it has landmarks of its own
+    std::optional<Deformation<Dim>> map;        // where there are landmarks
+    std::optional<OriginalShape<Dim>> subject;  // where it has landmarks of its own
   };
 
   Finished read_finished(const RunTask& task, bool has_landmarks) const {
@@ -113,7 +110,8 @@ class Reader {
     result_.rows.push_back(k);
   }
 
-  // The atlas' landmarks on the subject, and the subject's own on the atlas. Matching again would not mend what is wrong with these.
+  // The atlas' landmarks on the subject, and the subject's own on the atlas. Matching again would not mend what is
+  // wrong with these.
   std::vector<Vec<Dim>> carry(const Finished& f, std::size_t k, const std::string& landmarks) {
     const PointMap<Dim> forward(*f.map, Toward::template_shape);
     std::map<std::string, Vec<Dim>> known;
@@ -124,7 +122,8 @@ class Reader {
       // The subject is read as the run wrote it, its landmarks are as the user has them.
       const Subject& subject = cohort_.subjects[k];
       const PlaneFrame frame = Dim == 2 && !subject.reflect ? frame_of_drawing(subject.source) : PlaneFrame();
-      for (const NamedPoint<Dim>& point : read_named_points<Dim>(landmarks, f.subject->vertices, space, space, notes, nullptr, frame)) {
+      for (const NamedPoint<Dim>& point :
+           read_named_points<Dim>(landmarks, f.subject->vertices, space, space, notes, nullptr, frame)) {
         known[point.name] = point.point;
         result_.returned.push_back({k, point.name, back(point.point)});
       }
@@ -133,7 +132,8 @@ class Reader {
     for (std::size_t l = 0; l < atlas_.landmarks.size(); ++l) {
       const std::optional<Vec<Dim>> image = forward(atlas_.landmarks[l].point);
       if (!image)
-        throw_input_error("{}: landmark '{}' of the atlas has no image; leave it out of atlas.landmarks", f.output, atlas_.landmarks[l].name);
+        throw_input_error("{}: landmark '{}' of the atlas has no image; leave it out of atlas.landmarks", f.output,
+                          atlas_.landmarks[l].name);
       carried.push_back(*image);
       const auto own = known.find(atlas_.landmarks[l].name);
       result_.carried.push_back(
@@ -154,8 +154,7 @@ class Reader {
 }  // namespace
 
 bool is_near(const MatchSummary& summary) {
-  return !summary.levels.empty() && summary.distance &&
-         summary.distance->uncovered.value_or(0) <= largest_unreached;
+  return !summary.levels.empty() && summary.distance && summary.distance->uncovered.value_or(0) <= largest_unreached;
 }
 
 template <int Dim>

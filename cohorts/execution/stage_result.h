@@ -32,13 +32,13 @@ struct ReturnedLandmark {
 
 template <int Dim>
 struct StageResult {
-  std::vector<SubjectResult> subjects;  ///< of the whole cohort, in its order
-  std::vector<std::size_t> rows;        ///< of `subjects`: those in the mean or the statistics
-  PointSets points;                     ///< Atlas::points on these subjects, each in its own coordinates
+  std::vector<SubjectResult> subjects;        ///< of the whole cohort, in its order
+  std::vector<std::size_t> rows;              ///< of `subjects`: those in the mean or the statistics
+  PointSets points;                           ///< Atlas::points on these subjects, each in its own coordinates
   std::vector<CarriedLandmark<Dim>> carried;  ///< on all subjects that have a result
   std::vector<ReturnedLandmark<Dim>> returned;
   std::string unit;
-  Space space = Space::unsaid;          ///< the frame of the subjects' coordinates, where it is one and known
+  Space space = Space::unsaid;  ///< the frame of the subjects' coordinates, where it is one and known
 };
 
 /// Whether a matching of a round has come near enough to its subject for the mean, and to begin the next

@@ -40,8 +40,7 @@ RunTask StageTasks::task(const Stage& stage, const AtlasFiles& atlas, const Subj
   ExperimentOptions o = cohort_.experiment;
   o.input.reference = atlas.shape;
   o.input.template_file = source_of(subject);
-  if (cohort_.options.landmarks == LandmarkUse::match && !atlas.landmarks.empty() &&
-      !subject.landmarks.empty()) {
+  if (cohort_.options.landmarks == LandmarkUse::match && !atlas.landmarks.empty() && !subject.landmarks.empty()) {
     o.landmarks.file = atlas.landmarks;
     o.landmarks.template_file = landmarks_of(subject);
     o.landmarks.unpaired = UnpairedLandmarks::are_left_out;

@@ -19,8 +19,7 @@ class StageTasks {
 
   /// One run for each of these subjects, named by its id. A file that cannot be read is no reason to stop:
   /// its run will say so.
-  std::vector<RunTask> of(const Stage& stage, const AtlasFiles& atlas,
-                          const std::vector<std::size_t>& subjects);
+  std::vector<RunTask> of(const Stage& stage, const AtlasFiles& atlas, const std::vector<std::size_t>& subjects);
 
   /// The shape of a subject as it is matched: its own file or the mirrored one.
   std::string source_of(const Subject& subject) const;

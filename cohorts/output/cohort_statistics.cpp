@@ -11,8 +11,8 @@ namespace {
 
 // The two groups that are compared; empty where there are none.
 std::vector<std::string> compared_groups(const Cohort& cohort, const std::vector<SubjectResult>& subjects,
-                                         const std::vector<std::size_t>& rows,
-                                         int dimension, std::vector<std::string>& notes) {
+                                         const std::vector<std::size_t>& rows, int dimension,
+                                         std::vector<std::string>& notes) {
   std::map<std::string, int> sizes;
   for (const std::size_t k : rows) ++sizes[subjects[k].group];
   std::vector<std::string> groups = cohort.options.statistics.groups;
@@ -22,20 +22,20 @@ std::vector<std::string> compared_groups(const Cohort& cohort, const std::vector
         groups.push_back(subject.group);
   if (groups.size() < 2) return {};
   if (groups.size() > 2) {
-    notes.push_back(
-        fmt::format("{} groups are not compared; name two of them (statistics.groups)", groups.size()));
+    notes.push_back(fmt::format("{} groups are not compared; name two of them (statistics.groups)", groups.size()));
     return {};
   }
   for (const std::string& group : groups)
     if (sizes[group] < 2) {
-      notes.push_back(
-          fmt::format("groups are not compared: {} has {} subject{} in the statistics, and two are needed",
-                      group, sizes[group], sizes[group] == 1 ? "" : "s"));
+      notes.push_back(fmt::format("groups are not compared: {} has {} subject{} in the statistics, and two are needed",
+                                  group, sizes[group], sizes[group] == 1 ? "" : "s"));
       return {};
     }
   // Hotelling's T^2 takes that many (statistics/group_difference.h).
   if (const int n = sizes[groups[0]] + sizes[groups[1]]; n < dimension + 2) {
-    notes.push_back(fmt::format("groups are not compared: both together have {} subjects in the statistics, and {} are needed", n, dimension + 2));
+    notes.push_back(
+        fmt::format("groups are not compared: both together have {} subjects in the statistics, and {} are needed", n,
+                    dimension + 2));
     return {};
   }
   return groups;
@@ -60,8 +60,8 @@ void add_model(CohortResult<Dim>& result, const Eigen::VectorXd& weights, const 
   result.model = fit_shape_model(chosen, weights, options.modes);
   if (most >= 3) result.curves = model_curves(chosen, weights, options.samples, seed);
   result.model->scores = result.model->transform(result.aligned.coordinates);
-  notes.push_back(fmt::format(
-      "modes and curves are those of {} of the {} subjects (statistics.model_subjects)", most, n));
+  notes.push_back(
+      fmt::format("modes and curves are those of {} of the {} subjects (statistics.model_subjects)", most, n));
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ Spread spread_of(std::vector<double> values) {
 }
 
 template <int Dim>
-CohortSummary cohort_summary(const CohortResult<Dim>& result,
-                             const std::vector<CarriedLandmark<Dim>>& carried) {
+CohortSummary cohort_summary(const CohortResult<Dim>& result, const std::vector<CarriedLandmark<Dim>>& carried) {
   CohortSummary s;
   s.version = program_version();
   s.title = result.title;
@@ -34,9 +33,7 @@ CohortSummary cohort_summary(const CohortResult<Dim>& result,
   for (const SubjectResult& subject : result.subjects) {
     if (subject.status != "finished") continue;
     ++s.n_finished;
-    ++(subject.outcome == "matched"     ? s.n_matched
-       : subject.outcome == "look-here" ? s.n_look_here
-                                        : s.n_not_matched);
+    ++(subject.outcome == "matched" ? s.n_matched : subject.outcome == "look-here" ? s.n_look_here : s.n_not_matched);
     if (!subject.distance) continue;
     there.push_back(subject.distance->deformed_to_template.mean * subject.diagonal);
     back.push_back(subject.distance->template_to_deformed.mean * subject.diagonal);
@@ -59,8 +56,8 @@ CohortSummary cohort_summary(const CohortResult<Dim>& result,
     s.group_b = result.group_b;
     s.group_distance = d->distance;
     s.group_p = d->global_p;
-    s.differing_share = static_cast<double>((d->p_corrected.array() < 0.05).count()) /
-                        static_cast<double>(d->p_corrected.size());
+    s.differing_share =
+        static_cast<double>((d->p_corrected.array() < 0.05).count()) / static_cast<double>(d->p_corrected.size());
   }
   return s;
 }
@@ -73,13 +70,12 @@ std::vector<std::string> cohort_summary_lines(const CohortSummary& s) {
       "statistics",
       s.n_subjects, s.n_matched, s.n_look_here, s.n_not_matched, s.n_subjects - s.n_finished, s.n_in_model));
   if (s.deformed_to_subject)
-    lines.push_back(
-        fmt::format("mean distance to the subject: median {:.3g}{}, worst {:.3g}; from it: {:.3g}, {:.3g}",
-                    s.deformed_to_subject->median, unit, s.deformed_to_subject->max,
-                    s.subject_to_deformed->median, s.subject_to_deformed->max));
+    lines.push_back(fmt::format("mean distance to the subject: median {:.3g}{}, worst {:.3g}; from it: {:.3g}, {:.3g}",
+                                s.deformed_to_subject->median, unit, s.deformed_to_subject->max,
+                                s.subject_to_deformed->median, s.subject_to_deformed->max));
   if (s.landmarks)
-    lines.push_back(fmt::format("{} landmarks: median {:.3g}{} from the known ones, 95 % within {:.3g}",
-                                s.landmarks->n, s.landmarks->median, unit, s.landmarks->p95));
+    lines.push_back(fmt::format("{} landmarks: median {:.3g}{} from the known ones, 95 % within {:.3g}", s.landmarks->n,
+                                s.landmarks->median, unit, s.landmarks->p95));
   if (s.standard_deviation && s.compactness.empty()) {
     lines.push_back("the subjects do not differ: there are no modes");
   } else if (s.standard_deviation) {
@@ -98,10 +94,12 @@ std::vector<std::string> cohort_summary_lines(const CohortSummary& s) {
 }
 
 std::string without_result(const CohortSummary& summary, const std::vector<SubjectResult>& subjects) {
-  const auto first = std::ranges::find_if(subjects, [](const SubjectResult& subject) { return subject.status != "finished"; });
+  const auto first =
+      std::ranges::find_if(subjects, [](const SubjectResult& subject) { return subject.status != "finished"; });
   if (first == subjects.end()) return "";
-  return fmt::format("{} of {} subjects have no result; the first is {}, {}{}{}", summary.n_subjects - summary.n_finished, summary.n_subjects,
-                     first->id, first->status, first->message.empty() ? "" : ": ", first->message);
+  return fmt::format("{} of {} subjects have no result; the first is {}, {}{}{}",
+                     summary.n_subjects - summary.n_finished, summary.n_subjects, first->id, first->status,
+                     first->message.empty() ? "" : ": ", first->message);
 }
 
 template CohortSummary cohort_summary<2>(const CohortResult<2>&, const std::vector<CarriedLandmark<2>>&);

@@ -21,8 +21,7 @@ Spread spread_of(std::vector<double> values);
 
 struct CohortSummary {
   std::string version, title, unit;
-  std::size_t n_subjects = 0, n_finished = 0, n_matched = 0, n_look_here = 0, n_not_matched = 0,
-              n_in_model = 0;
+  std::size_t n_subjects = 0, n_finished = 0, n_matched = 0, n_look_here = 0, n_not_matched = 0, n_in_model = 0;
   std::vector<AtlasRound> rounds;
   std::optional<Spread> deformed_to_subject,
       subject_to_deformed;                   ///< of the means of subjects, in the unit of the shapes
@@ -35,8 +34,7 @@ struct CohortSummary {
 };
 
 template <int Dim>
-CohortSummary cohort_summary(const CohortResult<Dim>& result,
-                             const std::vector<CarriedLandmark<Dim>>& carried);
+CohortSummary cohort_summary(const CohortResult<Dim>& result, const std::vector<CarriedLandmark<Dim>>& carried);
 
 std::string cohort_summary_json(const CohortSummary& summary);
 

@@ -60,8 +60,8 @@ std::string subjects_csv(const Cohort& cohort, const std::vector<SubjectResult>&
     text += s.diagonal > 0 ? fmt::format(",{}", s.diagonal) : ",";
     std::string reasons;
     for (const VerdictReason& reason : s.reasons) reasons += (reasons.empty() ? "" : "; ") + reason.what;
-    text += fmt::format(",{},{},{},{}", csv_field(reasons), csv_field(s.message),
-                        csv_field(cohort.subjects[k].source), cohort.subjects[k].reflect ? 1 : 0);
+    text += fmt::format(",{},{},{},{}", csv_field(reasons), csv_field(s.message), csv_field(cohort.subjects[k].source),
+                        cohort.subjects[k].reflect ? 1 : 0);
     for (const auto& [name, value] : cohort.subjects[k].further) text += "," + csv_field(value);
     text += "\n";
   }
@@ -110,24 +110,22 @@ std::string modes_csv(const ShapeModel& model, const std::optional<ModelCurves>&
 }
 
 template <int Dim>
-std::string landmarks_csv(const std::vector<SubjectResult>& subjects,
-                          const std::vector<NamedPoint<Dim>>& landmarks,
+std::string landmarks_csv(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
                           const std::vector<CarriedLandmark<Dim>>& carried) {
   std::string text = "id,name" + axes_text<Dim>("") + axes_text<Dim>("known_") + ",distance\n";
   for (const CarriedLandmark<Dim>& c : carried) {
     text += csv_field(subjects[c.subject].id) + "," + csv_field(landmarks[c.landmark].name) +
             coordinates_text<Dim>(c.carried);
-    if (c.known)
-      text += coordinates_text<Dim>(*c.known) + fmt::format(",{}", (*c.known - c.carried).norm());
-    else
-      text.append(Dim + 1, ',');
+    if (c.known) text += coordinates_text<Dim>(*c.known) + fmt::format(",{}", (*c.known - c.carried).norm());
+    else text.append(Dim + 1, ',');
     text += "\n";
   }
   return text;
 }
 
 template <int Dim>
-std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
+std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects,
+                                         const std::vector<NamedPoint<Dim>>& landmarks,
                                          const std::vector<CarriedLandmark<Dim>>& carried) {
   std::map<std::size_t, PointSet<Dim>> sets;
   for (const CarriedLandmark<Dim>& c : carried) {
@@ -150,22 +148,20 @@ std::string returned_landmarks_csv(const std::vector<SubjectResult>& subjects,
   std::string text = "id,name" + axes_text<Dim>("") + "\n";
   for (const ReturnedLandmark<Dim>& r : returned) {
     text += csv_field(subjects[r.subject].id) + "," + csv_field(r.name);
-    if (r.returned)
-      text += coordinates_text<Dim>(*r.returned);
-    else
-      text.append(Dim, ',');
+    if (r.returned) text += coordinates_text<Dim>(*r.returned);
+    else text.append(Dim, ',');
     text += "\n";
   }
   return text;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                   \
-  template std::string landmarks_csv<Dim>(const std::vector<SubjectResult>&,          \
-                                          const std::vector<NamedPoint<Dim>>&,        \
-                                          const std::vector<CarriedLandmark<Dim>>&);  \
-  template std::vector<PointSet<Dim>> landmark_sets<Dim>(const std::vector<SubjectResult>&, const std::vector<NamedPoint<Dim>>&, \
-                                                         const std::vector<CarriedLandmark<Dim>>&); \
-  template std::string returned_landmarks_csv<Dim>(const std::vector<SubjectResult>&, \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                               \
+  template std::string landmarks_csv<Dim>(const std::vector<SubjectResult>&, const std::vector<NamedPoint<Dim>>&, \
+                                          const std::vector<CarriedLandmark<Dim>>&);                              \
+  template std::vector<PointSet<Dim>> landmark_sets<Dim>(const std::vector<SubjectResult>&,                       \
+                                                         const std::vector<NamedPoint<Dim>>&,                     \
+                                                         const std::vector<CarriedLandmark<Dim>>&);               \
+  template std::string returned_landmarks_csv<Dim>(const std::vector<SubjectResult>&,                             \
                                                    const std::vector<ReturnedLandmark<Dim>>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -27,12 +27,12 @@ std::string modes_csv(const ShapeModel& model, const std::optional<ModelCurves>&
 
 /// The atlas' landmarks on every subject, and their distances from the subject's own where these are known.
 template <int Dim>
-std::string landmarks_csv(const std::vector<SubjectResult>& subjects,
-                          const std::vector<NamedPoint<Dim>>& landmarks,
+std::string landmarks_csv(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
                           const std::vector<CarriedLandmark<Dim>>& carried);
 /// The same as sets of points for other programs: all subjects that have them, in the cohort's order.
 template <int Dim>
-std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects, const std::vector<NamedPoint<Dim>>& landmarks,
+std::vector<PointSet<Dim>> landmark_sets(const std::vector<SubjectResult>& subjects,
+                                         const std::vector<NamedPoint<Dim>>& landmarks,
                                          const std::vector<CarriedLandmark<Dim>>& carried);
 /// The subjects' landmarks on the atlas.
 template <int Dim>

@@ -12,8 +12,7 @@ static void describe(Value& s, Member&& member) {
 template <class Value, class Member>
 requires std::is_same_v<std::remove_const_t<Value>, AtlasRound>
 static void describe(Value& r, Member&& member) {
-  member("round", r.round), member("n_subjects", r.n_subjects), member("change", r.change),
-      member("spread", r.spread);
+  member("round", r.round), member("n_subjects", r.n_subjects), member("change", r.change), member("spread", r.spread);
 }
 
 template <class Value, class Member>
@@ -21,8 +20,7 @@ requires std::is_same_v<std::remove_const_t<Value>, CohortSummary>
 static void describe(Value& s, Member&& member) {
   member("version", s.version), member("title", s.title), member("unit", s.unit);
   member("n_subjects", s.n_subjects), member("n_finished", s.n_finished), member("n_matched", s.n_matched);
-  member("n_look_here", s.n_look_here), member("n_not_matched", s.n_not_matched),
-      member("n_in_model", s.n_in_model);
+  member("n_look_here", s.n_look_here), member("n_not_matched", s.n_not_matched), member("n_in_model", s.n_in_model);
   member("rounds", s.rounds);
   member("deformed_to_subject", s.deformed_to_subject), member("subject_to_deformed", s.subject_to_deformed),
       member("landmarks", s.landmarks);

@@ -34,9 +34,7 @@ void write_mode_animations(const CohortResult<Dim>& result, int n_modes, const s
   const ShapeModel& model = *result.model;
   for (Eigen::Index k = 0; k < std::min<Eigen::Index>(n_modes, model.variances.size()); ++k) {
     const double far = mode_deviations * std::sqrt(model.variances[k]);
-    const auto at = [&](double score) {
-      return moved<Dim>(result.surface, model.mean + score * model.modes.col(k));
-    };
+    const auto at = [&](double score) { return moved<Dim>(result.surface, model.mean + score * model.modes.col(k)); };
     const std::array<Surface<Dim>, 2> ends = {at(-far), at(far)};
     const std::array<const Surface<Dim>*, 2> both = {&ends[0], &ends[1]};
     const ShapeDrawer<Dim> drawer(both, frame_size);

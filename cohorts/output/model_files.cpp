@@ -28,8 +28,7 @@ std::span<const double> values_of(const Eigen::MatrixXd& matrix) {
 
 template <int Dim>
 void write_points(const std::string& path, const Eigen::MatrixXd& columns) {
-  const auto n = static_cast<std::size_t>(columns.cols()),
-             n_points = static_cast<std::size_t>(columns.rows() / Dim);
+  const auto n = static_cast<std::size_t>(columns.cols()), n_points = static_cast<std::size_t>(columns.rows() / Dim);
   write_npy(path, {n, n_points, Dim}, values_of(columns));
 }
 
@@ -65,15 +64,11 @@ OriginalShape<Dim> with_points(OriginalShape<Dim> shape, const Eigen::VectorXd& 
 
 template <int Dim>
 void write_shape_file(const std::string& name, const OriginalShape<Dim>& shape) {
-  if constexpr (Dim == 3)
-    write_ply(name + ".ply", shape);
-  else
-    write_outline_csv(name + ".csv", shape);
+  if constexpr (Dim == 3) write_ply(name + ".ply", shape);
+  else write_outline_csv(name + ".csv", shape);
 }
 
-std::vector<double> list_of(const Eigen::VectorXd& values) {
-  return {values.data(), values.data() + values.size()};
-}
+std::vector<double> list_of(const Eigen::VectorXd& values) { return {values.data(), values.data() + values.size()}; }
 
 // The standard deviation of each point: the root of the mean square distance from the mean.
 template <int Dim>
@@ -97,10 +92,8 @@ void add_difference(OriginalShape<Dim>& mean, const GroupDifference& d) {
   set_attribute(mean, VertexAttribute{"difference", "double", length});
   for (int k = 0; k < Dim; ++k) {
     std::vector<double> component(length.size());
-    for (std::size_t v = 0; v < length.size(); ++v)
-      component[v] = d.difference[Dim * static_cast<Eigen::Index>(v) + k];
-    set_attribute(mean,
-                  VertexAttribute{fmt::format("difference_{}", axes[k]), "double", std::move(component)});
+    for (std::size_t v = 0; v < length.size(); ++v) component[v] = d.difference[Dim * static_cast<Eigen::Index>(v) + k];
+    set_attribute(mean, VertexAttribute{fmt::format("difference_{}", axes[k]), "double", std::move(component)});
   }
   set_attribute(mean, VertexAttribute{"t2", "double", list_of(d.statistic)});
   set_attribute(mean, VertexAttribute{"p", "double", list_of(d.p)});
@@ -131,8 +124,7 @@ void write_model(const CohortResult<Dim>& result, const Eigen::MatrixXd& points,
       write_shape_file<Dim>(fmt::format("{}/mode_{}_{}", folder, k + 1, sign < 0 ? "minus" : "plus"),
                             with_points(result.atlas, model.mean + score * model.modes.col(k)));
     }
-  set_attribute(mean,
-                VertexAttribute{"standard_deviation", "double", deviations<Dim>(result.aligned, model.mean)});
+  set_attribute(mean, VertexAttribute{"standard_deviation", "double", deviations<Dim>(result.aligned, model.mean)});
   if (result.difference) add_difference(mean, *result.difference);
   write_shape_file<Dim>(folder + "/mean", mean);
   if constexpr (Dim == 3) write_shape(folder + "/mean.vtp", mean);

@@ -33,28 +33,24 @@ std::string npy_head(const std::string& type, const std::vector<std::size_t>& sh
 template <class Value>
 void write_values(const std::string& path, const std::string& type, const std::vector<std::size_t>& shape,
                   std::span<const Value> values) {
-  SHELLMATCH_CHECK(
-      std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) == values.size(),
-      "the shape is that of the values");
+  SHELLMATCH_CHECK(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) == values.size(),
+                   "the shape is that of the values");
   replace_file(path, [&](const std::string& file) {
     std::ofstream out(file, std::ios::binary);
     const std::string head = npy_head(type, shape);
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
-    out.write(reinterpret_cast<const char*>(values.data()),
-              static_cast<std::streamsize>(values.size_bytes()));
+    out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size_bytes()));
     if (!out.flush()) throw_environment_error("{}: cannot be written; is the disk full?", path);
   });
 }
 
 }  // namespace
 
-void write_npy(const std::string& path, const std::vector<std::size_t>& shape,
-               std::span<const double> values) {
+void write_npy(const std::string& path, const std::vector<std::size_t>& shape, std::span<const double> values) {
   write_values(path, "<f8", shape, values);
 }
 
-void write_npy(const std::string& path, const std::vector<std::size_t>& shape,
-               std::span<const std::int32_t> values) {
+void write_npy(const std::string& path, const std::vector<std::size_t>& shape, std::span<const std::int32_t> values) {
   write_values(path, "<i4", shape, values);
 }
 

@@ -12,9 +12,7 @@ namespace shellmatch {
 
 /// \param shape whose product is the number of values, the last index the fastest
 /// \throws EnvironmentError if the file cannot be written
-void write_npy(const std::string& path, const std::vector<std::size_t>& shape,
-               std::span<const double> values);
-void write_npy(const std::string& path, const std::vector<std::size_t>& shape,
-               std::span<const std::int32_t> values);
+void write_npy(const std::string& path, const std::vector<std::size_t>& shape, std::span<const double> values);
+void write_npy(const std::string& path, const std::vector<std::size_t>& shape, std::span<const std::int32_t> values);
 
 }  // namespace shellmatch

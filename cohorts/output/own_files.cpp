@@ -26,9 +26,11 @@ bool is_of_a_mode(std::string_view name) {
   constexpr std::string_view begin = "mode_";
   if (!name.starts_with(begin)) return false;
   name.remove_prefix(begin.size());
-  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(name, [](unsigned char c) { return std::isdigit(c) != 0; }) - name.begin());
+  const auto digits = static_cast<std::size_t>(
+      std::ranges::find_if_not(name, [](unsigned char c) { return std::isdigit(c) != 0; }) - name.begin());
   const std::string_view end = name.substr(digits);
-  return digits > 0 && (end == ".webp" || end == "_minus.ply" || end == "_plus.ply" || end == "_minus.csv" || end == "_plus.csv");
+  return digits > 0 &&
+         (end == ".webp" || end == "_minus.ply" || end == "_plus.ply" || end == "_minus.csv" || end == "_plus.csv");
 }
 
 bool is_in(const auto& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
@@ -37,10 +39,12 @@ bool is_of_a_model(const std::string& name) {
   return is_of_a_mode(name) || is_in(mean_files, name) || is_in(statistics_files, name) || is_in(point_files, name);
 }
 
-/// Of a path within the folder of a cohort; files of runs are protected by their own checksums, but are made anew as well.
+/// Of a path within the folder of a cohort; files of runs are protected by their own checksums, but are made anew as
+/// well.
 bool is_written(const fs::path& inside) {
   const std::string first = inside.begin()->string();
-  if (first == cohort_folder_kind.files_folder) return inside.parent_path() == first && is_of_a_model(inside.filename().string());
+  if (first == cohort_folder_kind.files_folder)
+    return inside.parent_path() == first && is_of_a_model(inside.filename().string());
   return first == "runs" || is_in(cohort_folder_kind.after_runs, first);
 }
 
@@ -54,7 +58,8 @@ fs::path path_within(const fs::path& folder, const fs::path& path) {
 bool is_written_in(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path absolute = fs::absolute(file);
-  for (const fs::path& name : {fs::weakly_canonical(file, error), fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename()})
+  for (const fs::path& name :
+       {fs::weakly_canonical(file, error), fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename()})
     if (const fs::path inside = path_within(folder, name); !inside.empty() && is_written(inside)) return true;
   return false;
 }
@@ -88,7 +93,8 @@ void remove_model_files(const std::string& folder, StaleFiles what, int dimensio
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (!fs::is_regular_file(entry.symlink_status(error))) continue;  // the program makes neither links nor folders there
+    if (!fs::is_regular_file(entry.symlink_status(error)))
+      continue;  // the program makes neither links nor folders there
     const bool is_mean_of_this = is_in(mean_files, name) && name.ends_with(".csv") == (dimension == 2);
     const bool has_one_now = (what == StaleFiles::mode_shapes && (is_mean_of_this || is_in(statistics_files, name))) ||
                              (what != StaleFiles::all && is_in(point_files, name));
@@ -109,7 +115,9 @@ void check_inputs_are_kept(const Cohort& cohort, const std::string& folder) {
   const fs::path place = fs::weakly_canonical(folder, error);
   for (const std::string& file : files)
     if (!file.empty() && fs::exists(file, error) && is_written_in(place, file))
-      throw_input_error("{}: the cohort in {} writes this file itself; copy it elsewhere, or choose another folder with -o", file, folder);
+      throw_input_error(
+          "{}: the cohort in {} writes this file itself; copy it elsewhere, or choose another folder with -o", file,
+          folder);
 }
 
 }  // namespace shellmatch

@@ -20,6 +20,7 @@ struct WrittenCohort {
 /// is the same to the bit for every execution in which no matching reaches a limit. \param notes takes lines
 /// for the user \throws EnvironmentError if a file cannot be written; Stopped
 template <int Dim>
-WrittenCohort write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished, const std::string& folder, std::vector<std::string>& notes);
+WrittenCohort write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished, const std::string& folder,
+                           std::vector<std::string>& notes);
 
 }  // namespace shellmatch

@@ -15,15 +15,16 @@ namespace shellmatch {
 
 /// What the page needs to know besides the result and the arrays.
 struct CohortFrame {
-  std::vector<std::size_t> order;    ///< of the subjects on the page
+  std::vector<std::size_t> order;  ///< of the subjects on the page
   SubjectThumbnails thumbnails;
-  std::string shape;                 ///< what the array "mean" is: "mean", "subject" or "atlas"
-  Eigen::Index n_modes = 0;          ///< that are packed
-  std::optional<PageView> view;      ///< in space
+  std::string shape;             ///< what the array "mean" is: "mean", "subject" or "atlas"
+  Eigen::Index n_modes = 0;      ///< that are packed
+  std::optional<PageView> view;  ///< in space
 };
 
 /// As JSON that may stand within an element of a page: it has no '<'.
 template <int Dim>
-std::string cohort_json(const CohortResult<Dim>& result, const CohortFrame& frame, const std::vector<PackedArray>& arrays);
+std::string cohort_json(const CohortResult<Dim>& result, const CohortFrame& frame,
+                        const std::vector<PackedArray>& arrays);
 
 }  // namespace shellmatch

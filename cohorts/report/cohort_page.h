@@ -6,7 +6,8 @@
 
 namespace shellmatch {
 
-/// HTML, in which the comments `<!-- data -->` and `<!-- arrays -->` stand for the description of a cohort and its packed arrays.
+/// HTML, in which the comments `<!-- data -->` and `<!-- arrays -->` stand for the description of a cohort and its
+/// packed arrays.
 extern const std::string_view cohort_page;
 
 }  // namespace shellmatch

@@ -20,12 +20,14 @@ namespace {
 constexpr Eigen::Index most_modes = 12;
 constexpr std::size_t most_thumbnails = 200;
 
-// Modes as displacements by one standard deviation of their score, and scores row after row in these standard deviations.
+// Modes as displacements by one standard deviation of their score, and scores row after row in these standard
+// deviations.
 template <int Dim>
 Eigen::Index add_modes(PackedArrays& arrays, const ShapeModel& model) {
   const Eigen::Index n_modes = std::min(most_modes, model.modes.cols());
   for (Eigen::Index k = 0; k < n_modes; ++k)
-    arrays.add_points<Dim>(fmt::format("mode.{}", k + 1), points_of<Dim>(std::sqrt(model.variances[k]) * model.modes.col(k)));
+    arrays.add_points<Dim>(fmt::format("mode.{}", k + 1),
+                           points_of<Dim>(std::sqrt(model.variances[k]) * model.modes.col(k)));
   std::vector<double> scores;
   for (Eigen::Index i = 0; i < model.scores.rows(); ++i)
     for (Eigen::Index k = 0; k < n_modes; ++k) scores.push_back(model.scores(i, k) / std::sqrt(model.variances[k]));
@@ -38,7 +40,8 @@ PageView view_of(const CohortResult<3>& result, const Surface<3>& mean) {
   std::vector<Surface<3>> all = extents(result, mean);
   if (result.model && result.model->modes.cols() > 0)
     for (const double b : {-3.0, 3.0}) {
-      const Eigen::VectorXd moved = result.model->mean + b * std::sqrt(result.model->variances[0]) * result.model->modes.col(0);
+      const Eigen::VectorXd moved =
+          result.model->mean + b * std::sqrt(result.model->variances[0]) * result.model->modes.col(0);
       all.push_back({points_of<3>(moved), {}});
     }
   std::vector<const Surface<3>*> pointers;

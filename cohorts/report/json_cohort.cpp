@@ -13,9 +13,9 @@ namespace {
 Json distance_json(const OneSidedDistance& d) { return {{"mean", d.mean}, {"p95", d.p95}, {"max", d.max}}; }
 
 Json subject_json(const SubjectResult& subject) {
-  Json row = {{"id", subject.id}, {"group", subject.group}, {"status", subject.status}, {"message", subject.message},
-              {"outcome", subject.outcome}, {"diagonal", subject.diagonal},
-              {"folder", subject.folder}, {"in_model", subject.in_model}};
+  Json row = {{"id", subject.id},           {"group", subject.group},      {"status", subject.status},
+              {"message", subject.message}, {"outcome", subject.outcome},  {"diagonal", subject.diagonal},
+              {"folder", subject.folder},   {"in_model", subject.in_model}};
   row["reasons"] = Json::array();
   for (const VerdictReason& reason : subject.reasons)
     row["reasons"].push_back({{"what", reason.what}, {"advice", reason.advice}});
@@ -34,7 +34,8 @@ Json subjects_json(const CohortResult<Dim>& result, const CohortFrame& frame) {
     Json row = subject_json(result.subjects[subject]);
     const auto column = std::ranges::find(result.rows, subject);
     if (column != result.rows.end()) row["column"] = std::distance(result.rows.begin(), column);
-    if (const std::string& picture = frame.thumbnails.pictures[subject]; !picture.empty()) row["thumbnail"] = base64(picture);
+    if (const std::string& picture = frame.thumbnails.pictures[subject]; !picture.empty())
+      row["thumbnail"] = base64(picture);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -53,21 +54,31 @@ double significant_share(const GroupDifference& difference, const Eigen::VectorX
 }  // namespace
 
 template <int Dim>
-std::string cohort_json(const CohortResult<Dim>& result, const CohortFrame& frame, const std::vector<PackedArray>& arrays) {
+std::string cohort_json(const CohortResult<Dim>& result, const CohortFrame& frame,
+                        const std::vector<PackedArray>& arrays) {
   Json page = {{"title", result.title}, {"unit", result.unit}, {"dimension", Dim}, {"shape", frame.shape}};
   page["procrustes"] = enum_name(result.procrustes);
   page["subjects"] = subjects_json(result, frame);
   page["thumbnails"] = {{"scale_end", frame.thumbnails.scale_end}, {"left_out", frame.thumbnails.n_left_out}};
   if (result.model)
-    page["model"] = {{"modes", frame.n_modes}, {"variances", list_of(result.model->variances)},
+    page["model"] = {{"modes", frame.n_modes},
+                     {"variances", list_of(result.model->variances)},
                      {"total_variance", result.model->total_variance}};
   if (const auto& c = result.curves)
-    page["curves"] = {{"compactness", c->compactness}, {"generalisation", c->generalisation},
-                      {"generalisation_error", c->generalisation_error}, {"specificity", c->specificity}, {"specificity_error", c->specificity_error}};
+    page["curves"] = {{"compactness", c->compactness},
+                      {"generalisation", c->generalisation},
+                      {"generalisation_error", c->generalisation_error},
+                      {"specificity", c->specificity},
+                      {"specificity_error", c->specificity_error}};
   if (const auto& d = result.difference) {
-    page["difference"] = {{"group_a", result.group_a}, {"group_b", result.group_b}, {"n_a", d->n_a}, {"n_b", d->n_b},
-                          {"permutations", d->n_permutations}, {"all_permutations", d->all_permutations},
-                          {"distance", d->distance}, {"global_p", d->global_p}};
+    page["difference"] = {{"group_a", result.group_a},
+                          {"group_b", result.group_b},
+                          {"n_a", d->n_a},
+                          {"n_b", d->n_b},
+                          {"permutations", d->n_permutations},
+                          {"all_permutations", d->all_permutations},
+                          {"distance", d->distance},
+                          {"global_p", d->global_p}};
     if (result.model) page["difference"]["significant_share"] = significant_share(*d, result.model->weights);
   }
   page["rounds"] = Json::array();

@@ -32,15 +32,18 @@ CohortPointValues cohort_point_values(const CohortResult<Dim>& result, const Sur
     Eigen::VectorXd centre(shapes.rows());
     for (std::size_t v = 0; v < mean.vertices.size(); ++v)
       centre.segment<Dim>(static_cast<Eigen::Index>(Dim * v)) = mean.vertices[v];
-    const Eigen::VectorXd squares = (shapes.colwise() - centre).rowwise().squaredNorm() / static_cast<double>(shapes.cols() - 1);
+    const Eigen::VectorXd squares =
+        (shapes.colwise() - centre).rowwise().squaredNorm() / static_cast<double>(shapes.cols() - 1);
     for (const Vec<Dim>& of_axes : points_of<Dim>(squares)) values.deviation.push_back(std::sqrt(of_axes.sum()));
   }
   if (result.difference) {
-    const std::vector<Vec<Dim>> differences = points_of<Dim>(result.difference->difference), normals = outward_normals(mean);
+    const std::vector<Vec<Dim>> differences = points_of<Dim>(result.difference->difference),
+                                normals = outward_normals(mean);
     for (std::size_t v = 0; v < differences.size(); ++v) {
       values.difference.push_back(differences[v].norm());
       const bool has_normal = !normals[v].isZero();
-      values.difference_normal.push_back(has_normal ? differences[v].dot(normals[v]) : std::numeric_limits<double>::quiet_NaN());
+      values.difference_normal.push_back(has_normal ? differences[v].dot(normals[v])
+                                                    : std::numeric_limits<double>::quiet_NaN());
     }
   }
   return values;

@@ -5,7 +5,8 @@
 namespace shellmatch {
 
 template <>
-ShapeDrawer<3>::ShapeDrawer(std::span<const Surface<3>* const> all, int size) : view_(fit_camera(all, 1, {.margin = 0.03})), size_(size) {}
+ShapeDrawer<3>::ShapeDrawer(std::span<const Surface<3>* const> all, int size)
+    : view_(fit_camera(all, 1, {.margin = 0.03})), size_(size) {}
 
 template <>
 ShapeDrawer<2>::ShapeDrawer(std::span<const Surface<2>* const> all, int size) : view_(fit_frame(all)), size_(size) {}
@@ -14,7 +15,8 @@ template <>
 Image ShapeDrawer<3>::draw(const Surface<3>& shape, const std::vector<double>& values, double scale_end) const {
   RenderSurface look{.surface = &shape};
   if (scale_end > 0) look.paint = Paint::scalar, look.scalars = values, look.scalar_max = scale_end;
-  return render_surfaces({&look, 1}, view_, {.width = size_, .height = size_, .samples = 3, .ambient_occlusion = false});
+  return render_surfaces({&look, 1}, view_,
+                         {.width = size_, .height = size_, .samples = 3, .ambient_occlusion = false});
 }
 
 template <>

@@ -33,7 +33,7 @@ std::vector<Surface<Dim>> extents(const CohortResult<Dim>& result, const Surface
   return all;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                           \
+#define SHELLMATCH_INSTANTIATE(Dim)                                        \
   template CentralShape<Dim> central_shape<Dim>(const CohortResult<Dim>&); \
   template std::vector<Surface<Dim>> extents<Dim>(const CohortResult<Dim>&, const Surface<Dim>&)
 SHELLMATCH_INSTANTIATE(2);

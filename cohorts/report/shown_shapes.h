@@ -27,8 +27,8 @@ std::vector<Vec<Dim>> points_of(const Eigen::Ref<const Eigen::VectorXd>& column)
   return points;
 }
 
-/// For cameras and frames: `surface` itself, and for each shape of the statistics one without facets, of fewer points, that
-/// reaches as far.
+/// For cameras and frames: `surface` itself, and for each shape of the statistics one without facets, of fewer points,
+/// that reaches as far.
 template <int Dim>
 std::vector<Surface<Dim>> extents(const CohortResult<Dim>& result, const Surface<Dim>& surface);
 

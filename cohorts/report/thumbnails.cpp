@@ -68,8 +68,8 @@ SubjectThumbnails subject_thumbnails(const CohortResult<Dim>& result, const Surf
   return thumbnails;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
-  template SubjectThumbnails subject_thumbnails<Dim>(const CohortResult<Dim>&, const Surface<Dim>&,           \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                 \
+  template SubjectThumbnails subject_thumbnails<Dim>(const CohortResult<Dim>&, const Surface<Dim>&, \
                                                      const std::vector<std::size_t>&, std::size_t)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -9,8 +9,8 @@
 
 namespace shellmatch {
 
-/// Positions in `subjects`: those that did not finish, then "not-matched", "look-here" and "matched"; among these the greatest
-/// distance first, either way and over the diagonal (unknown ones before all), and otherwise as in the table.
+/// Positions in `subjects`: those that did not finish, then "not-matched", "look-here" and "matched"; among these the
+/// greatest distance first, either way and over the diagonal (unknown ones before all), and otherwise as in the table.
 std::vector<std::size_t> worst_first(const std::vector<SubjectResult>& subjects);
 
 }  // namespace shellmatch

@@ -31,9 +31,7 @@ std::string write_mirrored(const Shape<Dim>& shape, const std::string& path) {
 
 }  // namespace
 
-Space volume_space(const InputOptions& input) {
-  return or_default(wanted_space(input));
-}
+Space volume_space(const InputOptions& input) { return or_default(wanted_space(input)); }
 
 std::string mirrored_shape(const Subject& subject, const InputOptions& input, const std::string& folder) {
   try {
@@ -54,8 +52,8 @@ std::string mirrored_landmarks(const Subject& subject, const InputOptions& input
         [&]<int Dim>(const Shape<Dim>& s) {
           std::vector<std::string> notes;
           const Space space = space_beside(s.original, subject.landmarks, wanted_space(input));
-          std::vector<NamedPoint<Dim>> points =
-              read_named_points<Dim>(subject.landmarks, s.original.vertices, space, space, notes, nullptr, s.original.frame);
+          std::vector<NamedPoint<Dim>> points = read_named_points<Dim>(subject.landmarks, s.original.vertices, space,
+                                                                       space, notes, nullptr, s.original.frame);
           for (NamedPoint<Dim>& point : points) point.point[0] = -point.point[0];
           write_named_points(path, points);
         },

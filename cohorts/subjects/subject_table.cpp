@@ -63,21 +63,17 @@ Subject subject_of(const std::vector<std::string>& columns, const std::vector<st
   Subject subject;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const std::string &name = columns[k], &text = fields[k];
-    if (name == "id")
-      subject.id = text;
-    else if (name == "file")
-      subject.source = text;
+    if (name == "id") subject.id = text;
+    else if (name == "file") subject.source = text;
     else if (name == "landmarks")
       subject.landmarks = text.empty() ? "" : fs::absolute(folder / text).lexically_normal().string();
-    else if (name == "group")
-      subject.group = text;
-    else if (name == "reflect")
-      subject.reflect = is_true(text, reader);
-    else
-      subject.further.emplace_back(name, text);
+    else if (name == "group") subject.group = text;
+    else if (name == "reflect") subject.reflect = is_true(text, reader);
+    else subject.further.emplace_back(name, text);
   }
   if (subject.source.empty()) reader.fail("the name of the file is empty");
-  if (std::error_code error; !subject.landmarks.empty() && !fs::is_regular_file(split_part(subject.landmarks).file, error))
+  if (std::error_code error;
+      !subject.landmarks.empty() && !fs::is_regular_file(split_part(subject.landmarks).file, error))
     reader.fail("{}: there is no such file of landmarks", subject.landmarks);
   if (subject.id.empty()) subject.id = id_of_source(subject.source);
   subject.source = absolute_source(subject.source, folder);
@@ -115,8 +111,7 @@ std::vector<Subject> read_subject_table(const std::string& path) {
   const std::string text = InputFile(path).read();
   LineReader reader(path, text, 0);
   if (!reader.next())
-    throw_input_error("{}: is empty; expected a head line with the names of the columns, as id,file,group",
-                      path);
+    throw_input_error("{}: is empty; expected a head line with the names of the columns, as id,file,group", path);
   const std::vector<std::string> columns = read_head(reader);
   const fs::path folder = fs::absolute(path).parent_path();
   std::vector<Subject> subjects;
@@ -142,8 +137,7 @@ std::vector<Subject> subjects_of(const std::vector<std::string>& names, const st
   };
   for (const std::string& name : names) {
     std::error_code error;
-    if (is_generated_source(name) || name.find_first_of("*?") == std::string::npos ||
-        fs::exists(name, error)) {
+    if (is_generated_source(name) || name.find_first_of("*?") == std::string::npos || fs::exists(name, error)) {
       add(name);
       continue;
     }
@@ -155,12 +149,13 @@ std::vector<Subject> subjects_of(const std::vector<std::string>& names, const st
   return subjects;
 }
 
-void check_subjects(const std::vector<Subject>& subjects, const std::string& where, const std::vector<std::size_t>& lines) {
+void check_subjects(const std::vector<Subject>& subjects, const std::string& where,
+                    const std::vector<std::size_t>& lines) {
   std::map<std::string, std::size_t> number_of;
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     const Subject& subject = subjects[k];
-    if (subject.id.empty() || subject.id.size() > 200 || subject.id != safe_file_name(subject.id) || subject.id.starts_with('.') ||
-        subject.id.starts_with('-'))
+    if (subject.id.empty() || subject.id.size() > 200 || subject.id != safe_file_name(subject.id) ||
+        subject.id.starts_with('.') || subject.id.starts_with('-'))
       throw_input_error(
           "{}{}: the id '{}' cannot be the name of a folder; expected 1 to 200 letters, digits and ._+-=, "
           "not . or - first",
@@ -169,11 +164,12 @@ void check_subjects(const std::vector<Subject>& subjects, const std::string& whe
     if (is_new) continue;
     const std::string& other = subjects[at->second].source;
     if (lines.empty())
-      throw_input_error("{}: two subjects have the id {}: {} and {}; give them ids in a table", where,
-                        subject.id, other, subject.source);
-    throw_input_error("{}, lines {} and {}: two subjects have the id {}: {} and {}; ids must differ: change the "
-                      "column id (where that is missing or empty, the file's name is the id)",
-                      where, lines[at->second], lines[k], subject.id, other, subject.source);
+      throw_input_error("{}: two subjects have the id {}: {} and {}; give them ids in a table", where, subject.id,
+                        other, subject.source);
+    throw_input_error(
+        "{}, lines {} and {}: two subjects have the id {}: {} and {}; ids must differ: change the "
+        "column id (where that is missing or empty, the file's name is the id)",
+        where, lines[at->second], lines[k], subject.id, other, subject.source);
   }
 }
 
@@ -181,10 +177,8 @@ void check_files(const std::vector<Subject>& subjects, const std::string& where)
   std::vector<std::string> wrong;
   for (const Subject& subject : subjects) {
     try {
-      if (is_generated_source(subject.source))
-        check_generated_source(subject.source);
-      else
-        InputFile(file_of(subject.source));
+      if (is_generated_source(subject.source)) check_generated_source(subject.source);
+      else InputFile(file_of(subject.source));
     } catch (const InputError& error) {
       wrong.push_back(fmt::format("{}: subject {}: {}", where, subject.id, error.what()));
     }

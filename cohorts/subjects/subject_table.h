@@ -18,11 +18,13 @@ std::vector<Subject> read_subject_table(const std::string& path);
 /// the beginning of messages \throws InputError for a pattern that no file has
 std::vector<Subject> subjects_of(const std::vector<std::string>& names, const std::string& where);
 
-/// Checks that ids differ and can be names of files. \param lines numbers, from 1, of the table's line of each subject; empty without a table
-/// \throws InputError
-void check_subjects(const std::vector<Subject>& subjects, const std::string& where, const std::vector<std::size_t>& lines = {});
+/// Checks that ids differ and can be names of files. \param lines numbers, from 1, of the table's line of each subject;
+/// empty without a table \throws InputError
+void check_subjects(const std::vector<Subject>& subjects, const std::string& where,
+                    const std::vector<std::size_t>& lines = {});
 
-/// Checks that the file or built-in shape of each subject exists; its contents are not read. \throws SeveralInputErrors, one text for each
+/// Checks that the file or built-in shape of each subject exists; its contents are not read. \throws
+/// SeveralInputErrors, one text for each
 void check_files(const std::vector<Subject>& subjects, const std::string& where);
 
 }  // namespace shellmatch

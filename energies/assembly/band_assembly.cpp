@@ -17,12 +17,11 @@ using autodiff::pack_size;
 /// Sets the functors' active arguments, the template's coefficients and Dphi, at eight points. Lanes of weight 0 get
 /// harmless values instead of a possible NaN.
 template <int Dim, bool WithGradient>
-void look_up(const GeometryField<Dim>& target, const Pack& weight, const typename GeometryField<Dim>::LocatedPoints& located,
-             const SumFactorisedEvaluator<Dim>& evaluator, std::size_t q, PointArrays<Dim>& p) {
-  if constexpr (WithGradient)
-    target.look_up(weight, located, p.active.data(), p.derivative);
-  else
-    target.look_up(weight, located, p.active.data());
+void look_up(const GeometryField<Dim>& target, const Pack& weight,
+             const typename GeometryField<Dim>::LocatedPoints& located, const SumFactorisedEvaluator<Dim>& evaluator,
+             std::size_t q, PointArrays<Dim>& p) {
+  if constexpr (WithGradient) target.look_up(weight, located, p.active.data(), p.derivative);
+  else target.look_up(weight, located, p.active.data());
   Pack* dphi = p.active.data() + PointArrays<Dim>::n_target;
   evaluator.jacobian(q, dphi);
   for (int i = 0; i < Dim; ++i)
@@ -53,8 +52,8 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
   for (std::size_t t = 0; t < terms_->size(); ++t)
     if (const auto* code = std::get_if<BandCode<Dim>>(&(*terms_)[t].term.code); code && weights[t] > 0) {
       const auto& fields = (*terms_)[t].own_fields;
-      acting.push_back({WithGradient ? code->gradient : code->value, (*terms_)[t].own.data(), fields.empty() ? nullptr : &fields,
-                        weights[t], values + t});
+      acting.push_back({WithGradient ? code->gradient : code->value, (*terms_)[t].own.data(),
+                        fields.empty() ? nullptr : &fields, weights[t], values + t});
       reads_phi = reads_phi || code->reads_phi;
       n_own_fields = std::max(n_own_fields, fields.n_components());
     }
@@ -85,14 +84,17 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       look_up<Dim, WithGradient>(*target_, point.weight, located, evaluator, q, p);
       for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
-      if (band_sums) band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
+      if (band_sums)
+        band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
       if (reads_phi) std::ranges::copy(evaluator.position(q), p.active.begin() + n_without_phi);
       if constexpr (WithGradient) {
         std::fill_n(p.adjoint.begin(), n_without_phi, Pack{});
         if (reads_phi) std::fill_n(p.adjoint.begin() + n_without_phi, Dim, Pack{});
       }
       for (Acting& term : acting) {
-        if (term.own_fields) term.own_fields->read(elements, [&](int lane) { return batches[b].element[lane]; }, shape_, q, own_fields.data());
+        if (term.own_fields)
+          term.own_fields->read(
+              elements, [&](int lane) { return batches[b].element[lane]; }, shape_, q, own_fields.data());
         term.sum += term.apply(p, point.weight * term.weight, term.own);
       }
       if constexpr (WithGradient) {
@@ -118,12 +120,12 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
 }
 
 template void MatchingEnergy<2>::add_band_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
-                                                     double*, BandSums*) const;
-template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
-                                                     double*, BandSums*) const;
+                                                      double*, BandSums*) const;
+template void MatchingEnergy<2>::add_band_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                       double*, double*, BandSums*) const;
 template void MatchingEnergy<3>::add_band_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
-                                                     double*, BandSums*) const;
-template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
-                                                     double*, BandSums*) const;
+                                                      double*, BandSums*) const;
+template void MatchingEnergy<3>::add_band_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                       double*, double*, BandSums*) const;
 
 }  // namespace shellmatch

@@ -53,8 +53,7 @@ void MatchingEnergy<Dim>::set_mask(std::span<const Vec<Dim>> phi, const BandMask
         y.enclose();
         if (const std::optional<double> all = mask.constant(x.centre, x.radius, y.centre, y.radius))
           band_.set_mask(b, lane, [&](std::size_t) { return *all; });
-        else
-          band_.set_mask(b, lane, [&](std::size_t q) { return mask.weight(x.points[q], y.points[q]); });
+        else band_.set_mask(b, lane, [&](std::size_t q) { return mask.weight(x.points[q], y.points[q]); });
       }
     }
   });

@@ -27,7 +27,8 @@ struct BandSums {
   /// \param weights eta_sigma(d1) times the volume of the point, 0 in unused lanes
   /// \param n1 normal of the reference, n2 the template's at phi, dphi the rows of Dphi
   template <int Dim>
-  void add(const autodiff::Pack& weights, const autodiff::Pack* n1, const autodiff::Pack* n2, const autodiff::Pack* dphi);
+  void add(const autodiff::Pack& weights, const autodiff::Pack* n1, const autodiff::Pack* n2,
+           const autodiff::Pack* dphi);
 };
 
 }  // namespace shellmatch

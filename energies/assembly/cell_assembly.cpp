@@ -31,8 +31,8 @@ std::vector<Acting<Dim>> acting_terms(const EnergyTerms<Dim>& terms, const TermV
   const auto add = [&]<class Code>(std::type_identity<Code>) {
     for (std::size_t t = 0; t < terms.size(); ++t)
       if (const auto* code = std::get_if<Code>(&terms[t].term.code); code && weights[t] > 0)
-        acting.push_back({WithGradient ? code->gradient : code->value, &terms[t].material, &terms[t].own_fields, weights[t], values + t,
-                          std::is_same_v<Code, CornerCode<Dim>>});
+        acting.push_back({WithGradient ? code->gradient : code->value, &terms[t].material, &terms[t].own_fields,
+                          weights[t], values + t, std::is_same_v<Code, CornerCode<Dim>>});
   };
   add(std::type_identity<CornerCode<Dim>>{});
   add(std::type_identity<CellCode<Dim>>{});
@@ -59,7 +59,8 @@ bool MatchingEnergy<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec
     Pack measure{};
     for (std::size_t lane = 0; lane < n; ++lane) measure[lane] = 1;
     for (int k = 0; k < Dim; ++k) measure *= batch.elements.side;
-    for (std::size_t lane = 0; lane < batch.number.size(); ++lane) batch.number[lane] = cells.begin + first + std::min(lane, n - 1);
+    for (std::size_t lane = 0; lane < batch.number.size(); ++lane)
+      batch.number[lane] = cells.begin + first + std::min(lane, n - 1);
     for (Acting<Dim>& term : acting) {
       batch.own_fields = term.own_fields;
       term.sum += term.apply(batch, shape_, *term.material, measure * term.weight);
@@ -76,12 +77,12 @@ bool MatchingEnergy<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec
 }
 
 template bool MatchingEnergy<2>::set_cell_terms<true>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
-                                                    double*) const;
-template bool MatchingEnergy<2>::set_cell_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&, double*,
-                                                     double*) const;
+                                                      double*) const;
+template bool MatchingEnergy<2>::set_cell_terms<false>(const Chunk&, std::span<const Vec<2>>, const TermValues&,
+                                                       double*, double*) const;
 template bool MatchingEnergy<3>::set_cell_terms<true>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
-                                                    double*) const;
-template bool MatchingEnergy<3>::set_cell_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&, double*,
-                                                     double*) const;
+                                                      double*) const;
+template bool MatchingEnergy<3>::set_cell_terms<false>(const Chunk&, std::span<const Vec<3>>, const TermValues&,
+                                                       double*, double*) const;
 
 }  // namespace shellmatch

@@ -13,7 +13,8 @@ namespace shellmatch {
 template <int Dim>
 ElementFields<Dim>& CeresEvaluator<Dim>::fields_of(std::size_t e) const {
   static thread_local ElementFields<Dim> fields;
-  fields.assign(energy_->elements()[e], energy_->band(), energy_->band().lane_of(e), energy_->target(), energy_->shape());
+  fields.assign(energy_->elements()[e], energy_->band(), energy_->band().lane_of(e), energy_->target(),
+                energy_->shape());
   return fields;
 }
 
@@ -25,7 +26,8 @@ ElementFields<Dim>& CeresEvaluator<Dim>::fields_of(std::size_t t, std::size_t e)
 }
 
 template <int Dim>
-bool CeresEvaluator<Dim>::add(const TermValues& weights, std::size_t e, const Dofs& dofs, double* values, double* gradient) const {
+bool CeresEvaluator<Dim>::add(const TermValues& weights, std::size_t e, const Dofs& dofs, double* values,
+                              double* gradient) const {
   ElementFields<Dim>& fields = fields_of(e);
   bool is_possible = true;
   const auto add_cost = [&](std::size_t t, const ceres::CostFunction& cost) {
@@ -68,11 +70,12 @@ double CeresEvaluator<Dim>::gradient(const TermValues& weights, std::size_t e, c
 }
 
 template <int Dim>
-std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, double weight, std::size_t e, const Dofs& dofs,
-                                                            std::size_t q, Dofs& gradient) const {
+std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, double weight, std::size_t e,
+                                                             const Dofs& dofs, std::size_t q, Dofs& gradient) const {
   const auto& entry = energy_->terms()[t];
   const CompiledTerm<Dim>& term = entry.term;
-  if (std::holds_alternative<CornerCode<Dim>>(term.code) || std::holds_alternative<PointCode<Dim>>(term.code)) return std::nullopt;
+  if (std::holds_alternative<CornerCode<Dim>>(term.code) || std::holds_alternative<PointCode<Dim>>(term.code))
+    return std::nullopt;
   // The element with this point alone.
   ElementFields<Dim> fields = fields_of(t, e);
   const bool is_of_band = std::holds_alternative<BandCode<Dim>>(term.code);
@@ -82,12 +85,14 @@ std::optional<double> CeresEvaluator<Dim>::gradient_at_point(std::size_t t, doub
   fields.shape = &one;
   if (!fields.band.empty()) fields.band = {fields.band[q]};
   const auto n = static_cast<std::size_t>(entry.own_fields.n_components());
-  fields.own = {fields.own.begin() + static_cast<std::ptrdiff_t>(q * n), fields.own.begin() + static_cast<std::ptrdiff_t>((q + 1) * n)};
+  fields.own = {fields.own.begin() + static_cast<std::ptrdiff_t>(q * n),
+                fields.own.begin() + static_cast<std::ptrdiff_t>((q + 1) * n)};
   const double* const parameters[] = {dofs.data()};
   double* jacobians[] = {gradient.data()};
   double value;
-  return term.cost(fields, weight, entry.material)->Evaluate(parameters, &value, jacobians) ? value
-                                                                                     : std::numeric_limits<double>::quiet_NaN();
+  return term.cost(fields, weight, entry.material)->Evaluate(parameters, &value, jacobians)
+             ? value
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 template <int Dim>
@@ -138,13 +143,15 @@ double CeresEvaluator<Dim>::natural_size(const TermValues& weights, std::size_t 
 
 template <int Dim>
 template <bool WithGradient>
-void MatchingEnergy<Dim>::add_costs(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
-                                    double* gradients) const {
+void MatchingEnergy<Dim>::add_costs(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                    double* values, double* gradients) const {
   const CeresEvaluator<Dim> costs(*this);
   constexpr int n = CeresEvaluator<Dim>::n_dofs;
   if constexpr (WithGradient) std::fill_n(gradients, (cells.end - cells.begin) * n, 0.0);
   for (std::size_t e = cells.begin; e < cells.end; ++e) {
-    if (costs.add(weights, e, costs.dofs_of(e, phi), values, WithGradient ? gradients + (e - cells.begin) * n : nullptr)) continue;
+    if (costs.add(weights, e, costs.dofs_of(e, phi), values,
+                  WithGradient ? gradients + (e - cells.begin) * n : nullptr))
+      continue;
     values[0] = std::numeric_limits<double>::quiet_NaN();
     return;
   }
@@ -152,9 +159,9 @@ void MatchingEnergy<Dim>::add_costs(const Chunk& cells, std::span<const Vec<Dim>
 
 template class CeresEvaluator<2>;
 template class CeresEvaluator<3>;
-#define SHELLMATCH_INSTANTIATE(Dim, WithGradient)                                                                             \
-  template void MatchingEnergy<Dim>::add_costs<WithGradient>(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, double*, \
-                                                             double*) const;
+#define SHELLMATCH_INSTANTIATE(Dim, WithGradient)                                                     \
+  template void MatchingEnergy<Dim>::add_costs<WithGradient>(const Chunk&, std::span<const Vec<Dim>>, \
+                                                             const TermValues&, double*, double*) const;
 SHELLMATCH_INSTANTIATE(2, false)
 SHELLMATCH_INSTANTIATE(2, true)
 SHELLMATCH_INSTANTIATE(3, false)

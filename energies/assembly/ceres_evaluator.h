@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// The energy by ceres::CostFunctions of single elements (energies/cost/element_cost.h): values, and derivatives by
-/// ceres::Jet. It shares the terms' functors with the compiled assembly but none of its code: with `energy.evaluator: ceres`
-/// it takes that one's place, and derivative checks compare both.
+/// ceres::Jet. It shares the terms' functors with the compiled assembly but none of its code: with `energy.evaluator:
+/// ceres` it takes that one's place, and derivative checks compare both.
 
 #include "energies/assembly/matching_energy.h"
 
@@ -27,14 +27,14 @@ class CeresEvaluator {
   /// The same with its derivative by the entries of `dofs`.
   double gradient(const TermValues& weights, std::size_t e, const Dofs& dofs, Dofs& gradient) const;
 
-  /// The weighted value of each term on element e is added to `values`, and the derivative of their sum by the entries of
-  /// `dofs` to `gradient`, if not null. False where a term cannot be evaluated.
+  /// The weighted value of each term on element e is added to `values`, and the derivative of their sum by the entries
+  /// of `dofs` to `gradient`, if not null. False where a term cannot be evaluated.
   bool add(const TermValues& weights, std::size_t e, const Dofs& dofs, double* values, double* gradient) const;
 
-  /// The share of quadrature point q in the value of one term with this weight on element e, and its derivative; nothing
-  /// where the term does not act at that point, or acts at none.
-  std::optional<double> gradient_at_point(std::size_t term, double weight, std::size_t e, const Dofs& dofs, std::size_t q,
-                                          Dofs& gradient) const;
+  /// The share of quadrature point q in the value of one term with this weight on element e, and its derivative;
+  /// nothing where the term does not act at that point, or acts at none.
+  std::optional<double> gradient_at_point(std::size_t term, double weight, std::size_t e, const Dofs& dofs,
+                                          std::size_t q, Dofs& gradient) const;
 
   /// What term t of MatchingEnergy::terms() reads on element e. Scratch of this thread, valid until its next call.
   ElementFields<Dim>& fields_of(std::size_t t, std::size_t e) const;

@@ -11,8 +11,8 @@
 namespace shellmatch {
 
 template <int Dim>
-EnergyFunction<Dim>::EnergyFunction(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, TermValues weights,
-                                    std::vector<Vec<Dim>> phi)
+EnergyFunction<Dim>::EnergyFunction(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
+                                    TermValues weights, std::vector<Vec<Dim>> phi)
     : energy_(&energy), unknowns_(&unknowns), weights_(std::move(weights)), phi_(std::move(phi)) {}
 
 template <int Dim>
@@ -25,13 +25,15 @@ bool EnergyFunction<Dim>::Evaluate(const double* x, double* cost, double* gradie
 }
 
 template <int Dim>
-std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TermValues& weights,
-                                       std::span<const Vec<Dim>> phi, std::span<double> x, ceres::Problem& problem) {
+std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
+                                       const TermValues& weights, std::span<const Vec<Dim>> phi, std::span<double> x,
+                                       ceres::Problem& problem) {
   SHELLMATCH_CHECK(x.size() == unknowns.size(), "the problem's parameters are the unknowns");
   const auto add = [&](ElementCostFunction residual, std::size_t e, ceres::LossFunction* loss) {
     auto* cost = new CondensedCost<Dim>(std::move(residual), unknowns, e, phi);
     std::vector<double*> blocks;
-    for (int i = 0; i < cost->unknowns().size(); ++i) blocks.push_back(x.data() + static_cast<std::ptrdiff_t>(cost->unknowns()[i]) * Dim);
+    for (int i = 0; i < cost->unknowns().size(); ++i)
+      blocks.push_back(x.data() + static_cast<std::ptrdiff_t>(cost->unknowns()[i]) * Dim);
     problem.AddResidualBlock(cost, loss, blocks);
   };
   std::vector<std::string> left_out;
@@ -61,9 +63,10 @@ std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const 
 
 template class EnergyFunction<2>;
 template class EnergyFunction<3>;
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                            \
-  template std::vector<std::string> add_residuals<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&, const TermValues&, \
-                                                       std::span<const Vec<Dim>>, std::span<double>, ceres::Problem&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
+  template std::vector<std::string> add_residuals<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&, \
+                                                       const TermValues&, std::span<const Vec<Dim>>,     \
+                                                       std::span<double>, ceres::Problem&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The energy as problems of Ceres: a first-order function of the unknowns, and the terms that are squares as residuals.
+/// The energy as problems of Ceres: a first-order function of the unknowns, and the terms that are squares as
+/// residuals.
 
 #include "energies/assembly/matching_energy.h"
 
@@ -17,7 +18,8 @@ template <int Dim>
 class EnergyFunction final : public ceres::FirstOrderFunction {
  public:
   /// \param phi  nodal positions, of which those of fixed nodes count
-  EnergyFunction(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, TermValues weights, std::vector<Vec<Dim>> phi);
+  EnergyFunction(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, TermValues weights,
+                 std::vector<Vec<Dim>> phi);
   /// False where a term cannot be evaluated.
   bool Evaluate(const double* x, double* cost, double* gradient) const override;
   int NumParameters() const override { return static_cast<int>(unknowns_->size()); }
@@ -30,14 +32,15 @@ class EnergyFunction final : public ceres::FirstOrderFunction {
   mutable TermValues values_;
 };
 
-/// Adds the terms of positive weight that are squares, and those of pairs with their losses, as residual blocks over the unknown
-/// nodes, whose positions are at x. The problem's cost is then the sum of these terms.
-/// \param phi  nodal positions, of which those of fixed nodes count
-/// \return the names of the terms of positive weight that are no squares, and left out
-/// \pre x.size() == unknowns.size(); x and `energy` outlive the problem, and the band's weights do not change
+/// Adds the terms of positive weight that are squares, and those of pairs with their losses, as residual blocks over
+/// the unknown nodes, whose positions are at x. The problem's cost is then the sum of these terms. \param phi  nodal
+/// positions, of which those of fixed nodes count \return the names of the terms of positive weight that are no
+/// squares, and left out \pre x.size() == unknowns.size(); x and `energy` outlive the problem, and the band's weights
+/// do not change
 template <int Dim>
-std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns, const TermValues& weights,
-                                       std::span<const Vec<Dim>> phi, std::span<double> x, ceres::Problem& problem);
+std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const Unknowns<Dim>& unknowns,
+                                       const TermValues& weights, std::span<const Vec<Dim>> phi, std::span<double> x,
+                                       ceres::Problem& problem);
 
 extern template class EnergyFunction<2>;
 extern template class EnergyFunction<3>;

@@ -23,6 +23,7 @@ struct EnergyReport {
 template <int Dim>
 EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                            const EnergyOptions& options, double sigma, int points_per_direction,
-                           std::span<const Vec<Dim>> phi, const TermValues& weights, const BandMask<Dim>* mask = nullptr);
+                           std::span<const Vec<Dim>> phi, const TermValues& weights,
+                           const BandMask<Dim>* mask = nullptr);
 
 }  // namespace shellmatch

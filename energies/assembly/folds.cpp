@@ -38,7 +38,8 @@ std::vector<DeterminantBounds> determinant_bounds(std::span<const Element<Dim>> 
       for (std::size_t l = 0; l < n; ++l) {
         const int lane = static_cast<int>(l);
         // Comparisons lose NaN, sums do not.
-        all[begin + l] = std::isnan(sum[lane]) ? DeterminantBounds{sum[lane], sum[lane]} : DeterminantBounds{at_corners[lane], least[lane]};
+        all[begin + l] = std::isnan(sum[lane]) ? DeterminantBounds{sum[lane], sum[lane]}
+                                               : DeterminantBounds{at_corners[lane], least[lane]};
       }
     }
   });

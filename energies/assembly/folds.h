@@ -12,11 +12,12 @@
 namespace shellmatch {
 
 struct FoldReport {
-  double min_determinant = 0;    ///< smallest value of det Dphi at the corners of cells
-  double lower_bound = 0;        ///< smallest Bernstein coefficient: det Dphi is nowhere smaller
-  Index n_folded_cells = 0;      ///< cells with det Dphi <= 0 at one of their corners, or not a number
-  Index n_uncertified_cells = 0; ///< cells with a Bernstein coefficient <= 0 or not a number; 0 certifies that there is no fold
-  double folded_volume = 0;      ///< volume of the folded cells, as a share of the domain
+  double min_determinant = 0;  ///< smallest value of det Dphi at the corners of cells
+  double lower_bound = 0;      ///< smallest Bernstein coefficient: det Dphi is nowhere smaller
+  Index n_folded_cells = 0;    ///< cells with det Dphi <= 0 at one of their corners, or not a number
+  Index n_uncertified_cells =
+      0;  ///< cells with a Bernstein coefficient <= 0 or not a number; 0 certifies that there is no fold
+  double folded_volume = 0;  ///< volume of the folded cells, as a share of the domain
 };
 
 /// Bounds of det Dphi on one element.

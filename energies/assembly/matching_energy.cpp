@@ -13,7 +13,8 @@ namespace shellmatch {
 template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
                                     const EnergyOptions& options, double sigma, int points_per_direction)
-    : MatchingEnergy(unknowns, geometry, std::make_shared<const EnergyTerms<Dim>>(options), sigma, points_per_direction) {}
+    : MatchingEnergy(unknowns, geometry, std::make_shared<const EnergyTerms<Dim>>(options), sigma,
+                     points_per_direction) {}
 
 template <int Dim>
 MatchingEnergy<Dim>::MatchingEnergy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim>& geometry,
@@ -33,7 +34,8 @@ MatchingEnergy<Dim>::MatchingEnergy(std::span<const Element<Dim>> elements, cons
       shape_(points_per_direction),
       band_(elements, shape_, geometry.reference, geometry.root_is_inverse, sigma) {
   for (const auto& entry : terms_->entries())
-    SHELLMATCH_CHECK(entry.own_fields.fit(elements, shape_), "a term's own field has a value for each node, element or quadrature point");
+    SHELLMATCH_CHECK(entry.own_fields.fit(elements, shape_),
+                     "a term's own field has a value for each node, element or quadrature point");
 }
 
 namespace {
@@ -84,7 +86,8 @@ void MatchingEnergy<Dim>::add_point_terms(const Chunk& cells, std::span<const Ve
 }
 
 template <int Dim>
-void MatchingEnergy<Dim>::set_point_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const {
+void MatchingEnergy<Dim>::set_point_values(std::span<const Vec<Dim>> phi, const TermValues& weights,
+                                           TermValues& values) const {
   for (std::size_t t = 0; t < terms_->size(); ++t)
     if (std::holds_alternative<PointCode<Dim>>((*terms_)[t].term.code)) values[t] = 0;
   add_point_terms({0, elements_.size(), 0}, phi, weights, &values[0], nullptr);

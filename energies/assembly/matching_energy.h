@@ -36,8 +36,8 @@ class MatchingEnergy {
   MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
 
-  /// Multiplies the weights of the band by mask.weight(x, phi(x)), in place of an earlier mask. The energy then is that of these
-  /// weights: they do not move with phi until the next call. Not during an evaluation.
+  /// Multiplies the weights of the band by mask.weight(x, phi(x)), in place of an earlier mask. The energy then is that
+  /// of these weights: they do not move with phi until the next call. Not during an evaluation.
   void set_mask(std::span<const Vec<Dim>> phi, const BandMask<Dim>& mask);
 
   /// Sets the values of the terms of points, which depend on no quadrature. \pre values.size() == n_terms()
@@ -90,7 +90,7 @@ class MatchingEnergy {
 
   // Terms of points: adds to `values` and, if not null, to `gradients`.
   void add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights, double* values,
-                      double* gradients) const;
+                       double* gradients) const;
 
   std::span<const Element<Dim>> elements_;
   const GeometryField<Dim>* target_;

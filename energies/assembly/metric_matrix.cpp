@@ -63,10 +63,8 @@ MetricWeights stiffness_of_energy(const EnergyTerms<Dim>& terms, const TermValue
     const Material<double>& material = terms[t].material;
     if (const auto* band = std::get_if<BandCode<Dim>>(&term.code)) {
       const double stiffness = weights[t] * term.modulus(material);
-      if (band->reads_dphi)
-        sums.band_stiffness += stiffness;
-      else
-        sums.band_mass += match_factor * stiffness / Dim;
+      if (band->reads_dphi) sums.band_stiffness += stiffness;
+      else sums.band_mass += match_factor * stiffness / Dim;
     } else if (const auto* cells = std::get_if<CellCode<Dim>>(&term.code)) {
       sums.mass += cells->reads_dphi ? weights[t] : weights[t] * term.modulus(material);
       if (cells->reads_dphi) sums.stiffness += weights[t] * term.modulus(material);

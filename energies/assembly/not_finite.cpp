@@ -27,7 +27,9 @@ std::optional<NotFinite<Dim>> check_element(const MatchingEnergy<Dim>& energy, c
   TermValues alone(energy.n_terms());
   alone[t] = weight;
   typename CeresEvaluator<Dim>::Dofs dofs = costs.dofs_of(e, phi), derivative;
-  const auto is_finite = [](const auto& numbers) { return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }); };
+  const auto is_finite = [](const auto& numbers) {
+    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+  };
   const bool has_value = std::isfinite(costs.gradient(alone, e, dofs, derivative));
   if (has_value && is_finite(derivative)) return std::nullopt;
   auto found = place_of(element, e, has_value ? "gradient" : "value", energy.term_names()[t]);
@@ -60,13 +62,14 @@ std::optional<NotFinite<Dim>> find_not_finite(const MatchingEnergy<Dim>& energy,
 template <int Dim>
 std::string not_finite_text(const NotFinite<Dim>& found) {
   const auto text = [](const Vec<Dim>& x) { return fmt::format("({:.6g})", fmt::join(x.begin(), x.end(), ", ")); };
-  return fmt::format("the {} of the term {} is not finite in the cell of side {:g} at {}{}", found.what, found.term, found.side,
-                     text(found.corner), found.point ? fmt::format(", at the point {}", text(*found.point)) : "");
+  return fmt::format("the {} of the term {} is not finite in the cell of side {:g} at {}{}", found.what, found.term,
+                     found.side, text(found.corner),
+                     found.point ? fmt::format(", at the point {}", text(*found.point)) : "");
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                          \
-  template std::optional<NotFinite<Dim>> find_not_finite<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&,                \
-                                                              std::span<const Vec<Dim>>, const TermValues&);                 \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
+  template std::optional<NotFinite<Dim>> find_not_finite<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&, \
+                                                              std::span<const Vec<Dim>>, const TermValues&);    \
   template std::string not_finite_text<Dim>(const NotFinite<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -137,7 +137,8 @@ class Compiled {
       (backward<Output, n_ - 1 - I>(v, a), ...);
       for (int i = 0; i < Functor::n_active; ++i) adjoint[i] = broadcast(V{}, 0.0);
       (store_adjoint<Output, I>(a, adjoint), ...);
-    }(std::make_index_sequence<n_>{});
+    }
+    (std::make_index_sequence<n_>{});
   }
 
  public:
@@ -170,7 +171,8 @@ class Compiled {
     V v[n_];
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (forward<I>(v, active, passive), ...);
-    }(std::make_index_sequence<n_>{});
+    }
+    (std::make_index_sequence<n_>{});
     return v[outputs_[0]];
   }
 
@@ -184,7 +186,8 @@ class Compiled {
       (forward<I>(v, active, passive), ...);
       sweep<0>(v, seed, adjoint);
       return v[outputs_[0]];
-    }(std::make_index_sequence<n_>{});
+    }
+    (std::make_index_sequence<n_>{});
   }
 
   /// All outputs, and the derivative of output o by active input i in derivative[o * n_active + i], 0 where o does not
@@ -194,10 +197,12 @@ class Compiled {
     V v[n_];
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (forward<I>(v, active, passive), ...);
-    }(std::make_index_sequence<n_>{});
+    }
+    (std::make_index_sequence<n_>{});
     [&]<std::size_t... O>(std::index_sequence<O...>) __attribute__((always_inline)) {
       ((values[O] = v[outputs_[O]], sweep<O>(v, broadcast(V{}, 1.0), derivative + O * Functor::n_active)), ...);
-    }(std::make_index_sequence<n_outputs_>{});
+    }
+    (std::make_index_sequence<n_outputs_>{});
   }
 };
 

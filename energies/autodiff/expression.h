@@ -15,7 +15,21 @@
 
 namespace shellmatch::autodiff {
 
-enum class Op : unsigned char { constant, active, passive, add, subtract, multiply, divide, negate, sqrt, exp, log, pow, max };
+enum class Op : unsigned char {
+  constant,
+  active,
+  passive,
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  sqrt,
+  exp,
+  log,
+  pow,
+  max
+};
 
 /// One operation. `a` and `b` are the node numbers of its operands; for an input, `a` is its position.
 struct Node {
@@ -129,7 +143,7 @@ class Expression {
 template <class Functor>
 inline constexpr int n_outputs_of = 1;
 template <class Functor>
-  requires requires { Functor::n_outputs; }
+requires requires { Functor::n_outputs; }
 inline constexpr int n_outputs_of<Functor> = Functor::n_outputs;
 
 /// A finished record: `size` nodes, operands before their users, and the numbers of the results' nodes.
@@ -155,8 +169,7 @@ consteval Tape<Capacity, n_outputs_of<Functor>> record() {
   std::array<Expression, n_outputs> results;
   if constexpr (requires { Functor::n_outputs; })
     results = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
-  else
-    results[0] = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
+  else results[0] = Functor::template evaluate<Expression, Expression>(active.data(), passive.data());
   Tape<Capacity, n_outputs> tape;
   for (int o = 0; o < n_outputs; ++o)
     tape.outputs[o] = results[o].is_constant()

@@ -20,16 +20,16 @@ template <int N, class Body>
 [[gnu::always_inline]] inline void unrolled(Body&& body) {
   [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
     (body(std::integral_constant<int, I>{}), ...);
-  }(std::make_integer_sequence<int, N>{});
+  }
+  (std::make_integer_sequence<int, N>{});
 }
 
-/// The passive inputs of a functor of `Term`: those of the point, the term's own options and fields, and the frames t1, t2 if
-/// it reads these. With constant indices throughout, the compiler keeps them in registers.
+/// The passive inputs of a functor of `Term`: those of the point, the term's own options and fields, and the frames t1,
+/// t2 if it reads these. With constant indices throughout, the compiler keeps them in registers.
 template <class Functor, class Term>
-[[gnu::always_inline]] inline std::array<Pack, Functor::n_passive> passive_inputs(const PointArrays<Term::dim>& p,
-                                                                                  const double* own,
-                                                                                  const TangentBasis<Term::dim>* t1 = nullptr,
-                                                                                  const TangentBasis<Term::dim>* t2 = nullptr) {
+[[gnu::always_inline]] inline std::array<Pack, Functor::n_passive> passive_inputs(
+    const PointArrays<Term::dim>& p, const double* own, const TangentBasis<Term::dim>* t1 = nullptr,
+    const TangentBasis<Term::dim>* t2 = nullptr) {
   constexpr int dim = Term::dim, n_point = PointArrays<dim>::n_passive, n_own = static_cast<int>(Term::own.size());
   constexpr int n_fields = Term::Reads::n_own, n_basis = (dim - 1) * dim, n_without_frames = n_point + n_own + n_fields;
   std::array<Pack, Functor::n_passive> passive;
@@ -84,12 +84,14 @@ template <int NArguments, int NVariables>
   }
 }
 
-/// Derivative of output `Output` of a functor by the coordinates of phi: through the template's values, and where it reads phi.
+/// Derivative of output `Output` of a functor by the coordinates of phi: through the template's values, and where it
+/// reads phi.
 template <class Code, int Dim, int Output>
 [[gnu::always_inline]] inline std::array<Pack, Dim> by_position(const Pack* derivative, const PointArrays<Dim>& p) {
   std::array<Pack, Dim> sum{};
   unrolled<PointArrays<Dim>::n_target>([&](auto i) {
-    if constexpr (Code::depends(Output, i)) unrolled<Dim>([&](auto a) { sum[a] += derivative[i] * p.derivative[a][i]; });
+    if constexpr (Code::depends(Output, i))
+      unrolled<Dim>([&](auto a) { sum[a] += derivative[i] * p.derivative[a][i]; });
   });
   if constexpr (Code::n_active > PointArrays<Dim>::n_without_phi)
     unrolled<Dim>([&](auto a) { sum[a] += derivative[PointArrays<Dim>::n_without_phi + a]; });
@@ -105,10 +107,8 @@ void add_in_tangent(const BandModelPoint<Term::dim>& at, double weight, const do
   using Code = autodiff::Compiled<Functor>;
   constexpr int n = Code::n_outputs;
   const auto passive = [&] {
-    if constexpr (Term::is_tangential)
-      return passive_inputs<Functor, Term>(at.arrays, own, &at.t1, &at.t2);
-    else
-      return passive_inputs<Functor, Term>(at.arrays, own);
+    if constexpr (Term::is_tangential) return passive_inputs<Functor, Term>(at.arrays, own, &at.t1, &at.t2);
+    else return passive_inputs<Functor, Term>(at.arrays, own);
   }();
   std::array<Pack, Functor::n_active> active;
   unrolled<Functor::n_active>([&](auto i) { active[i] = at.arrays.active[i]; });
@@ -130,9 +130,8 @@ void add_in_tangent(const BandModelPoint<Term::dim>& at, double weight, const do
     const Pack* row = derivative.data() + e * Functor::n_active;
     if constexpr (Term::is_tangential) {
       // X_rs moves Dphi by t2_r t1_s^T, and thus column s of Dphi Q by t2_r.
-      unrolled<m * m>([&](auto x) {
-        unrolled<dim>([&](auto k) { j[e][x] += at.t2[x / m][k] * row[n_dphi + k * dim + x % m]; });
-      });
+      unrolled<m * m>(
+          [&](auto x) { unrolled<dim>([&](auto k) { j[e][x] += at.t2[x / m][k] * row[n_dphi + k * dim + x % m]; }); });
     }
     const auto by_phi = by_position<Code, dim, e>(row, at.arrays);
     unrolled<dim>([&](auto a) { j[e][m * m + a] = by_phi[a]; });

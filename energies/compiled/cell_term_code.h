@@ -43,17 +43,20 @@ Pack apply_cell_term(CellBatch<Term::dim>& batch, const ShapeTable<Term::dim>& s
     if constexpr (Functor::reads_phi)
       for (int k = 0; k < dim; ++k) {
         active[n_dphi + k] = Pack{};
-        for (int c = 0; c < n_corners<dim>; ++c) active[n_dphi + k] += shape.points[q].n[c] * batch.elements.u[c * dim + k];
+        for (int c = 0; c < n_corners<dim>; ++c)
+          active[n_dphi + k] += shape.points[q].n[c] * batch.elements.u[c * dim + k];
       }
     if constexpr (Functor::n_own_fields > 0)
-      batch.own_fields->read(batch.all, [&](int lane) { return batch.number[lane]; }, shape, q, passive.data() + 2 + Functor::n_own);
+      batch.own_fields->read(
+          batch.all, [&](int lane) { return batch.number[lane]; }, shape, q, passive.data() + 2 + Functor::n_own);
     const Pack seed = measure * shape.points[q].weight;
     if constexpr (WithGradient) {
       sum += seed * Code::gradient(active.data(), passive.data(), seed, adjoint.data());
       batch.evaluator.add_by_jacobian(q, adjoint.data());
       if constexpr (Functor::reads_phi)
         for (int c = 0; c < n_corners<dim>; ++c)
-          for (int k = 0; k < dim; ++k) batch.elements.gradient[c * dim + k] += shape.points[q].n[c] * adjoint[n_dphi + k];
+          for (int k = 0; k < dim; ++k)
+            batch.elements.gradient[c * dim + k] += shape.points[q].n[c] * adjoint[n_dphi + k];
     } else {
       sum += seed * Code::value(active.data(), passive.data());
     }
@@ -63,8 +66,8 @@ Pack apply_cell_term(CellBatch<Term::dim>& batch, const ShapeTable<Term::dim>& s
 }
 
 template <class Term>
-void add_cell_hessian(const ElementFields<Term::dim>& element, const double* dofs, double weight, const Material<double>& material,
-                      ElementHessian<Term::dim>& h) {
+void add_cell_hessian(const ElementFields<Term::dim>& element, const double* dofs, double weight,
+                      const Material<double>& material, ElementHessian<Term::dim>& h) {
   using Density = typename Term::Density;
   constexpr int n_dofs = n_corners<Term::dim> * Term::dim, n = n_arguments_of<Density>;
   using Jet = ceres::Jet<double, n_dofs>;

@@ -21,7 +21,7 @@ auto term_code() {
 template <class Term>
 inline constexpr int n_own_fields_of = 0;
 template <class Term>
-  requires requires { typename Term::Reads; }
+requires requires { typename Term::Reads; }
 inline constexpr int n_own_fields_of<Term> = Term::Reads::n_own;
 
 template <class Term>

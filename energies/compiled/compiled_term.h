@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A term as the assembly calls it: its compiled code behind function pointers, eight quadrature points or elements at a
-/// time. energies/compiled/compile_term.h makes it from the term's type.
+/// A term as the assembly calls it: its compiled code behind function pointers, eight quadrature points or elements at
+/// a time. energies/compiled/compile_term.h makes it from the term's type.
 
 #include "energies/cost/cost_function.h"
 #include "energies/cost/element_fields.h"
@@ -43,8 +43,8 @@ struct BandCode {
                          SquarePack<BandModelPoint<Dim>::n_tangent>& h);
   void (*add_in_all)(const BandModelPoint<Dim>& at, double weight, const double* own,
                      SquarePack<BandModelPoint<Dim>::n_all>& h);
-  bool reads_target;     ///< anything of the template
-  bool reads_phi;        ///< the position itself
+  bool reads_target;  ///< anything of the template
+  bool reads_phi;     ///< the position itself
   bool reads_dphi;
   bool reads_curvature;  ///< r1 or root
   bool reads_shape_operators;
@@ -64,8 +64,8 @@ struct CellBatch {
 /// Weighted values of a term on each of the eight; with the gradient, adds it to that of the elements.
 /// \param measure  side^Dim times the term's weight; 0 in lanes that do not count
 template <int Dim>
-using CellKernel = autodiff::Pack (*)(CellBatch<Dim>& batch, const ShapeTable<Dim>& shape, const Material<double>& material,
-                                      const autodiff::Pack& measure);
+using CellKernel = autodiff::Pack (*)(CellBatch<Dim>& batch, const ShapeTable<Dim>& shape,
+                                      const Material<double>& material, const autodiff::Pack& measure);
 
 /// Symmetric second derivative by the degrees of freedom of an element.
 template <int Dim>
@@ -79,8 +79,8 @@ struct CellCode {
   /// Where the argument is Dphi itself: positive part of the second derivative by its entries.
   SquarePack<Dim * Dim> (*hessian)(const SmallMat<autodiff::Pack, Dim>& dphi, const Material<double>& material);
   /// Of others: adds weight J^T W''_+ J of one element, over all its quadrature points.
-  void (*add_hessian)(const ElementFields<Dim>& element, const double* dofs, double weight, const Material<double>& material,
-                      ElementHessian<Dim>& h);
+  void (*add_hessian)(const ElementFields<Dim>& element, const double* dofs, double weight,
+                      const Material<double>& material, ElementHessian<Dim>& h);
 };
 
 /// Of a term of the corners' positions.

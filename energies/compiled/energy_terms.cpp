@@ -34,8 +34,9 @@ template <int Dim>
 void check_options(const CompiledTerm<Dim>& term, const Material<double>& material) {
   for (std::size_t i = 0; i < term.own.size(); ++i) check_number(term.own[i].name, material.own[i], term.own[i].info);
   if (const double modulus = term.modulus(material); !std::isfinite(modulus))
-    throw_input_error("energy: the stiffness of the term {} is {} with lambda = {} and mu = {}; expected a finite number",
-                      name_of(term.info), modulus, material.lambda, material.mu);
+    throw_input_error(
+        "energy: the stiffness of the term {} is {} with lambda = {} and mu = {}; expected a finite number",
+        name_of(term.info), modulus, material.lambda, material.mu);
 }
 
 }  // namespace
@@ -59,7 +60,8 @@ EnergyTerms<Dim>::EnergyTerms(const EnergyOptions& options)
 }
 
 template <int Dim>
-Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> own, std::vector<std::shared_ptr<const UserField>> fields) {
+Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> own,
+                           std::vector<std::shared_ptr<const UserField>> fields) {
   if (own.empty())
     for (const TermOption& option : term.own) own.push_back(option.value);
   SHELLMATCH_CHECK(own.size() == term.own.size(), "one value for each option of the term");
@@ -69,9 +71,13 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
         SHELLMATCH_CHECK(band->reads_shape_operators == that->reads_shape_operators,
                          "one term reads roots of shape operators and another the shape operators themselves");
   check_options(term, {lambda_, mu_, own.data()});
-  Entry& entry = entries_.emplace_back(Entry{std::string(term.info.name), term, std::move(own), {}, UserFields<Dim>(std::move(fields)), {}});
-  entry.weight = [scaled = term.info.scaled, factor = term.info.weight.value](const TermScales& s) { return scaled(factor, s); };
-  SHELLMATCH_CHECK(entry.own_fields.n_components() == term.n_own_fields, "the term's own fields have as many components as it reads");
+  Entry& entry = entries_.emplace_back(
+      Entry{std::string(term.info.name), term, std::move(own), {}, UserFields<Dim>(std::move(fields)), {}});
+  entry.weight = [scaled = term.info.scaled, factor = term.info.weight.value](const TermScales& s) {
+    return scaled(factor, s);
+  };
+  SHELLMATCH_CHECK(entry.own_fields.n_components() == term.n_own_fields,
+                   "the term's own fields have as many components as it reads");
   entry.material = {lambda_, mu_, entry.own.data()};
   return Term{entries_.size() - 1};
 }
@@ -120,7 +126,8 @@ bool EnergyTerms<Dim>::read_target(const TermValues& weights) const {
 template <int Dim>
 bool EnergyTerms<Dim>::fit_tangent(const TermValues& weights) const {
   for (std::size_t t = 0; t < entries_.size(); ++t)
-    if (const auto* band = band_code_of(entries_[t].term); band && weights[t] > 0 && !band->add_in_tangent) return false;
+    if (const auto* band = band_code_of(entries_[t].term); band && weights[t] > 0 && !band->add_in_tangent)
+      return false;
   return true;
 }
 
@@ -128,9 +135,8 @@ template <int Dim>
 const std::vector<CompiledTerm<Dim>>& all_compiled_terms() {
   static const std::vector<CompiledTerm<Dim>> all = [] {
     std::vector<CompiledTerm<Dim>> terms(all_term_infos.size());
-    [&]<std::size_t... Share>(std::index_sequence<Share...>) {
-      (compile_share<Dim, Share>(terms), ...);
-    }(std::make_index_sequence<n_term_shares>{});
+    [&]<std::size_t... Share>(std::index_sequence<Share...>) { (compile_share<Dim, Share>(terms), ...); }
+    (std::make_index_sequence<n_term_shares>{});
     return terms;
   }();
   return all;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The terms of one energy: those that the options choose from energies/terms/list.h, terms from elsewhere, and terms of point
-/// pairs, such as landmarks.
+/// The terms of one energy: those that the options choose from energies/terms/list.h, terms from elsewhere, and terms
+/// of point pairs, such as landmarks.
 
 #include "energies/compiled/compiled_term.h"
 #include "energies/options.h"
@@ -33,13 +33,14 @@ class EnergyTerms {
   EnergyTerms(const EnergyTerms&) = delete;
   EnergyTerms& operator=(const EnergyTerms&) = delete;
 
-  /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in TermValues.
-  /// \param own     values of its own options; their defaults where it is empty
-  /// \param fields  the user's own fields that it reads, in the order of its Reads. Their values may change between evaluations
-  /// \throws InputError if an option is out of its range, or the term's stiffness (CompiledTerm::modulus) is then no finite
+  /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in
+  /// TermValues. \param own     values of its own options; their defaults where it is empty \param fields  the user's
+  /// own fields that it reads, in the order of its Reads. Their values may change between evaluations \throws
+  /// InputError if an option is out of its range, or the term's stiffness (CompiledTerm::modulus) is then no finite
   ///   number
   /// \pre terms that read curvature all read roots, or all read shape operators; the fields have the term's components
-  Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {}, std::vector<std::shared_ptr<const UserField>> fields = {});
+  Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {},
+           std::vector<std::shared_ptr<const UserField>> fields = {});
 
   /// Adds a term of point pairs, located on the grid of the energy.
   /// \param weight  at a step of the schedule
@@ -53,7 +54,8 @@ class EnergyTerms {
   const std::deque<Entry>& entries() const { return entries_; }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   std::vector<std::string> names() const;
-  /// The weights at a step of the schedule: those of the options for the terms of the list, and of others what they were added with.
+  /// The weights at a step of the schedule: those of the options for the terms of the list, and of others what they
+  /// were added with.
   TermValues weights(const TermScales& scales) const;
 
   /// Is one of the terms with a positive weight infinite where det Dphi <= 0?

@@ -21,7 +21,7 @@ struct PointArrays {
   std::array<autodiff::Pack, n_passive> passive;  ///< d1, n1, r1; lambda, mu
   std::array<autodiff::Pack, n_active> adjoint;   ///< derivative by the active inputs, weighted
   std::array<std::array<autodiff::Pack, n_target>, Dim> derivative;  ///< of d2, n2, root by each coordinate of phi
-  const autodiff::Pack* own_fields = nullptr;  ///< of the term that is evaluated
+  const autodiff::Pack* own_fields = nullptr;                        ///< of the term that is evaluated
 };
 
 }  // namespace shellmatch

@@ -19,9 +19,8 @@ void compile_listed(TermList<T...>, std::vector<CompiledTerm<Dim>>& terms) {
     if constexpr (Place % n_term_shares == Share) terms[place] = compile_term<TheTerm>();
     ++place;
   };
-  [&]<std::size_t... Place>(std::index_sequence<Place...>) {
-    (one.template operator()<Place, T>(), ...);
-  }(std::make_index_sequence<sizeof...(T)>{});
+  [&]<std::size_t... Place>(std::index_sequence<Place...>) { (one.template operator()<Place, T>(), ...); }
+  (std::make_index_sequence<sizeof...(T)>{});
 }
 
 }  // namespace
@@ -32,7 +31,8 @@ void compile_share(std::vector<CompiledTerm<Dim>>& terms) {
 }
 
 #ifdef SHELLMATCH_TERM_DIM
-template void compile_share<SHELLMATCH_TERM_DIM, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<SHELLMATCH_TERM_DIM>>&);
+template void compile_share<SHELLMATCH_TERM_DIM, SHELLMATCH_TERM_SHARE>(
+    std::vector<CompiledTerm<SHELLMATCH_TERM_DIM>>&);
 #else
 template void compile_share<2, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<2>>&);
 template void compile_share<3, SHELLMATCH_TERM_SHARE>(std::vector<CompiledTerm<3>>&);

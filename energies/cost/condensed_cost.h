@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A cost function of one element by the unknowns of the grid, for ceres::Problem: its parameter blocks are the unknown nodes
-/// on which the element depends. Hanging corners are interpolated and fixed ones stay.
+/// A cost function of one element by the unknowns of the grid, for ceres::Problem: its parameter blocks are the unknown
+/// nodes on which the element depends. Hanging corners are interpolated and fixed ones stay.
 
 #include "energies/cost/cost_function.h"
 #include "energies/elements/element_unknowns.h"
@@ -18,7 +18,8 @@ class CondensedCost final : public ceres::CostFunction {
   static constexpr int n_dofs = n_corners<Dim> * Dim;
 
   /// \param phi  nodal positions, of which those of fixed nodes count
-  CondensedCost(ElementCostFunction element, const Unknowns<Dim>& unknowns, std::size_t number, std::span<const Vec<Dim>> phi)
+  CondensedCost(ElementCostFunction element, const Unknowns<Dim>& unknowns, std::size_t number,
+                std::span<const Vec<Dim>> phi)
       : element_(std::move(element)), unknowns_(element_unknowns(unknowns, number)) {
     for (int c = 0; c < n_corners<Dim>; ++c)
       for (int k = 0; k < Dim; ++k) fixed_[c * Dim + k] = phi[unknowns.elements()[number].nodes[c]][k];

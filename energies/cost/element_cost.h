@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// Each energy term as a cost functor of Ceres on element-local degrees of freedom: the positions of the element's
-/// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and gradient
-/// checker take it as it is; with `energy.evaluator: ceres` the whole energy is evaluated by it.
+/// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and
+/// gradient checker take it as it is; with `energy.evaluator: ceres` the whole energy is evaluated by it.
 
 #include "energies/cost/cost_function.h"
 #include "energies/cost/element_fields.h"
@@ -33,21 +33,24 @@ void deformation_at(const T* dofs, const typename ShapeTable<Dim>::Point& q, dou
   }
 }
 
-/// One element with what a term reads there, and the term's weight. It refers to the shape table and the target's field.
+/// One element with what a term reads there, and the term's weight. It refers to the shape table and the target's
+/// field.
 template <class Term>
 class ElementPoints {
  public:
   static constexpr int dim = Term::dim, n_dofs = n_corners<dim> * dim;
 
   /// \param own  values of the term's own options, in its order
-  ElementPoints(ElementFields<dim> element, double weight, double lambda, double mu, std::array<double, Term::own.size()> own = {})
+  ElementPoints(ElementFields<dim> element, double weight, double lambda, double mu,
+                std::array<double, Term::own.size()> own = {})
       : element_(std::move(element)), weight_(weight), lambda_(lambda), mu_(mu), own_(own) {}
 
   const ElementFields<dim>& element() const { return element_; }
   double weight() const { return weight_; }
   Material<double> material() const { return {lambda_, mu_, own_.data()}; }
 
-  /// Calls body(q, weight, point) for the quadrature points where the term acts; `weight` is that of the point in the energy.
+  /// Calls body(q, weight, point) for the quadrature points where the term acts; `weight` is that of the point in the
+  /// energy.
   template <class T, class Body>
   void for_each(const T* dofs, Body&& body) const {
     PointValues<dim, T, double> at;
@@ -87,7 +90,8 @@ struct ElementCost : ElementPoints<Term> {
       const auto c = this->material();
       std::array<double, 3 + Term::own.size()> passive{Term::scale(1 / this->element().side, c), c.lambda, c.mu};
       std::copy_n(c.own, Term::own.size(), passive.begin() + 3);
-      *energy = this->weight() * this->element().volume() * CornerFunctor<Term>::template evaluate<T, double>(dofs, passive.data());
+      *energy = this->weight() * this->element().volume() *
+                CornerFunctor<Term>::template evaluate<T, double>(dofs, passive.data());
     } else {
       this->for_each(dofs, [&](std::size_t, double weight, const auto& at) {
         *energy += weight * Term::Density::template value<T, double>(argument_at<Term>(at), at.material);
@@ -101,11 +105,12 @@ struct ElementCost : ElementPoints<Term> {
 template <class Term>
 inline constexpr bool is_square = false;
 template <class Term>
-  requires requires { typename Term::Density::template Argument<double>; }
-inline constexpr bool is_square<Term> = std::is_same_v<typename Term::Density, SquareDensity<n_arguments_of<typename Term::Density>>>;
+requires requires { typename Term::Density::template Argument<double>; }
+inline constexpr bool is_square<Term> =
+    std::is_same_v<typename Term::Density, SquareDensity<n_arguments_of<typename Term::Density>>>;
 
-/// The residuals of a term that is a square, as many as A has entries for each quadrature point of the element: half of the sum
-/// of their squares, as Ceres has it, is ElementCost.
+/// The residuals of a term that is a square, as many as A has entries for each quadrature point of the element: half of
+/// the sum of their squares, as Ceres has it, is ElementCost.
 template <class Term>
 struct ElementResiduals : ElementPoints<Term> {
   static_assert(is_square<Term>);
@@ -141,18 +146,22 @@ Functor* new_functor(const ElementFields<Term::dim>& element, double weight, con
 
 }  // namespace detail
 
-/// A cost function of the one value that ElementCost has, or of ElementResiduals. It has a copy of its arguments, except for the
-/// shape table and the target's field, which must outlive it.
+/// A cost function of the one value that ElementCost has, or of ElementResiduals. It has a copy of its arguments,
+/// except for the shape table and the target's field, which must outlive it.
 template <class Term>
-ElementCostFunction element_cost_function(const ElementFields<Term::dim>& element, double weight, const Material<double>& material) {
+ElementCostFunction element_cost_function(const ElementFields<Term::dim>& element, double weight,
+                                          const Material<double>& material) {
   using Cost = ElementCost<Term>;
-  return std::make_unique<ceres::AutoDiffCostFunction<Cost, 1, Cost::n_dofs>>(detail::new_functor<Cost, Term>(element, weight, material));
+  return std::make_unique<ceres::AutoDiffCostFunction<Cost, 1, Cost::n_dofs>>(
+      detail::new_functor<Cost, Term>(element, weight, material));
 }
 template <class Term>
-ElementCostFunction element_residual_function(const ElementFields<Term::dim>& element, double weight, const Material<double>& material) {
+ElementCostFunction element_residual_function(const ElementFields<Term::dim>& element, double weight,
+                                              const Material<double>& material) {
   using Residuals = ElementResiduals<Term>;
   auto* functor = detail::new_functor<Residuals, Term>(element, weight, material);
-  return std::make_unique<ceres::AutoDiffCostFunction<Residuals, ceres::DYNAMIC, Residuals::n_dofs>>(functor, functor->size());
+  return std::make_unique<ceres::AutoDiffCostFunction<Residuals, ceres::DYNAMIC, Residuals::n_dofs>>(functor,
+                                                                                                     functor->size());
 }
 
 }  // namespace shellmatch

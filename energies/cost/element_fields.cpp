@@ -53,7 +53,8 @@ template <int Dim>
 void ElementFields<Dim>::read_own(const UserFields<Dim>& fields, const Element<Dim>& element, std::size_t number) {
   const auto n = static_cast<std::size_t>(fields.n_components());
   own.resize(n * shape->points.size());
-  for (std::size_t q = 0; n > 0 && q < shape->points.size(); ++q) fields.read(element, number, *shape, q, own.data() + q * n);
+  for (std::size_t q = 0; n > 0 && q < shape->points.size(); ++q)
+    fields.read(element, number, *shape, q, own.data() + q * n);
 }
 
 template <int Dim>

@@ -30,7 +30,8 @@ struct ElementFields {
   ElementFields() = default;
   /// Reads the reference at the quadrature points. shapes and shape must outlive this object.
   /// \param sigma  half width of the band
-  ElementFields(const Element<Dim>& element, const GeometryPair<Dim>& shapes, double sigma, const ShapeTable<Dim>& shape);
+  ElementFields(const Element<Dim>& element, const GeometryPair<Dim>& shapes, double sigma,
+                const ShapeTable<Dim>& shape);
 
   /// That of an element of a grid whose band has been computed.
   /// \param lane  number of the element's batch in the band times lanes plus its lane; no_index outside the band

@@ -72,8 +72,9 @@ PairResidualBlock pair_residual(const PairTerm<Dim>& pairs, const LocatedPair<Di
   const double factor = std::sqrt(2 * weight * pair.weight), scale = factor * pairs.scale();
   auto* functor = new PairResidual<Dim>{pair, factor, pairs.tolerance()};
   PairResidualBlock block;
-  block.residual = std::make_unique<ceres::AutoDiffCostFunction<PairResidual<Dim>, ceres::DYNAMIC, PairTerm<Dim>::n_dofs>>(
-      functor, functor->size());
+  block.residual =
+      std::make_unique<ceres::AutoDiffCostFunction<PairResidual<Dim>, ceres::DYNAMIC, PairTerm<Dim>::n_dofs>>(
+          functor, functor->size());
   if (pairs.loss() == RobustLoss::huber) block.loss = std::make_unique<ceres::HuberLoss>(scale);
   if (pairs.loss() == RobustLoss::cauchy) block.loss = std::make_unique<ceres::CauchyLoss>(scale);
   return block;

@@ -11,8 +11,8 @@ namespace shellmatch {
 
 /// W_hat(A) = alpha |A|^p + beta |cof A|^q + gamma (det A)^{-s} where det A > 0, and NaN elsewhere, which the energy
 /// reports as 'cannot be evaluated'. n = 3: p = q = 4, s = 9, alpha = beta = 1, gamma = 4; n = 2: p = q = 3, s = 4,
-/// alpha = beta = 2, gamma = 3 sqrt 2. Isotropic and stationary on SO(n); its value there is subtracted, so that energies
-/// of different densities compare. Unit: energy per volume. Paper, eq. (def:What) and the paragraph after it.
+/// alpha = beta = 2, gamma = 3 sqrt 2. Isotropic and stationary on SO(n); its value there is subtracted, so that
+/// energies of different densities compare. Unit: energy per volume. Paper, eq. (def:What) and the paragraph after it.
 template <int Dim>
 struct FullVolumeDensity {
   template <class T>

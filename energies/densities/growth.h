@@ -26,10 +26,10 @@ struct ExponentialGrowth {
   }
 };
 
-/// exp(1 - det) down to det = -3, and its Taylor polynomial of second degree below: convex, twice differentiable, and the same wherever the
-/// surface keeps its orientation. A Newton step lowers an exponent by one, but reaches the minimum of a parabola at once. Energies of
-/// invertible solids are extrapolated likewise (A. Stomakhin, R. Howes, C. Schroeder, J. Teran: Energetically consistent invertible
-/// elasticity. SCA 2012).
+/// exp(1 - det) down to det = -3, and its Taylor polynomial of second degree below: convex, twice differentiable, and
+/// the same wherever the surface keeps its orientation. A Newton step lowers an exponent by one, but reaches the
+/// minimum of a parabola at once. Energies of invertible solids are extrapolated likewise (A. Stomakhin, R. Howes, C.
+/// Schroeder, J. Teran: Energetically consistent invertible elasticity. SCA 2012).
 struct ExtrapolatedGrowth {
   static constexpr double start = 4;  ///< of 1 - det
   template <class T>

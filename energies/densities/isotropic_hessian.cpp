@@ -76,7 +76,8 @@ SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff:
       }
       const Pack sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
       add_mode<n>(twist, size_of(sum) > 1e-9 ? (psi.g[i] + psi.g[j]) / sum : Pack{}, h);
-      add_mode<n>(flip, size_of(gap) > 1e-4 ? (psi.g[i] - psi.g[j]) / gap : 0.5 * (psi.h(i, i) + psi.h(j, j)) - psi.h(i, j), h);
+      add_mode<n>(
+          flip, size_of(gap) > 1e-4 ? (psi.g[i] - psi.g[j]) / gap : 0.5 * (psi.h(i, i) + psi.h(j, j)) - psi.h(i, j), h);
     }
   SmallMat<Pack, Dim> second;
   for (int i = 0; i < Dim; ++i)
@@ -93,8 +94,8 @@ SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff:
   return h;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                              \
-  template Stretches<Dim> principal_stretches(const SmallMat<Pack, Dim>&);       \
+#define SHELLMATCH_INSTANTIATE(Dim)                                        \
+  template Stretches<Dim> principal_stretches(const SmallMat<Pack, Dim>&); \
   template SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>&, const autodiff::SecondOrder<Dim, Pack>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

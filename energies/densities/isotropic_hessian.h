@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches, eight matrices at
-/// a time.
+/// Positive semidefinite second derivative of an isotropic density at a matrix A, by its principal stretches, eight
+/// matrices at a time.
 ///
 /// A = U diag(s) V^T with rotations U, V (the smallest stretch carries the sign of det A) and density psi(s).
 /// In the frames U and V the second derivative splits into the Hessian of psi on the diagonal and, for each
@@ -32,7 +32,8 @@ Stretches<Dim> principal_stretches(const SmallMat<autodiff::Pack, Dim>& a);
 
 /// psi with its derivatives by the stretches.
 template <class Density, int Dim>
-autodiff::SecondOrder<Dim, autodiff::Pack> density_of_stretches(const std::array<autodiff::Pack, Dim>& s, const Material<double>& c) {
+autodiff::SecondOrder<Dim, autodiff::Pack> density_of_stretches(const std::array<autodiff::Pack, Dim>& s,
+                                                                const Material<double>& c) {
   using Scalar = autodiff::SecondOrder<Dim, autodiff::Pack>;
   SmallMat<Scalar, Dim> diagonal;
   for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);

@@ -2,13 +2,13 @@
 /// \file
 /// What a stored energy density W is, and its parameters. A density is a struct with
 ///
-///     template <class T> using Argument = SmallMat<T, Dim>;   what W takes: SmallMat<T, Dim>, or SmallVec<T, N> of a residual
-///     template <class T, class P>
-///     static constexpr T value(const Argument<T>& a, const Material<P>& c);   W(a), over the scalars of energies/terms/term.h
+///     template <class T> using Argument = SmallMat<T, Dim>;   what W takes: SmallMat<T, Dim>, or SmallVec<T, N> of a
+///     residual template <class T, class P> static constexpr T value(const Argument<T>& a, const Material<P>& c); W(a),
+///     over the scalars of energies/terms/term.h
 ///
 /// The density of a corner term takes a number and needs no Argument. Optional are `is_isotropic`, which says that
-/// W(Q A R) = W(A) for rotations Q and R, `positive_hessian` and `positive_tangent_hessian`: ways to the positive part of
-/// W'' that are cheaper than automatic differentiation (energies/densities/positive_hessian.h).
+/// W(Q A R) = W(A) for rotations Q and R, `positive_hessian` and `positive_tangent_hessian`: ways to the positive part
+/// of W'' that are cheaper than automatic differentiation (energies/densities/positive_hessian.h).
 
 namespace shellmatch {
 

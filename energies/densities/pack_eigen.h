@@ -29,13 +29,15 @@ bool is_off_diagonal(const SmallMat<autodiff::Pack, Dim>& a) {
   return autodiff::sum_lanes(all) > 0;
 }
 
-/// The rotation in the plane of axes p and q that makes entry (p, q) vanish, applied to the upper triangle of A and to the vectors.
+/// The rotation in the plane of axes p and q that makes entry (p, q) vanish, applied to the upper triangle of A and to
+/// the vectors.
 template <int Dim>
 void rotate(SmallMat<autodiff::Pack, Dim>& a, SmallMat<autodiff::Pack, Dim>& vectors, int p, int q) {
   using autodiff::Pack;
   const Pack off = a(p, q), gap = a(q, q) - a(p, p), twice = off + off;
   const Pack length = gap > 0 ? gap : -gap;
-  const Pack t = (gap > 0 ? twice : -twice) / autodiff::max_of(length + autodiff::root_of(gap * gap + twice * twice), Pack{} + 1e-300);
+  const Pack t = (gap > 0 ? twice : -twice) /
+                 autodiff::max_of(length + autodiff::root_of(gap * gap + twice * twice), Pack{} + 1e-300);
   const Pack c = 1.0 / autodiff::root_of(1.0 + t * t), s = t * c;
   const auto turn = [&](Pack& x, Pack& y) {
     const Pack first = c * x - s * y;
@@ -53,8 +55,9 @@ void rotate(SmallMat<autodiff::Pack, Dim>& a, SmallMat<autodiff::Pack, Dim>& vec
 
 }  // namespace detail
 
-/// Eigendecomposition of the symmetric matrices whose upper triangles are those of `a`, by cyclic Jacobi rotations (G. H. Golub and
-/// C. F. Van Loan, 'Matrix Computations', 4th edition, algorithm 8.5.3). Lanes that are not finite hold anything.
+/// Eigendecomposition of the symmetric matrices whose upper triangles are those of `a`, by cyclic Jacobi rotations (G.
+/// H. Golub and C. F. Van Loan, 'Matrix Computations', 4th edition, algorithm 8.5.3). Lanes that are not finite hold
+/// anything.
 template <int Dim>
 PackEigenpairs<Dim> pack_eigenpairs(SmallMat<autodiff::Pack, Dim> a) {
   using autodiff::Pack;

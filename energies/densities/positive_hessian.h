@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The positive semidefinite part of a density's second derivative W''(A) by the entries of A: what Newton's model takes
-/// in the place of W''. A density may bring its own closed form (`positive_hessian`), or say that it is isotropic
+/// The positive semidefinite part of a density's second derivative W''(A) by the entries of A: what Newton's model
+/// takes in the place of W''. A density may bring its own closed form (`positive_hessian`), or say that it is isotropic
 /// (`is_isotropic`: W(Q A R) = W(A) for rotations Q and R), which gives its eigenvectors by principal stretches; of any
 /// other density W'' comes from second-order automatic differentiation and its negative eigenvalues are set to 0.
 
@@ -27,11 +27,14 @@ autodiff::SecondOrder<n_arguments_of<Density>, V> second_order(const typename De
 }
 
 template <class Density>
-concept HasClosedForm = requires(const typename Density::template Argument<autodiff::Pack>& a, const Material<double>& c) {
+concept HasClosedForm = requires(const typename Density::template Argument<autodiff::Pack>& a,
+                                 const Material<double>& c) {
   Density::positive_hessian(a, c);
 };
 template <class Density>
-concept IsIsotropic = requires { requires Density::is_isotropic; };
+concept IsIsotropic = requires {
+  requires Density::is_isotropic;
+};
 
 /// W as a density of Y, the matrix of a tangential map.
 template <class Density, int Dim>
@@ -76,26 +79,25 @@ SquarePack<n_arguments_of<Density>> positive_hessian(const typename Density::tem
   }
 }
 
-/// The same of an isotropic density on tangential maps, whose matrix in orthonormal frames of both shapes is Y beside a 1:
-/// by the entries of Y in row order.
+/// The same of an isotropic density on tangential maps, whose matrix in orthonormal frames of both shapes is Y beside a
+/// 1: by the entries of Y in row order.
 template <class Density, int Dim>
 SquarePack<(Dim - 1) * (Dim - 1)> positive_tangent_hessian(const std::array<autodiff::Pack, (Dim - 1) * (Dim - 1)>& y,
                                                            const Material<double>& c) {
   static_assert(Density::is_isotropic, "the frames of a tangential map are free: W may not depend on them");
-  if constexpr (requires { Density::positive_tangent_hessian(y, c); })
-    return Density::positive_tangent_hessian(y, c);
-  else
-    return positive_hessian<detail::OnTangentMaps<Density, Dim>>({y}, c);
+  if constexpr (requires { Density::positive_tangent_hessian(y, c); }) return Density::positive_tangent_hessian(y, c);
+  else return positive_hessian<detail::OnTangentMaps<Density, Dim>>({y}, c);
 }
 
-/// Largest second derivative of W in a direction of norm 1, at I for matrices and at 0 for residuals: 2 mu + n lambda for
-/// the density of the thin shell.
+/// Largest second derivative of W in a direction of norm 1, at I for matrices and at 0 for residuals: 2 mu + n lambda
+/// for the density of the thin shell.
 template <class Density>
 double largest_second_derivative(const Material<double>& c) {
   constexpr int n = n_arguments_of<Density>;
   using Argument = typename Density::template Argument<autodiff::Pack>;
   Argument rest{};
-  if constexpr (std::is_same_v<Argument, SmallMat<autodiff::Pack, 2>> || std::is_same_v<Argument, SmallMat<autodiff::Pack, 3>>)
+  if constexpr (std::is_same_v<Argument, SmallMat<autodiff::Pack, 2>> ||
+                std::is_same_v<Argument, SmallMat<autodiff::Pack, 3>>)
     for (int i = 0; i * i < n; ++i) rest(i, i) = autodiff::Pack{} + 1.0;
   const auto h = positive_hessian<Density>(rest, c);
   std::array<double, n * n> m;

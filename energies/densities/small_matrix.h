@@ -10,7 +10,7 @@ namespace shellmatch {
 
 /// Number of independent entries of a symmetric matrix: 3 in the plane, 6 in space.
 template <int Dim>
-inline constexpr int n_symmetric = Dim * (Dim + 1) / 2;
+inline constexpr int n_symmetric = Dim*(Dim + 1) / 2;
 
 template <class T, int Dim>
 struct SmallVec {

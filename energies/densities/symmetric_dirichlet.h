@@ -10,8 +10,8 @@
 namespace shellmatch {
 
 /// mu/2 (1/2 |A|^2 + 1/2 |A^{-1}|^2 - n): zero on SO(n), isotropic, treats compression like stretch, infinite as
-/// det A -> 0+ and NaN for det A <= 0. Scaled so that its second derivative at I is 2 mu |sym E|^2, as W's with lambda =
-/// 0. Unit: energy per volume. Smith and Schaefer, 'Bijective parameterization with free boundaries', ACM TOG 34(4),
+/// det A -> 0+ and NaN for det A <= 0. Scaled so that its second derivative at I is 2 mu |sym E|^2, as W's with lambda
+/// = 0. Unit: energy per volume. Smith and Schaefer, 'Bijective parameterization with free boundaries', ACM TOG 34(4),
 /// 2015.
 template <int Dim>
 struct SymmetricDirichletDensity {
@@ -24,8 +24,7 @@ struct SymmetricDirichletDensity {
     using std::sqrt;
     const T inverse_root = 1.0 / sqrt(determinant(a));
     const T inverse = inverse_root * inverse_root;
-    return 0.5 * c.mu *
-           (0.5 * squared_norm(a) + 0.5 * (squared_norm(cofactor(a)) * (inverse * inverse)) - 1.0 * Dim);
+    return 0.5 * c.mu * (0.5 * squared_norm(a) + 0.5 * (squared_norm(cofactor(a)) * (inverse * inverse)) - 1.0 * Dim);
   }
 };
 

@@ -11,7 +11,8 @@ namespace shellmatch {
 
 /// W(A) = mu/2 |A|^2 + lambda/4 (det A)^2 + (mu + lambda/2) g(det A) - (n+2) mu/2 - 3 lambda/4, g the growth.
 /// Polyconvex, frame indifferent, isotropic, zero on SO(n), finite everywhere: W(I + tE) = t^2 (mu |sym E|^2 + lambda/2
-/// (tr E)^2) + o(t^2). Unit: energy per volume. On tangential maps the positive part of its second derivative has a closed form.
+/// (tr E)^2) + o(t^2). Unit: energy per volume. On tangential maps the positive part of its second derivative has a
+/// closed form.
 template <int Dim, class Growth>
 struct ThinShellOf {
   template <class T>

@@ -2,8 +2,8 @@
 /// \file
 /// Second derivative of W on tangential maps, made positive semidefinite in closed form, eight points at a time.
 ///
-/// In orthonormal frames of both tangent planes (energies/densities/tangent_frames.h) the argument of W is a matrix Y of
-/// one row and column less beside a 1, so that W = mu/2 |Y|^2 + f(det Y) + constant.
+/// In orthonormal frames of both tangent planes (energies/densities/tangent_frames.h) the argument of W is a matrix Y
+/// of one row and column less beside a 1, so that W = mu/2 |Y|^2 + f(det Y) + constant.
 
 #include "energies/autodiff/pack.h"
 #include "energies/densities/material.h"
@@ -29,8 +29,8 @@ inline void clamp_symmetric(autodiff::Pack& a, autodiff::Pack& b, autodiff::Pack
 
 /// Positive semidefinite second derivative of W at Y, by the entries of Y in row order. One number in the plane.
 template <int Dim, class Growth>
-SquarePack<(Dim - 1) * (Dim - 1)> thin_shell_tangent_hessian(
-    const std::array<autodiff::Pack, (Dim - 1) * (Dim - 1)>& y, const Material<double>& c) {
+SquarePack<(Dim - 1) * (Dim - 1)> thin_shell_tangent_hessian(const std::array<autodiff::Pack, (Dim - 1) * (Dim - 1)>& y,
+                                                             const Material<double>& c) {
   using autodiff::Pack;
   const double k = c.mu + 0.5 * c.lambda;
   if constexpr (Dim == 2) {

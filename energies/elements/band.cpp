@@ -39,7 +39,8 @@ class ElementValues {
   using Field = GeometryField<Dim>;
   ElementValues(const GeometryField<Dim>& reference, const ShapeTable<Dim>& shape)
       : reference_(&reference), shape_(&shape), packs_(n_chunks(shape.points.size(), autodiff::pack_size)) {
-    for (int i = 0; i < shape.points_per_direction; ++i) along_axis_.push_back(shape.points[static_cast<std::size_t>(i)].xi[0]);
+    for (int i = 0; i < shape.points_per_direction; ++i)
+      along_axis_.push_back(shape.points[static_cast<std::size_t>(i)].xi[0]);
   }
 
   /// The last point fills up the last pack.
@@ -49,7 +50,8 @@ class ElementValues {
     for (std::size_t p = 0; p < packs_.size(); ++p) {
       std::array<autodiff::Pack, Dim> y;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const Vec<Dim> x = position<Dim>(element, shape_->points[std::min(p * lanes + lane, shape_->points.size() - 1)].xi);
+        const Vec<Dim> x =
+            position<Dim>(element, shape_->points[std::min(p * lanes + lane, shape_->points.size() - 1)].xi);
         for (int k = 0; k < Dim; ++k) y[k][lane] = x[k];
       }
       reference_->look_up(autodiff::Pack{} + 1.0, reference_->find(y), packs_[p].data());
@@ -65,7 +67,8 @@ class ElementValues {
   std::vector<typename Field::Packs> packs_;
 };
 
-/// What can be said of an element from its centre's distance: |grad d| is 1, and less than 2 however it is interpolated.
+/// What can be said of an element from its centre's distance: |grad d| is 1, and less than 2 however it is
+/// interpolated.
 enum class Membership { none, sure, unknown };
 
 template <int Dim>
@@ -94,11 +97,12 @@ autodiff::Pack centre_distances(std::span<const Element<Dim>> elements, const Ge
 
 template <int Dim>
 template <class T>
-std::array<T, Band<Dim>::n_reference> Band<Dim>::reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point,
-                                                                 bool root_is_inverse) {
+std::array<T, Band<Dim>::n_reference> Band<Dim>::reference_point(
+    const std::array<T, GeometryField<Dim>::n_values>& at_point, bool root_is_inverse) {
   T square = at_point[1] * at_point[1];
   for (int k = 1; k < Dim; ++k) square += at_point[1 + k] * at_point[1 + k];
-  const T length = autodiff::max_of(autodiff::root_of(square), T{} + least_normal_length);  // as renormalised() does for the template
+  const T length = autodiff::max_of(autodiff::root_of(square),
+                                    T{} + least_normal_length);  // as renormalised() does for the template
   SmallVec<T, Dim> n1;
   for (int k = 0; k < Dim; ++k) n1[k] = at_point[1 + k] / length;
   SmallMat<T, Dim> p, root;
@@ -133,8 +137,7 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
       is_member[e] = known == Membership::sure;
       if (known != Membership::unknown) continue;
       values.read(elements[e]);
-      for (std::size_t q = 0; q < n_points_ && !is_member[e]; ++q)
-        is_member[e] = std::abs(values.distance(q)) < sigma;
+      for (std::size_t q = 0; q < n_points_ && !is_member[e]; ++q) is_member[e] = std::abs(values.distance(q)) < sigma;
     }
   });
   const std::size_t of_block = cells_per_block(elements.size());
@@ -204,7 +207,9 @@ Index Band<Dim>::lane_of(std::size_t element) const {
 
 template class Band<2>;
 template class Band<3>;
-template std::array<double, Band<2>::n_reference> Band<2>::reference_point(const std::array<double, GeometryField<2>::n_values>&, bool);
-template std::array<double, Band<3>::n_reference> Band<3>::reference_point(const std::array<double, GeometryField<3>::n_values>&, bool);
+template std::array<double, Band<2>::n_reference> Band<2>::reference_point(
+    const std::array<double, GeometryField<2>::n_values>&, bool);
+template std::array<double, Band<3>::n_reference> Band<3>::reference_point(
+    const std::array<double, GeometryField<3>::n_values>&, bool);
 
 }  // namespace shellmatch

@@ -32,19 +32,20 @@ class Band {
   };
 
   /// sigma in units of the domain's side. root_is_inverse: of GeometryPair.
-  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape,
-       const GeometryField<Dim>& reference, bool root_is_inverse, double sigma);
+  Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& shape, const GeometryField<Dim>& reference,
+       bool root_is_inverse, double sigma);
 
-  /// ReferencePoint as a flat array, from the reference's field at a point: n1 normalised, the root inverted unless it is
-  /// the inverse already, and projected.
-  /// \param at_point numbers, or packs of points
+  /// ReferencePoint as a flat array, from the reference's field at a point: n1 normalised, the root inverted unless it
+  /// is the inverse already, and projected. \param at_point numbers, or packs of points
   template <class T>
-  static std::array<T, n_reference> reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point, bool root_is_inverse);
+  static std::array<T, n_reference> reference_point(const std::array<T, GeometryField<Dim>::n_values>& at_point,
+                                                    bool root_is_inverse);
 
   std::span<const Batch> batches() const { return batches_; }
   /// Number of the element's batch times lanes plus its lane; no_index outside the band.
   Index lane_of(std::size_t element) const;
-  /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements of two.
+  /// Those of a block of elements (energies/elements/cell_blocks.h), first and one past the last: no batch has elements
+  /// of two.
   std::array<std::size_t, 2> batches_of(std::size_t block) const {
     return {first_batch_[block], first_batch_[block + 1]};
   }

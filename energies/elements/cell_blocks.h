@@ -16,8 +16,8 @@
 namespace shellmatch {
 
 /// Number of elements in a block, a multiple of the lanes of a pack. Blocks are small enough for their element
-/// gradients and matrices to stay in a core's second-level cache. 256 blocks, in some eight colours, keep 16 threads busy; with
-/// 64, more than four threads gained nothing (docs/performance.md).
+/// gradients and matrices to stay in a core's second-level cache. 256 blocks, in some eight colours, keep 16 threads
+/// busy; with 64, more than four threads gained nothing (docs/performance.md).
 inline std::size_t cells_per_block(std::size_t n_elements) {
   constexpr std::size_t lanes = autodiff::pack_size, least = 8 * lanes, most = 64 * lanes;
   return std::clamp(n_elements / 256 / lanes * lanes, least, most);

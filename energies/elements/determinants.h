@@ -10,8 +10,8 @@ namespace shellmatch {
 template <int Dim>
 autodiff::Pack least_determinant(const ElementBatch<Dim>& batch);
 
-/// A lower bound of all Bernstein coefficients of det Dphi on each element, at a third of their cost; exact where phi is
-/// affine. NaN where a position is.
+/// A lower bound of all Bernstein coefficients of det Dphi on each element, at a third of their cost; exact where phi
+/// is affine. NaN where a position is.
 template <int Dim>
 autodiff::Pack determinant_bound(const ElementBatch<Dim>& batch);
 
@@ -20,10 +20,8 @@ autodiff::Pack determinant_bound(const ElementBatch<Dim>& batch);
 template <int Dim>
 autodiff::Pack determinant_change(autodiff::Pack largest, autodiff::Pack change) {
   const autodiff::Pack after = largest + change;
-  if constexpr (Dim == 2)
-    return 2.0 * (after * after - largest * largest);
-  else
-    return 6.0 * (after * after * after - largest * largest * largest);
+  if constexpr (Dim == 2) return 2.0 * (after * after - largest * largest);
+  else return 6.0 * (after * after * after - largest * largest * largest);
 }
 
 }  // namespace shellmatch

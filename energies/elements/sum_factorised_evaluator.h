@@ -75,17 +75,14 @@ class SumFactorisedEvaluator {
   /// Calls body(n_). Two points per axis, the default rule, are a compile-time constant, so that loops are unrolled.
   template <class Body>
   [[gnu::always_inline]] void with_count(Body&& body) const {
-    if (n_ == 2)
-      body(std::integral_constant<int, 2>{});
-    else
-      body(n_);
+    if (n_ == 2) body(std::integral_constant<int, 2>{});
+    else body(n_);
   }
   /// Calls body(axis) for all axes, each a compile-time constant.
   template <class Body>
   [[gnu::always_inline]] static void for_axes(Body&& body) {
-    [&]<int... Axis>(std::integer_sequence<int, Axis...>) {
-      (body(std::integral_constant<int, Axis>{}), ...);
-    }(std::make_integer_sequence<int, Dim>{});
+    [&]<int... Axis>(std::integer_sequence<int, Axis...>) { (body(std::integral_constant<int, Axis>{}), ...); }
+    (std::make_integer_sequence<int, Dim>{});
   }
 
   /// A partially contracted tensor: one index over the points along the axes that are contracted, one over the 2
@@ -143,10 +140,8 @@ class SumFactorisedEvaluator {
           for (int p = 0; p < e.points; ++p)
             derivative_to(axis)[e.derivative(p, r)] =
                 (value[from][e.upper(p, r)] - value[from][e.lower(p, r)]) * batch.inverse_side;
-        if constexpr (!last)
-          interpolate(e, n, value[from].data(), value[to].data());
-        else if constexpr (WithPosition)
-          interpolate(e, n, value[from].data(), y_.data() + a * power(n, Dim));
+        if constexpr (!last) interpolate(e, n, value[from].data(), value[to].data());
+        else if constexpr (WithPosition) interpolate(e, n, value[from].data(), y_.data() + a * power(n, Dim));
       });
     }
   }
@@ -161,12 +156,10 @@ class SumFactorisedEvaluator {
         constexpr bool last = axis == Dim - 1;
         const auto derivative_from = [&](int k) { return last ? by_d_[a][k].data() : derivative[k][from].data(); };
         const Extents e{power(n, axis), corners};
-        if constexpr (!last)
-          transpose_of_interpolate(e, n, value[from].data(), value[to].data());
+        if constexpr (!last) transpose_of_interpolate(e, n, value[from].data(), value[to].data());
         else if constexpr (WithPosition)
           transpose_of_interpolate(e, n, by_y_.data() + a * power(n, Dim), value[to].data());
-        else
-          std::fill_n(value[to].begin(), 2 * e.points, Pack{});
+        else std::fill_n(value[to].begin(), 2 * e.points, Pack{});
         for (int r = 0; r < e.corners; ++r)
           for (int p = 0; p < e.points; ++p) {
             const Pack by_difference = derivative_from(axis)[e.derivative(p, r)] * batch.inverse_side;

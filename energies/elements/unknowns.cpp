@@ -27,8 +27,7 @@ Unknowns<Dim>::Unknowns(const Octree<Dim>& grid, BoundaryCondition boundary) : g
     for (const Index node : element.nodes) {
       if (const auto* h = hanging_of[node])
         for (int p = 0; p < h->n_parents; ++p) number_node(h->parents[p]);
-      else
-        number_node(node);
+      else number_node(node);
     }
 
   entries_begin_.reserve(hanging_of.size() + 1);

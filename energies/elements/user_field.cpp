@@ -32,7 +32,8 @@ bool UserFields<Dim>::fit(std::span<const Element<Dim>> elements, const ShapeTab
 }
 
 template <int Dim>
-void UserFields<Dim>::read(const Element<Dim>& element, std::size_t e, const ShapeTable<Dim>& shape, std::size_t q, double* out) const {
+void UserFields<Dim>::read(const Element<Dim>& element, std::size_t e, const ShapeTable<Dim>& shape, std::size_t q,
+                           double* out) const {
   for (const auto& field : fields_) {
     const auto n = static_cast<std::size_t>(field->n_components);
     const auto at = [&](std::size_t place) { return field->values.data() + place * n; };

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Fields of a user's own, such as a rotation that lags behind phi or a weight, which a term reads beside those of the shapes
-/// (OwnField, energies/terms/depends_on.h).
+/// Fields of a user's own, such as a rotation that lags behind phi or a weight, which a term reads beside those of the
+/// shapes (OwnField, energies/terms/depends_on.h).
 
 #include "energies/autodiff/pack.h"
 #include "energies/elements/shape_table.h"
@@ -47,7 +47,8 @@ class UserFields {
   void read(const Element<Dim>& element, std::size_t e, const ShapeTable<Dim>& shape, std::size_t q, double* out) const;
   /// The same at eight elements, those with the numbers number(lane).
   template <class NumberOf>
-  void read(std::span<const Element<Dim>> elements, NumberOf&& number, const ShapeTable<Dim>& shape, std::size_t q, Pack* out) const {
+  void read(std::span<const Element<Dim>> elements, NumberOf&& number, const ShapeTable<Dim>& shape, std::size_t q,
+            Pack* out) const {
     static thread_local std::vector<double> one;
     one.resize(static_cast<std::size_t>(n_components_));
     for (int lane = 0; lane < autodiff::pack_size; ++lane) {

@@ -75,8 +75,7 @@ void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
   const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
   put([=](Index row, std::size_t i) -> double& {
     const auto r = static_cast<std::size_t>(row);
-    return i < autodiff::pack_size ? mains[r * autodiff::pack_size + i]
-                                   : rests[r * n_rest + i - autodiff::pack_size];
+    return i < autodiff::pack_size ? mains[r * autodiff::pack_size + i] : rests[r * n_rest + i - autodiff::pack_size];
   });
   main_ = main;
   rest_ = rest;
@@ -116,7 +115,8 @@ inline void GeometryField<Dim>::spline(const LocatedPoint& p, CoefficientRow* re
   const SplineFactors<Dim, double> factors(array_of(p.t), array_of(p.slope));
   // Sums one array of coefficients at a time: first the packs, then the pairs.
   const auto sum = [&](const auto& from, auto&& put) {
-    sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
+    sum_spline<Dim, WithGradient>(
+        factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
   };
   sum(*main_, [&](int i, const Pack& x) { result[i].main = x; });
   if constexpr (n_rest > 0) sum(*rest_, [&](int i, const Pair& x) { result[i].rest = x; });
@@ -150,10 +150,8 @@ inline void GeometryField<Dim>::multilinear(const LocatedPoint& p, CoefficientRo
 template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::row(const LocatedPoint& p, CoefficientRow* result) const {
-  if (is_smooth())
-    spline<WithGradient>(p, result);
-  else
-    multilinear<WithGradient>(p, result);
+  if (is_smooth()) spline<WithGradient>(p, result);
+  else multilinear<WithGradient>(p, result);
 }
 
 template <int Dim>
@@ -161,8 +159,7 @@ typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y)
   CoefficientRow r;
   row<false>(locate(y), &r);
   Values v;
-  for (int i = 0; i < n_values; ++i)
-    v[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
+  for (int i = 0; i < n_values; ++i) v[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
   return v;
 }
 
@@ -175,8 +172,7 @@ typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
   for (int k = 0; k <= Dim; ++k)
     for (int i = 0; i < n_values; ++i) {
       const CoefficientRow& r = rows[k];
-      (k == 0 ? v : derivative[k - 1])[i] =
-          i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
+      (k == 0 ? v : derivative[k - 1])[i] = i < autodiff::pack_size ? r.main[i] : r.rest[i - autodiff::pack_size];
     }
   return v;
 }
@@ -184,7 +180,7 @@ typename GeometryField<Dim>::Values GeometryField<Dim>::value(const Vec<Dim>& y,
 template <int Dim>
 template <bool WithGradient>
 void GeometryField<Dim>::multilinear_lanes(const Pack& weight, const std::array<Pack, Dim>& y,
-                                                  LaneRows<WithGradient>& rows) const {
+                                           LaneRows<WithGradient>& rows) const {
   rows.rest.fill(Pack{});
   for (int lane = 0; lane < autodiff::pack_size; ++lane) {
     if (!(weight[lane] > 0)) {
@@ -205,8 +201,10 @@ void GeometryField<Dim>::multilinear_lanes(const Pack& weight, const std::array<
 template class GeometryField<2>;
 template class GeometryField<3>;
 template void GeometryField<2>::multilinear_lanes<true>(const Pack&, const std::array<Pack, 2>&, LaneRows<true>&) const;
-template void GeometryField<2>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 2>&, LaneRows<false>&) const;
+template void GeometryField<2>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 2>&,
+                                                         LaneRows<false>&) const;
 template void GeometryField<3>::multilinear_lanes<true>(const Pack&, const std::array<Pack, 3>&, LaneRows<true>&) const;
-template void GeometryField<3>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 3>&, LaneRows<false>&) const;
+template void GeometryField<3>::multilinear_lanes<false>(const Pack&, const std::array<Pack, 3>&,
+                                                         LaneRows<false>&) const;
 
 }  // namespace shellmatch

@@ -38,8 +38,7 @@ class GeometryField {
   /// definite at the nodes stay so everywhere; they are then of second instead of third order
   static GeometryField smooth(const Octree<Dim>& grid, std::span<const double> distance,
                               std::span<const Vec<Dim>> normal,
-                              std::span<const std::array<double, n_symmetric<Dim>>> root,
-                              bool keep_definite = true);
+                              std::span<const std::array<double, n_symmetric<Dim>>> root, bool keep_definite = true);
 
   /// The values at y.
   Values value(const Vec<Dim>& y) const;
@@ -49,7 +48,7 @@ class GeometryField {
 
   /// Eight points, located for look_up().
   struct LocatedPoints {
-    std::array<Pack, Dim> y, inside;  ///< positions, and the same projected onto the domain
+    std::array<Pack, Dim> y, inside;              ///< positions, and the same projected onto the domain
     std::array<Index, autodiff::pack_size> leaf;  ///< leaf of each point; set for smooth fields only
   };
   /// Locates the points, and prefetches the data that look_up() will read.
@@ -59,11 +58,12 @@ class GeometryField {
   /// there would survive the multiplication by a zero weight.
   /// \param values n_values packs
   void look_up(const Pack& weight, const LocatedPoints& located, Pack* values) const;
-  void look_up(const Pack& weight, const LocatedPoints& located, Pack* values, std::array<Packs, Dim>& derivative) const;
+  void look_up(const Pack& weight, const LocatedPoints& located, Pack* values,
+               std::array<Packs, Dim>& derivative) const;
 
-  /// The values at the points of a tensor grid in a cube of the domain, in a quarter of the time: the coefficients are read once
-  /// and summed axis by axis. False, with nothing written, where the cube does not lie within one leaf of the splines.
-  /// \param at      positions of the points along each axis, in sides of the cube, at most max_gauss_points
+  /// The values at the points of a tensor grid in a cube of the domain, in a quarter of the time: the coefficients are
+  /// read once and summed axis by axis. False, with nothing written, where the cube does not lie within one leaf of the
+  /// splines. \param at      positions of the points along each axis, in sides of the cube, at most max_gauss_points
   /// \param values  for every eight points, the first axis fastest; the last point fills up
   bool look_up_cube(const Vec<Dim>& corner, double side, std::span<const double> at, std::span<Packs> values) const;
 
@@ -110,7 +110,7 @@ class GeometryField {
   // Values (and derivatives) at eight points, before they are transposed to one pack for each value.
   template <bool WithGradient>
   struct LaneRows {
-    static constexpr int n_rows = WithGradient ? 1 + Dim : 1;          ///< values, then derivatives by each coordinate
+    static constexpr int n_rows = WithGradient ? 1 + Dim : 1;        ///< values, then derivatives by each coordinate
     std::array<std::array<Pack, autodiff::pack_size>, n_rows> main;  ///< main[k][lane]: first eight values of a lane
     std::array<Pack, n_rows * n_rest> rest;                          ///< the remaining values, one pack for each
     void clear(int lane) {

@@ -59,7 +59,8 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const LocatedPo
     const auto& c = local[lane];
     const auto sum = [&](const auto* from, auto&& put) {
       const auto of_lane = [&](const Pack& x) { return reinterpret_cast<const double*>(&x)[lane]; };
-      sum_spline<Dim, WithGradient>(factors, [&](int n) { return from[c[n]]; }, of_lane, put);
+      sum_spline<Dim, WithGradient>(
+          factors, [&](int n) { return from[c[n]]; }, of_lane, put);
     };
     sum(main_->data(), [&](int i, const Pack& x) { rows.main[i][lane] = x; });
     if constexpr (n_rest > 0)
@@ -74,10 +75,8 @@ template <bool WithGradient>
 void GeometryField<Dim>::look_up_lanes(const Pack& weight, const LocatedPoints& located, Pack* values,
                                        Packs* derivative) const {
   LaneRows<WithGradient> rows;
-  if (is_smooth())
-    spline_lanes(weight, located, rows);
-  else
-    multilinear_lanes(weight, located.y, rows);
+  if (is_smooth()) spline_lanes(weight, located, rows);
+  else multilinear_lanes(weight, located.y, rows);
   constexpr int n_main = std::min<int>(n_values, pack_size);
   for (int k = 0; k < LaneRows<WithGradient>::n_rows; ++k) {
     autodiff::transpose(rows.main[k]);
@@ -99,7 +98,7 @@ void GeometryField<Dim>::look_up(const Pack& weight, const LocatedPoints& locate
   look_up_lanes<true>(weight, located, values, derivative.data());
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                 \
   template typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::array<Pack, Dim>&) const; \
   template void GeometryField<Dim>::look_up(const Pack&, const LocatedPoints&, Pack*) const;                        \
   template void GeometryField<Dim>::look_up(const Pack&, const LocatedPoints&, Pack*, std::array<Packs, Dim>&) const;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The variables in which Newton's model of the band is made at a quadrature point, and how they depend on the degrees of
-/// freedom of the element. In few variables few modes are added to the element's matrix, which is what its time is.
+/// The variables in which Newton's model of the band is made at a quadrature point, and how they depend on the degrees
+/// of freedom of the element. In few variables few modes are added to the element's matrix, which is what its time is.
 
 #include "energies/compiled/compiled_term.h"
 
@@ -20,7 +20,8 @@ struct TangentVariables {
   }
   /// The change of Dphi along a direction of the variables, the first `First` entries of which are 0.
   template <int First>
-  [[gnu::always_inline]] static void dphi_of(const BandModelPoint<Dim>& at, const std::array<autodiff::Pack, n>& direction,
+  [[gnu::always_inline]] static void dphi_of(const BandModelPoint<Dim>& at,
+                                             const std::array<autodiff::Pack, n>& direction,
                                              std::array<std::array<autodiff::Pack, Dim>, Dim>& dphi) {
     for (int v = First; v < n_dphi; ++v) {
       const int i = v / (Dim - 1), j = v % (Dim - 1);

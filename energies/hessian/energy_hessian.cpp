@@ -29,10 +29,8 @@ void EnergyHessian<Dim>::assemble(std::span<const Vec<Dim>> phi, const TermValue
     measure_margins(cells, phi);
     set_cell_terms(cells, phi, weights, matrices);
     add_corner_terms(cells, phi, weights, matrices);
-    if (in_tangent)
-      add_band_terms<TangentVariables<Dim>>(cells, phi, weights, matrices);
-    else
-      add_band_terms<AllVariables<Dim>>(cells, phi, weights, matrices);
+    if (in_tangent) add_band_terms<TangentVariables<Dim>>(cells, phi, weights, matrices);
+    else add_band_terms<AllVariables<Dim>>(cells, phi, weights, matrices);
     add_point_terms(cells, phi, weights, matrices);
     for (std::size_t e = cells.begin; e < cells.end; ++e) traces_[e] = matrices.trace(e - cells.begin);
     add_damping(cells, damping, matrices);
@@ -57,7 +55,8 @@ void EnergyHessian<Dim>::invert_block(std::size_t unknown) {
 template <int Dim>
 void EnergyHessian<Dim>::invert_blocks_of(std::size_t element) {
   for (const Index node : unknowns_->elements()[element].nodes)
-    for (const ConstraintEntry& entry : unknowns_->constraint_entries(node)) invert_block(static_cast<std::size_t>(entry.unknown));
+    for (const ConstraintEntry& entry : unknowns_->constraint_entries(node))
+      invert_block(static_cast<std::size_t>(entry.unknown));
 }
 
 template <int Dim>

@@ -2,13 +2,14 @@
 /// \file
 /// A positive semidefinite model of the energy's second derivative, for Newton's method.
 ///
-/// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi, on
-/// which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: the
+/// Band terms: J^T W''_+ J at every quadrature point, with J the derivative of the term's argument by Dphi and by phi,
+/// on which the template's coefficients depend, and W''_+ the positive part of the density's second derivative: the
 /// Gauss-Newton model where the term is a square. Cell terms: W''_+ at the element's centre, or J^T W''_+ J
 /// at every quadrature point where A is not Dphi itself. Corner terms: J^T W''_+ J on the
-/// elements where they act. Terms of points: 2 w rho' B^T B, without rho''. To the model is added, where the solver asks
-/// for it, a multiple of the Laplacian's matrix on single elements: it resists changes of the step within the element, and no
-/// common motion of its nodes. And pairs that a step carries out of their tolerance (an active-set method).
+/// elements where they act. Terms of points: 2 w rho' B^T B, without rho''. To the model is added, where the solver
+/// asks for it, a multiple of the Laplacian's matrix on single elements: it resists changes of the step within the
+/// element, and no common motion of its nodes. And pairs that a step carries out of their tolerance (an active-set
+/// method).
 
 #include "energies/assembly/matching_energy.h"
 #include "energies/assembly/not_finite.h"
@@ -40,8 +41,8 @@ class EnergyHessian {
   /// \param damping  factor on the Laplacian's matrix by element; empty: none
   void assemble(std::span<const Vec<Dim>> phi, const TermValues& weights, std::span<const float> damping = {});
 
-  /// The first term, and the first element of it, whose part of the model at phi is infinite or NaN in single precision;
-  /// nothing where all are finite. Slow: asked only where the model is known not to be finite.
+  /// The first term, and the first element of it, whose part of the model at phi is infinite or NaN in single
+  /// precision; nothing where all are finite. Slow: asked only where the model is known not to be finite.
   std::optional<NotFinite<Dim>> find_not_finite(std::span<const Vec<Dim>> phi, const TermValues& weights) const;
 
   /// Elements on which the step d (by the unknowns) from phi, where the model was assembled, would use up the fold
@@ -52,13 +53,15 @@ class EnergyHessian {
   /// Adds multiples of the Laplacian's matrices to the model.
   void add_damping(std::span<const ElementDamping> more);
 
-  /// Adds the pairs that rest within their tolerance at phi, where the model was assembled with these weights, and that the step d (by
-  /// the unknowns) carries beyond it: to the model their stiffness, and to the energy's gradient at phi, which becomes that of the
-  /// model, their pull towards the end of their tolerance (ActivatedPair). Each pair once. Returns how many were added.
-  std::size_t extend(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights, std::span<double> gradient);
+  /// Adds the pairs that rest within their tolerance at phi, where the model was assembled with these weights, and that
+  /// the step d (by the unknowns) carries beyond it: to the model their stiffness, and to the energy's gradient at phi,
+  /// which becomes that of the model, their pull towards the end of their tolerance (ActivatedPair). Each pair once.
+  /// Returns how many were added.
+  std::size_t extend(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
+                     std::span<double> gradient);
 
-  /// Brings the step d (by the unknowns) in each of these elements, one after the other, nearer to a common motion of all its unknown
-  /// nodes: from their mean, d keeps this share. Where nodes of the element are fixed, from zero.
+  /// Brings the step d (by the unknowns) in each of these elements, one after the other, nearer to a common motion of
+  /// all its unknown nodes: from their mean, d keeps this share. Where nodes of the element are fixed, from zero.
   void contract_step(std::span<const ElementDamping> elements, double share, std::span<double> d) const;
 
   /// y = H x by the unknowns.
@@ -78,8 +81,8 @@ class EnergyHessian {
   void set_cell_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                       ElementMatrices<Dim>& matrices) const;
   // Of terms that read more than Dphi, at all their quadrature points.
-  void add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells, std::span<const Vec<Dim>> phi, double weight,
-                     ElementMatrices<Dim>& matrices) const;
+  void add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells, std::span<const Vec<Dim>> phi,
+                     double weight, ElementMatrices<Dim>& matrices) const;
   void add_corner_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
                         ElementMatrices<Dim>& matrices) const;
   template <class Variables>

@@ -31,16 +31,16 @@ std::array<Pack, Dim> unit_normal(const Pack* n) {
   return unit;
 }
 
-/// Modes of two points: the columns of V^T L, where h = L L^T and V is the derivative of the variables by the element's degrees of
-/// freedom.
+/// Modes of two points: the columns of V^T L, where h = L L^T and V is the derivative of the variables by the element's
+/// degrees of freedom.
 template <class Variables, int Dim>
 class Modes {
  public:
   static constexpr int n_dofs = n_corners<Dim> * Dim, n_variables = Variables::n;
 
   /// Of the first or the second point.
-  void set(int half, const BandModelPoint<Dim>& at, const SquarePack<n_variables>& h, const typename ShapeTable<Dim>::Point& q,
-           const Pack& inverse_side) {
+  void set(int half, const BandModelPoint<Dim>& at, const SquarePack<n_variables>& h,
+           const typename ShapeTable<Dim>::Point& q, const Pack& inverse_side) {
     const auto l = cholesky<n_variables>(h);
     const Pack root_weight = autodiff::root_of(at.weight);
     // The factor is lower triangular: the first `mode` entries of a mode are 0.
@@ -67,7 +67,8 @@ class Modes {
     };
     [&]<int... Mode>(std::integer_sequence<int, Mode...>) __attribute__((always_inline)) {
       (set_mode(std::integral_constant<int, Mode>{}), ...);
-    }(std::make_integer_sequence<int, n_variables>{});
+    }
+    (std::make_integer_sequence<int, n_variables>{});
   }
   void clear(int half) {
     for (auto& row : modes_)
@@ -159,13 +160,13 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       SquarePack<Variables::n> h{};
       for (const Acting& term : acting) {
         if (term.own_fields)
-          term.own_fields->read(elements, [&](int lane) { return members.element[lane]; }, energy_->shape(), q, own_fields.data());
+          term.own_fields->read(
+              elements, [&](int lane) { return members.element[lane]; }, energy_->shape(), q, own_fields.data());
         Variables::add(*term.code, at, term.weight, term.own, h);
       }
       // Lanes without weight may hold anything: an infinity would outlive the multiplication by zero.
       for (int i = 0; i < Variables::n; ++i)
-        for (int j = 0; j <= i; ++j)
-          h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
+        for (int j = 0; j <= i; ++j) h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
       modes.set(n_set++, at, h, points[q], batch.inverse_side);
       if (n_set == 2) {
         modes.add_squares_to(k);
@@ -184,8 +185,8 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
   }
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim, Variables)                                                                   \
-  template void EnergyHessian<Dim>::add_band_terms<Variables<Dim>>(const Chunk&, std::span<const Vec<Dim>>,      \
+#define SHELLMATCH_INSTANTIATE(Dim, Variables)                                                              \
+  template void EnergyHessian<Dim>::add_band_terms<Variables<Dim>>(const Chunk&, std::span<const Vec<Dim>>, \
                                                                    const TermValues&, ElementMatrices<Dim>&) const;
 SHELLMATCH_INSTANTIATE(2, TangentVariables)
 SHELLMATCH_INSTANTIATE(2, AllVariables)

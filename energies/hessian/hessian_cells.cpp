@@ -67,7 +67,8 @@ void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<
           for (int row = 0; row < Dim; ++row) {
             Pack sum{};
             for (int p = 0; p < Dim; ++p)
-              for (int q = 0; q < Dim; ++q) sum += products[c * Dim + p][d * Dim + q] * h[row * Dim + p][column * Dim + q];
+              for (int q = 0; q < Dim; ++q)
+                sum += products[c * Dim + p][d * Dim + q] * h[row * Dim + p][column * Dim + q];
             *entry++ = sum;
           }
     for (std::size_t lane = 0; lane < n; ++lane) {
@@ -79,8 +80,9 @@ void EnergyHessian<Dim>::set_cell_terms(const Chunk& cells, std::span<const Vec<
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells, std::span<const Vec<Dim>> phi,
-                                       double weight, ElementMatrices<Dim>& matrices) const {
+void EnergyHessian<Dim>::add_points_of(const CellCode<Dim>& code, std::size_t t, const Chunk& cells,
+                                       std::span<const Vec<Dim>> phi, double weight,
+                                       ElementMatrices<Dim>& matrices) const {
   const CeresEvaluator<Dim> costs(*energy_);
   for (std::size_t e = cells.begin; e < cells.end; ++e) {
     ElementHessian<Dim> h = ElementHessian<Dim>::Zero();
@@ -119,10 +121,10 @@ void EnergyHessian<Dim>::add_corner_terms(const Chunk& cells, std::span<const Ve
   }
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                       \
-  template void EnergyHessian<Dim>::set_cell_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&,            \
-                                                   ElementMatrices<Dim>&) const;                                          \
-  template void EnergyHessian<Dim>::add_corner_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&,          \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
+  template void EnergyHessian<Dim>::set_cell_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&,   \
+                                                   ElementMatrices<Dim>&) const;                                 \
+  template void EnergyHessian<Dim>::add_corner_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, \
                                                      ElementMatrices<Dim>&) const;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -105,12 +105,14 @@ template <int Dim>
 void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping> more) {
   const auto& k = laplacian<Dim>();
   const auto of_corners = [&](int c, int d) { return k[c][d]; };
-  for (const ElementDamping& one : more) sum_->add_to_element(one.element, of_corners, one.factor * Mat<Dim>::Identity());
+  for (const ElementDamping& one : more)
+    sum_->add_to_element(one.element, of_corners, one.factor * Mat<Dim>::Identity());
   for (const ElementDamping& one : more) invert_blocks_of(one.element);
 }
 
 template <int Dim>
-void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping> elements, double share, std::span<double> d) const {
+void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping> elements, double share,
+                                       std::span<double> d) const {
   std::vector<Index> moved;  // the element's unknown nodes
   for (const ElementDamping& one : elements) {
     moved.clear();
@@ -131,12 +133,12 @@ void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping> elements,
   }
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
-  template void EnergyHessian<Dim>::add_damping(const Chunk&, std::span<const float>, ElementMatrices<Dim>&) const;     \
-  template void EnergyHessian<Dim>::measure_margins(const Chunk&, std::span<const Vec<Dim>>);                           \
-  template std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span<const Vec<Dim>>,            \
-                                                                                  std::span<const double>);             \
-  template void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping>);                                       \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                 \
+  template void EnergyHessian<Dim>::add_damping(const Chunk&, std::span<const float>, ElementMatrices<Dim>&) const; \
+  template void EnergyHessian<Dim>::measure_margins(const Chunk&, std::span<const Vec<Dim>>);                       \
+  template std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span<const Vec<Dim>>,        \
+                                                                                  std::span<const double>);         \
+  template void EnergyHessian<Dim>::add_damping(std::span<const ElementDamping>);                                   \
   template void EnergyHessian<Dim>::contract_step(std::span<const ElementDamping>, double, std::span<double>) const;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

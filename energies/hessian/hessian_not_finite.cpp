@@ -28,7 +28,8 @@ bool is_finite(const ElementMatrices<Dim>& matrices, std::size_t e) {
 }  // namespace
 
 template <int Dim>
-std::optional<NotFinite<Dim>> EnergyHessian<Dim>::find_not_finite(std::span<const Vec<Dim>> phi, const TermValues& weights) const {
+std::optional<NotFinite<Dim>> EnergyHessian<Dim>::find_not_finite(std::span<const Vec<Dim>> phi,
+                                                                  const TermValues& weights) const {
   const auto elements = unknowns_->elements();
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -49,19 +50,23 @@ std::optional<NotFinite<Dim>> EnergyHessian<Dim>::find_not_finite(std::span<cons
         if (!is_finite(matrices, e - cells.begin)) first[cells.index] = e;
     });
     if (const std::size_t e = *std::ranges::min_element(first); e != none)
-      return NotFinite<Dim>{"Newton model", energy_->term_names()[t], e, elements[e].side, elements[e].corner, model_point(t, e, phi)};
+      return NotFinite<Dim>{"Newton model",   energy_->term_names()[t], e,
+                            elements[e].side, elements[e].corner,       model_point(t, e, phi)};
   }
   return std::nullopt;
 }
 
-// The quadrature point of element e where the model of a term on the band is largest, or not finite; the centre for a term
-// on cells.
+// The quadrature point of element e where the model of a term on the band is largest, or not finite; the centre for a
+// term on cells.
 template <int Dim>
-std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size_t e, std::span<const Vec<Dim>> phi) const {
+std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size_t e,
+                                                        std::span<const Vec<Dim>> phi) const {
   using Arrays = PointArrays<Dim>;
   const EnergyTerms<Dim>& terms = energy_->terms();
   const Element<Dim>& element = unknowns_->elements()[e];
-  if (std::holds_alternative<CornerCode<Dim>>(terms[t].term.code) || std::holds_alternative<PointCode<Dim>>(terms[t].term.code)) return std::nullopt;
+  if (std::holds_alternative<CornerCode<Dim>>(terms[t].term.code) ||
+      std::holds_alternative<PointCode<Dim>>(terms[t].term.code))
+    return std::nullopt;
   const auto* code = std::get_if<BandCode<Dim>>(&terms[t].term.code);
   if (code == nullptr) return Vec<Dim>(element.corner + Vec<Dim>::Constant(element.side / 2));
   const Band<Dim>& band = energy_->band();
@@ -81,7 +86,8 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
       if (!(point.weight[lane] > 0)) continue;
       Arrays p;
       std::vector<autodiff::Pack> own_fields(static_cast<std::size_t>(terms[t].own_fields.n_components()));
-      terms[t].own_fields.read(unknowns_->elements(), [&](int l) { return members[l]; }, energy_->shape(), q, own_fields.data());
+      terms[t].own_fields.read(
+          unknowns_->elements(), [&](int l) { return members[l]; }, energy_->shape(), q, own_fields.data());
       p.own_fields = own_fields.data();
       p.passive[Arrays::n_reference] = autodiff::Pack{} + terms[0].material.lambda;
       p.passive[Arrays::n_reference + 1] = autodiff::Pack{} + terms[0].material.mu;
@@ -97,7 +103,8 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
       double size = 0;
       for (std::size_t i = 0; i < h.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j)
-          size = std::isfinite(h[i][j][lane]) ? std::max(size, std::abs(h[i][j][lane])) : std::numeric_limits<double>::infinity();
+          size = std::isfinite(h[i][j][lane]) ? std::max(size, std::abs(h[i][j][lane]))
+                                              : std::numeric_limits<double>::infinity();
       if (size > largest) {
         largest = size;
         place = element.corner + element.side * energy_->shape().points[q].xi;
@@ -107,8 +114,10 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
   return place;
 }
 
-template std::optional<NotFinite<2>> EnergyHessian<2>::find_not_finite(std::span<const Vec<2>>, const TermValues&) const;
-template std::optional<NotFinite<3>> EnergyHessian<3>::find_not_finite(std::span<const Vec<3>>, const TermValues&) const;
+template std::optional<NotFinite<2>> EnergyHessian<2>::find_not_finite(std::span<const Vec<2>>,
+                                                                       const TermValues&) const;
+template std::optional<NotFinite<3>> EnergyHessian<3>::find_not_finite(std::span<const Vec<3>>,
+                                                                       const TermValues&) const;
 template std::optional<Vec<2>> EnergyHessian<2>::model_point(std::size_t, std::size_t, std::span<const Vec<2>>) const;
 template std::optional<Vec<3>> EnergyHessian<3>::model_point(std::size_t, std::size_t, std::span<const Vec<3>>) const;
 

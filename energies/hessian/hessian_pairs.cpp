@@ -9,24 +9,25 @@ namespace shellmatch {
 
 template <int Dim>
 void EnergyHessian<Dim>::add_point_terms(const Chunk& cells, std::span<const Vec<Dim>> phi, const TermValues& weights,
-                                        ElementMatrices<Dim>& matrices) const {
+                                         ElementMatrices<Dim>& matrices) const {
   const EnergyTerms<Dim>& terms = energy_->terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto* points = std::get_if<PointCode<Dim>>(&terms[t].term.code);
     if (!points || !(weights[t] > 0)) continue;
-    points->pairs.for_each_model(
-        cells.begin, cells.end, unknowns_->elements(), phi, weights[t], [&](const LocatedPair<Dim>& pair, const Mat<Dim>& k) {
-          for (int i = 0; i < n_dofs; ++i)
-            for (int j = i; j < n_dofs; ++j)
-              matrices.add(pair.element - cells.begin, i, j,
-                           static_cast<float>(pair.n[i / Dim] * pair.n[j / Dim] * k(i % Dim, j % Dim)));
-        });
+    points->pairs.for_each_model(cells.begin, cells.end, unknowns_->elements(), phi, weights[t],
+                                 [&](const LocatedPair<Dim>& pair, const Mat<Dim>& k) {
+                                   for (int i = 0; i < n_dofs; ++i)
+                                     for (int j = i; j < n_dofs; ++j)
+                                       matrices.add(
+                                           pair.element - cells.begin, i, j,
+                                           static_cast<float>(pair.n[i / Dim] * pair.n[j / Dim] * k(i % Dim, j % Dim)));
+                                 });
   }
 }
 
 template <int Dim>
-std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>> phi, std::span<const double> d, const TermValues& weights,
-                                       std::span<double> gradient) {
+std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>> phi, std::span<const double> d,
+                                       const TermValues& weights, std::span<double> gradient) {
   const EnergyTerms<Dim>& terms = energy_->terms();
   const auto elements = unknowns_->elements();
   is_active_.resize(terms.size());
@@ -42,22 +43,24 @@ std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>> phi, std::span<
       if (std::exchange(is_active_[t][one.pair], 1) != 0) continue;
       ++n;
       const LocatedPair<Dim>& pair = pairs[one.pair];
-      sum_->add_to_element(pair.element, [&](int b, int c) { return pair.n[b] * pair.n[c]; }, one.stiffness);
+      sum_->add_to_element(
+          pair.element, [&](int b, int c) { return pair.n[b] * pair.n[c]; }, one.stiffness);
       for (int c = 0; c < n_corners<Dim>; ++c)
         for (const ConstraintEntry& entry : unknowns_->constraint_entries(elements[pair.element].nodes[c]))
           for (int k = 0; k < Dim; ++k)
-            gradient[static_cast<std::size_t>(entry.unknown) * Dim + k] += static_cast<double>(entry.weight) * pair.n[c] * one.pull[k];
+            gradient[static_cast<std::size_t>(entry.unknown) * Dim + k] +=
+                static_cast<double>(entry.weight) * pair.n[c] * one.pull[k];
       invert_blocks_of(pair.element);
     }
   }
   return n;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                            \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
   template void EnergyHessian<Dim>::add_point_terms(const Chunk&, std::span<const Vec<Dim>>, const TermValues&, \
-                                                   ElementMatrices<Dim>&) const; \
-  template std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>>, std::span<const double>, const TermValues&, \
-                                                          std::span<double>);
+                                                    ElementMatrices<Dim>&) const;                               \
+  template std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>>, std::span<const double>,           \
+                                                  const TermValues&, std::span<double>);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -15,10 +15,12 @@ PairTerm<Dim>::PairTerm(const Octree<Dim>& grid, const PointPairs<Dim>& pairs)
   const auto leaves = grid.leaves();
   pairs_.reserve(pairs.pairs.size());
   for (const PointPair<Dim>& pair : pairs.pairs) {
-    SHELLMATCH_CHECK(pair.weight > 0 && pair.p.allFinite() && pair.y.allFinite(), "pairs are finite, their weights positive");
+    SHELLMATCH_CHECK(pair.weight > 0 && pair.p.allFinite() && pair.y.allFinite(),
+                     "pairs are finite, their weights positive");
     const LocalPoint<Dim> at = locate_local(grid, pair.p);
     const auto leaf = std::lower_bound(leaves.begin(), leaves.end(), at.cell);
-    pairs_.push_back({static_cast<std::size_t>(leaf - leaves.begin()), shape_values<Dim>(at.xi), pair.y, pair.normal, pair.weight});
+    pairs_.push_back(
+        {static_cast<std::size_t>(leaf - leaves.begin()), shape_values<Dim>(at.xi), pair.y, pair.normal, pair.weight});
   }
   std::stable_sort(pairs_.begin(), pairs_.end(),
                    [](const LocatedPair<Dim>& a, const LocatedPair<Dim>& b) { return a.element < b.element; });
@@ -51,8 +53,9 @@ double PairTerm<Dim>::add(std::size_t begin, std::size_t end, std::span<const El
 }
 
 template <int Dim>
-std::vector<ActivatedPair<Dim>> PairTerm<Dim>::activated(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
-                                                         std::span<const Vec<Dim>> step, double weight) const {
+std::vector<ActivatedPair<Dim>> PairTerm<Dim>::activated(std::span<const Element<Dim>> elements,
+                                                         std::span<const Vec<Dim>> phi, std::span<const Vec<Dim>> step,
+                                                         double weight) const {
   if (tolerance_ == 0) return {};
   constexpr std::size_t pairs_per_chunk = 1024;
   std::vector<std::vector<ActivatedPair<Dim>>> of_chunk(n_chunks(pairs_.size(), pairs_per_chunk));

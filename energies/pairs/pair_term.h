@@ -16,15 +16,15 @@ namespace shellmatch {
 /// A pair in its element.
 template <int Dim>
 struct LocatedPair {
-  std::size_t element;                    ///< of Unknowns::elements()
-  std::array<double, n_corners<Dim>> n;   ///< shape functions at p, by corner
+  std::size_t element;                   ///< of Unknowns::elements()
+  std::array<double, n_corners<Dim>> n;  ///< shape functions at p, by corner
   Vec<Dim> y, normal;
   double weight;
 };
 
-/// A pair that rests within its tolerance at phi, and which a step carries beyond it: its part of the model of a step v of phi(p) is
-/// w rho' |B (phi(p) + v - y) - b|^2 with the point b within the tolerance that is nearest to the step's end, and the loss's weight
-/// there.
+/// A pair that rests within its tolerance at phi, and which a step carries beyond it: its part of the model of a step v
+/// of phi(p) is w rho' |B (phi(p) + v - y) - b|^2 with the point b within the tolerance that is nearest to the step's
+/// end, and the loss's weight there.
 template <int Dim>
 struct ActivatedPair {
   std::size_t pair;    ///< of PairTerm::pairs_of() all elements
@@ -38,8 +38,8 @@ class PairTerm {
   static constexpr int n_dofs = n_corners<Dim> * Dim;
 
   PairTerm() = default;  ///< no pairs
-  /// Locates the points in the leaves of the grid, which is not referred to afterwards. Points outside of the unit domain
-  /// are projected onto it. \pre positive weights and scale
+  /// Locates the points in the leaves of the grid, which is not referred to afterwards. Points outside of the unit
+  /// domain are projected onto it. \pre positive weights and scale
   PairTerm(const Octree<Dim>& grid, const PointPairs<Dim>& pairs);
 
   std::size_t size() const { return pairs_.size(); }
@@ -54,8 +54,9 @@ class PairTerm {
   double add(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
              double weight, double* gradients) const;
 
-  /// Calls body(pair, k) for each pair on these elements, except those within a positive tolerance. k = 2 w rho' B^T B is its
-  /// Gauss-Newton block by phi(p), with the nearest point within the tolerance held fixed; w is `weight` times the pair's own.
+  /// Calls body(pair, k) for each pair on these elements, except those within a positive tolerance. k = 2 w rho' B^T B
+  /// is its Gauss-Newton block by phi(p), with the nearest point within the tolerance held fixed; w is `weight` times
+  /// the pair's own.
   template <class Body>
   void for_each_model(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements,
                       std::span<const Vec<Dim>> phi, double weight, Body&& body) const {
@@ -70,8 +71,8 @@ class PairTerm {
   std::vector<ActivatedPair<Dim>> activated(std::span<const Element<Dim>> elements, std::span<const Vec<Dim>> phi,
                                             std::span<const Vec<Dim>> step, double weight) const;
 
-  /// The term's weighted value on one element, from the positions of its corners, over any scalar: the functor with which
-  /// derivative checks compare add().
+  /// The term's weighted value on one element, from the positions of its corners, over any scalar: the functor with
+  /// which derivative checks compare add().
   template <class T>
   T element_value(std::size_t element, const T* dofs, double weight) const {
     T sum(0.0);
@@ -121,7 +122,8 @@ class PairTerm {
   // 2 w rho' B^T B, with the residual's rho'.
   Mat<Dim> stiffness(const LocatedPair<Dim>& pair, double weight, const Vec<Dim>& residual) const {
     const double factor = 2 * weight * pair.weight * robust_weight(loss_, scale_, residual.squaredNorm());
-    return pair.normal.isZero(0) ? Mat<Dim>(factor * Mat<Dim>::Identity()) : Mat<Dim>(factor * pair.normal * pair.normal.transpose());
+    return pair.normal.isZero(0) ? Mat<Dim>(factor * Mat<Dim>::Identity())
+                                 : Mat<Dim>(factor * pair.normal * pair.normal.transpose());
   }
 
   std::vector<LocatedPair<Dim>> pairs_;  ///< ascending by element

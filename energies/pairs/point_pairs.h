@@ -14,8 +14,8 @@ namespace shellmatch {
 template <int Dim>
 struct PointPair {
   Vec<Dim> p, y;
-  double weight = 1;                    ///< > 0
-  Vec<Dim> normal = Vec<Dim>::Zero();   ///< of length 1; 0: all directions count
+  double weight = 1;                   ///< > 0
+  Vec<Dim> normal = Vec<Dim>::Zero();  ///< of length 1; 0: all directions count
 };
 
 /// The energy sum of weight * rho(max(0, |B (phi(p) - y)| - tolerance)^2) with B = normal^T where there is one, else I.

@@ -25,9 +25,7 @@ class ElementMatrices {
   using Matrix = std::array<float, n_entries>;
 
   /// Offset of block (c, d) in a matrix. \pre c <= d
-  static constexpr int block(int c, int d) {
-    return (c * n_corners<Dim> - c * (c - 1) / 2 + (d - c)) * block_size;
-  }
+  static constexpr int block(int c, int d) { return (c * n_corners<Dim> - c * (c - 1) / 2 + (d - c)) * block_size; }
   /// Offset of entry (i, j) in a matrix. \pre i <= j
   static constexpr int entry(int i, int j) { return block(i / Dim, j / Dim) + (j % Dim) * Dim + i % Dim; }
 
@@ -44,7 +42,9 @@ class ElementMatrices {
   const Matrix& operator[](std::size_t e) const { return matrices_[e]; }
 
   /// Assigns x, stored as the matrices are, to the matrix of element e.
-  void set(std::size_t e, const std::array<float, n_block_entries>& x) { std::copy(x.begin(), x.end(), matrices_[e].begin()); }
+  void set(std::size_t e, const std::array<float, n_block_entries>& x) {
+    std::copy(x.begin(), x.end(), matrices_[e].begin());
+  }
   /// Adds it.
   void add(std::size_t e, const std::array<float, n_block_entries>& x) {
     Matrix& to = matrices_[e];

@@ -124,7 +124,8 @@ void NodeMatrix<Dim>::find_block_offsets() {
 }
 
 template <int Dim>
-void NodeMatrix<Dim>::add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells, const ElementMatrices<Dim>& of_block) {
+void NodeMatrix<Dim>::add(const CellBlocks<Dim>& cell_blocks, const Chunk& cells,
+                          const ElementMatrices<Dim>& of_block) {
   const auto local_unknowns = cell_blocks.local_unknowns(cells.index);
   static thread_local std::vector<float*> row_values;  // by local index of the row's unknown
   row_values.clear();
@@ -196,7 +197,8 @@ void NodeMatrix<Dim>::add_product(std::size_t begin, std::size_t end, std::span<
 
 template <int Dim>
 void NodeMatrix<Dim>::multiply(std::span<const double> x, std::span<double> y) const {
-  parallel_for(y.size(), [&](std::size_t i) { y[i] = 0; }, 1 << 16);
+  parallel_for(
+      y.size(), [&](std::size_t i) { y[i] = 0; }, 1 << 16);
   const std::size_t n = row_begin_.size() - 1;
   schedule_.run([&](std::size_t s) { add_product(s * rows_per_slab_, std::min(n, (s + 1) * rows_per_slab_), x, y); });
 }

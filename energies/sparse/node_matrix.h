@@ -43,7 +43,8 @@ class NodeMatrix {
       for (int j = i; j < unknowns.size(); ++j) {
         double sum = 0;
         for (const auto& a : unknowns.corners_of(i))
-          for (const auto& b : unknowns.corners_of(j)) sum += static_cast<double>(a.weight * b.weight) * k(a.corner, b.corner);
+          for (const auto& b : unknowns.corners_of(j))
+            sum += static_cast<double>(a.weight * b.weight) * k(a.corner, b.corner);
         const auto row = static_cast<std::size_t>(std::min(unknowns[i], unknowns[j]));
         float* block = values_.data() + (row_begin_[row] + *offset++) * block_size;
         for (int l = 0; l < block_size; ++l) block[l] += static_cast<float>(sum * m.data()[l]);

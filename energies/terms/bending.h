@@ -19,8 +19,8 @@ struct Bending : BandTerm<Dim> {
   static constexpr bool is_tangential = true;
 
   template <class T, class P>
-  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& normal, const SmallSym<T, Dim>& root,
-                                        const SmallSym<P, Dim>& r1) const {
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& normal,
+                                        const SmallSym<T, Dim>& root, const SmallSym<P, Dim>& r1) const {
     const auto n2 = renormalised(normal);
     return project_rows(product<Dim>(root, project_rows(product<Dim>(dphi, r1), n2)), n2);
   }

@@ -18,8 +18,9 @@ struct BendingWithoutP2 : BandTerm<Dim> {
   using Reads = DependsOn<Dphi, TargetNormal, TargetRoot, ReferenceNormal, ReferenceRoot>;
 
   template <class T, class P>
-  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallSym<T, Dim>& root,
-                                        const SmallVec<P, Dim>& n1, const SmallSym<P, Dim>& r1) const {
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2,
+                                        const SmallSym<T, Dim>& root, const SmallVec<P, Dim>& n1,
+                                        const SmallSym<P, Dim>& r1) const {
     return plus_outer(product<Dim>(root, product<Dim>(dphi, r1)), renormalised(n2), n1);
   }
 };

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The fields that a term reads at a point x of the domain, by name. A term lists them once, in the order of its functor's
-/// arguments: `using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>`.
+/// The fields that a term reads at a point x of the domain, by name. A term lists them once, in the order of its
+/// functor's arguments: `using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>`.
 
 #include "energies/densities/material.h"
 #include "energies/fields/coefficients.h"
@@ -57,8 +57,8 @@ struct OwnOptions {  ///< a pointer to the values of the term's own options, in 
   static constexpr auto of(const auto& at) { return at.material.own; }
 };
 
-/// Base of a field of the user's own, with N components, which the functor gets as SmallVec<P, N>. Its values are given with
-/// the term (energies/elements/user_field.h).
+/// Base of a field of the user's own, with N components, which the functor gets as SmallVec<P, N>. Its values are given
+/// with the term (energies/elements/user_field.h).
 template <int N>
 struct OwnField {
   static constexpr int n_components = N;
@@ -67,7 +67,7 @@ struct OwnField {
 template <class Field>
 inline constexpr int n_components_of = 0;  ///< of a field that is not the user's own
 template <class Field>
-  requires requires { Field::n_components; }
+requires requires { Field::n_components; }
 inline constexpr int n_components_of<Field> = Field::n_components;
 
 template <class... Field>

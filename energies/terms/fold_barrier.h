@@ -10,7 +10,8 @@
 
 namespace shellmatch {
 
-/// B(x) = (1 - x)^3 / x for 0 < x < 1 and 0 beyond: twice continuously differentiable, infinite as x -> 0, NaN for x <= 0.
+/// B(x) = (1 - x)^3 / x for 0 < x < 1 and 0 beyond: twice continuously differentiable, infinite as x -> 0, NaN for x <=
+/// 0.
 struct BarrierDensity {
   template <class T, class P>
   static constexpr T value(const T& x, const Material<P>&) {
@@ -23,22 +24,27 @@ struct BarrierDensity {
 };
 
 /// A barrier that keeps det Dphi positive throughout every cell: kappa / sqrt(nu) times the mean of B(b / d0) over the
-/// Bernstein coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds at
-/// every point and in every part of the cell. Its weight grows as the match term's does, more slowly: with a constant one
-/// either steps crawl along det Dphi = 0 on fine levels or landmarks cannot turn a limb on coarse ones.
+/// Bernstein coefficients b of det Dphi (energies/densities/bernstein.h). What it certifies at the coefficients holds
+/// at every point and in every part of the cell. Its weight grows as the match term's does, more slowly: with a
+/// constant one either steps crawl along det Dphi = 0 on fine levels or landmarks cannot turn a limb on coarse ones.
 template <int Dim>
 struct FoldBarrier : CornerTerm<Dim> {
-  static constexpr TermInfo info{
-      .name = "barrier",
-      .meaning = "barrier on the Bernstein coefficients of det Dphi",
-      .weight = {"fold_barrier", 0.5,
-                 {.unit = "energy/volume sqrt(length^2/energy)", .min = 0,
-                  .meaning = "kappa: kappa / sqrt(nu) is the weight of the barrier that keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
-      .scaled = [](double factor, const TermScales& s) { return factor / std::sqrt(s.nu); },
-      .forbids_folds = true};
+  static constexpr TermInfo info{.name = "barrier",
+                                 .meaning = "barrier on the Bernstein coefficients of det Dphi",
+                                 .weight = {"fold_barrier",
+                                            0.5,
+                                            {.unit = "energy/volume sqrt(length^2/energy)",
+                                             .min = 0,
+                                             .meaning = "kappa: kappa / sqrt(nu) is the weight of the barrier that "
+                                                        "keeps det Dphi > 0 throughout every cell; 0 switches it off"}},
+                                 .scaled = [](double factor, const TermScales& s) { return factor / std::sqrt(s.nu); },
+                                 .forbids_folds = true};
   static constexpr std::array<TermOption, 1> own{
-      {{"fold_threshold", 0.2,
-        {.min = 0, .max = 0.9, .min_excluded = true,
+      {{"fold_threshold",
+        0.2,
+        {.min = 0,
+         .max = 0.9,
+         .min_excluded = true,
          .meaning = "d0: the barrier acts on cells where a Bernstein coefficient of det Dphi is below this"}}}};
   static constexpr int n_arguments = n_bernstein_total<Dim>;
   using Density = BarrierDensity;
@@ -58,8 +64,8 @@ struct FoldBarrier : CornerTerm<Dim> {
     return x;
   }
 
-  /// Not 0 in the lanes of elements on which the term does not vanish, at a small part of its cost: most elements are far
-  /// from folding.
+  /// Not 0 in the lanes of elements on which the term does not vanish, at a small part of its cost: most elements are
+  /// far from folding.
   static autodiff::Pack may_act(const ElementBatch<Dim>& batch, const Material<double>& c) {
     using autodiff::Pack;
     const Pack is_near = determinant_bound(batch) > c.own[0] ? Pack{} : Pack{} + 1.0;

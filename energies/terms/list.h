@@ -22,10 +22,8 @@ struct TermList {};
 
 /// In the order of reports. Terms of one name stand together; the first of them is the default.
 template <int Dim>
-using AllTerms = TermList<Match<Dim>,
-                          Membrane<Dim>, MembraneWithoutP2<Dim>, CauchyGreenMembrane<Dim>,
+using AllTerms = TermList<Match<Dim>, Membrane<Dim>, MembraneWithoutP2<Dim>, CauchyGreenMembrane<Dim>,
                           ExtrapolatedBending<Dim>, Bending<Dim>, BendingWithoutP2<Dim>, QuadraticBending<Dim>,
-                          SymmetricDirichletVolume<Dim>, SimplifiedVolume<Dim>, FullVolume<Dim>,
-                          FoldBarrier<Dim>>;
+                          SymmetricDirichletVolume<Dim>, SimplifiedVolume<Dim>, FullVolume<Dim>, FoldBarrier<Dim>>;
 
 }  // namespace shellmatch

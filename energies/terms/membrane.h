@@ -20,7 +20,8 @@ struct Membrane : BandTerm<Dim> {
   static constexpr bool is_tangential = true;
 
   template <class T, class P>
-  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallVec<P, Dim>& n1) const {
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2,
+                                        const SmallVec<P, Dim>& n1) const {
     return project_rows(project_columns(dphi, n1), renormalised(n2));
   }
 };

@@ -18,7 +18,8 @@ struct MembraneWithoutP2 : BandTerm<Dim> {
   using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;
 
   template <class T, class P>
-  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const SmallVec<P, Dim>& n1) const {
+  constexpr SmallMat<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2,
+                                        const SmallVec<P, Dim>& n1) const {
     return plus_outer(project_columns(dphi, n1), renormalised(n2), n1);
   }
 };

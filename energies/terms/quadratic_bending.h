@@ -18,7 +18,8 @@ struct QuadraticBending : BandTerm<Dim> {
   using Reads = DependsOn<Dphi, TargetShapeOperator, ReferenceShapeOperator>;
 
   template <class T, class P>
-  constexpr SmallVec<T, Dim * Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallSym<T, Dim>& s2, const SmallSym<P, Dim>& s1) const {
+  constexpr SmallVec<T, Dim * Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallSym<T, Dim>& s2,
+                                              const SmallSym<P, Dim>& s1) const {
     const auto s2_dphi = product<Dim>(s2, dphi);
     SmallVec<T, Dim * Dim> gap;
     for (int i = 0; i < Dim; ++i)

@@ -24,14 +24,13 @@ template <class Term, class T, class P>
 constexpr auto argument_at(const PointValues<Term::dim, T, P>& at) {
   if constexpr (requires { requires Term::is_tangential; })
     return plus_outer(Term::Reads::call(Term{}, at), renormalised(at.y.n2), at.x.n1);
-  else
-    return Term::Reads::call(Term{}, at);
+  else return Term::Reads::call(Term{}, at);
 }
 
 namespace detail {
 
-/// Active inputs: d2, n2, root; Dphi by rows; phi where it is read. Passive inputs: d1, n1, r1; lambda, mu, the term's own
-/// options, its own fields. Terms of cells have neither d2, n2, root nor d1, n1, r1.
+/// Active inputs: d2, n2, root; Dphi by rows; phi where it is read. Passive inputs: d1, n1, r1; lambda, mu, the term's
+/// own options, its own fields. Terms of cells have neither d2, n2, root nor d1, n1, r1.
 template <class Term>
 struct PointInputs {
   static constexpr int dim = Term::dim;
@@ -86,12 +85,13 @@ struct PointArgument : detail::PointInputs<Term> {
   }
 };
 
-/// The matrix t2_i . A t1_j of a tangential argument in frames t1, t2 of the tangent planes, by rows. Active inputs: those
-/// of PointFunctor with Dphi Q in the place of Dphi, where Q has the columns t1, then n1. Further passive inputs, after those
-/// of PointFunctor: t1, then t2, vector after vector.
+/// The matrix t2_i . A t1_j of a tangential argument in frames t1, t2 of the tangent planes, by rows. Active inputs:
+/// those of PointFunctor with Dphi Q in the place of Dphi, where Q has the columns t1, then n1. Further passive inputs,
+/// after those of PointFunctor: t1, then t2, vector after vector.
 ///
-/// The argument is evaluated in the reference coordinates of Q, in which t1 and n1 are unit vectors: A t1_j is then a column of
-/// A Q, which depends on few entries of Dphi Q, so that the backward sweeps are a third as long as those through Dphi.
+/// The argument is evaluated in the reference coordinates of Q, in which t1 and n1 are unit vectors: A t1_j is then a
+/// column of A Q, which depends on few entries of Dphi Q, so that the backward sweeps are a third as long as those
+/// through Dphi.
 template <IsBandTerm Term>
 struct TangentArgument : detail::PointInputs<Term> {
   using Inputs = detail::PointInputs<Term>;
@@ -133,8 +133,8 @@ struct TangentArgument : detail::PointInputs<Term> {
   }
 };
 
-/// Mean of W over the entries of a corner term's argument. Active: the corners' positions, corner after corner; passive:
-/// the term's scale, lambda, mu, its own options.
+/// Mean of W over the entries of a corner term's argument. Active: the corners' positions, corner after corner;
+/// passive: the term's scale, lambda, mu, its own options.
 template <IsCornerTerm Term>
 struct CornerFunctor {
   static constexpr int n_active = (1 << Term::dim) * Term::dim;
@@ -143,8 +143,7 @@ struct CornerFunctor {
   static constexpr T evaluate(const T* active, const P* passive) {
     const Material<P> c{passive[1], passive[2], passive + 3};
     T sum(0.0);
-    for (const T& x : Term{}(active, passive[0]))
-      sum = sum + Term::Density::template value<T, P>(x, c);
+    for (const T& x : Term{}(active, passive[0])) sum = sum + Term::Density::template value<T, P>(x, c);
     return sum * (1.0 / Term::n_arguments);
   }
 };

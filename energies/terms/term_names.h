@@ -27,7 +27,8 @@ inline constexpr auto all_term_infos = detail::infos_of(AllTerms<3>{});
 /// Number of terms that an energy can have at a time: that of their names.
 inline constexpr std::size_t n_all_terms = [] {
   std::size_t n = 0;
-  for (std::size_t i = 0; i < all_term_infos.size(); ++i) n += i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name;
+  for (std::size_t i = 0; i < all_term_infos.size(); ++i)
+    n += i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name;
   return n;
 }();
 
@@ -48,22 +49,25 @@ constexpr bool is_good_list() {
     const bool is_first = i == 0 || all_term_infos[i].name != all_term_infos[i - 1].name;
     if (is_first == all_term_infos[i].weight.name.empty()) return false;
     for (std::size_t j = 0; j < i; ++j)
-      if (all_term_infos[j].name == all_term_infos[i].name && (is_first || all_term_infos[j].model == all_term_infos[i].model))
+      if (all_term_infos[j].name == all_term_infos[i].name &&
+          (is_first || all_term_infos[j].model == all_term_infos[i].model))
         return false;
   }
   return true;
 }
-static_assert(is_good_list(), "energies/terms/list.h: terms of one name stand together, only the first has a weight, models differ");
+static_assert(is_good_list(),
+              "energies/terms/list.h: terms of one name stand together, only the first has a weight, models differ");
 
 }  // namespace detail
 
 /// The names of the options of section `energy` that no term has brought (EnergyOptions::describe).
-inline constexpr std::array<std::string_view, 6> general_option_names = {"lambda", "mu", "delta", "boundary", "quadrature_order", "evaluator"};
+inline constexpr std::array<std::string_view, 6> general_option_names = {
+    "lambda", "mu", "delta", "boundary", "quadrature_order", "evaluator"};
 
 namespace detail {
 
-/// Does no option of section `energy` have the name of another? Options are factors of terms, choices among models, which
-/// have the term's name, and the terms' own.
+/// Does no option of section `energy` have the name of another? Options are factors of terms, choices among models,
+/// which have the term's name, and the terms' own.
 template <class... Term>
 constexpr bool option_names_differ(TermList<Term...>) {
   constexpr std::size_t n = general_option_names.size() + 2 * all_term_infos.size() + (Term::own.size() + ... + 0);
@@ -82,7 +86,8 @@ constexpr bool option_names_differ(TermList<Term...>) {
       if (names[i] == names[j]) return false;
   return true;
 }
-static_assert(option_names_differ(AllTerms<3>{}), "energies/terms/list.h: two options of section `energy` have one name");
+static_assert(option_names_differ(AllTerms<3>{}),
+              "energies/terms/list.h: two options of section `energy` have one name");
 
 }  // namespace detail
 

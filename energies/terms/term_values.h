@@ -9,8 +9,8 @@
 
 namespace shellmatch {
 
-/// Weights of the terms, or weighted values. An energy with terms that are not in energies/terms/list.h has their numbers
-/// after those of the list.
+/// Weights of the terms, or weighted values. An energy with terms that are not in energies/terms/list.h has their
+/// numbers after those of the list.
 class TermValues {
  public:
   TermValues();  ///< 0 for each term of the list

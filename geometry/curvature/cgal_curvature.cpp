@@ -73,8 +73,8 @@ class Neighbourhood {
   std::vector<Index> found_for_;  // the last vertex around which each one was found
 };
 
-/// Leaves the first vertex and those that are nearest to it, `most` in all. Two rings of an ordinary mesh have twenty; around a vertex of
-/// thousands of edges everybody has thousands, and the fits of all would take the square of that.
+/// Leaves the first vertex and those that are nearest to it, `most` in all. Two rings of an ordinary mesh have twenty;
+/// around a vertex of thousands of edges everybody has thousands, and the fits of all would take the square of that.
 void keep_nearest(const Surface<3>& surface, std::size_t most, std::vector<Index>& vertices) {
   if (vertices.size() <= most) return;
   const Vec<3> x = surface.vertices[vertices[0]];

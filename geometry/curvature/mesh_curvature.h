@@ -21,17 +21,15 @@ struct VertexCurvature {
 };
 
 struct CurvatureOptions {
-  int degree =
-      2;  ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
-  int n_rings = 2;  ///< of neighbours for the fit, >= 1; more where these are too few
+  int degree = 2;         ///< of the polynomial, 2 <= degree <= 4; for smooth data the error is of order h^(degree - 1)
+  int n_rings = 2;        ///< of neighbours for the fit, >= 1; more where these are too few
   std::size_t every = 1;  ///< >= 1; 2: at every second vertex alone, NaN at the others
 };
-// Where a vertex has very many edges, rings are large: the nearest 200 vertices of them are taken, or 10 times as many as such rings
-// have where all vertices have six edges if that is more.
+// Where a vertex has very many edges, rings are large: the nearest 200 vertices of them are taken, or 10 times as many
+// as such rings have where all vertices have six edges if that is more.
 
 /// The curvatures at each vertex. All entries are NaN where the connected part has fewer vertices than the
 /// polynomial has coefficients, or the vertex has no facet.
-std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface,
-                                               const CurvatureOptions& options = {});
+std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const CurvatureOptions& options = {});
 
 }  // namespace shellmatch

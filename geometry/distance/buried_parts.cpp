@@ -20,9 +20,9 @@ Vec<3> centre_of(const Surface<3>& s, Index f) {
   return (s.vertices[a] + s.vertices[b] + s.vertices[c]) / 3;
 }
 
-/// For each facet the one that decides for it: itself where it crosses others; else the largest of those to which it is connected by
-/// edges across facets that cross none, as no other part of the surface lies between them. Across vertices they need not be connected:
-/// two facets of one vertex can cross each other.
+/// For each facet the one that decides for it: itself where it crosses others; else the largest of those to which it is
+/// connected by edges across facets that cross none, as no other part of the surface lies between them. Across vertices
+/// they need not be connected: two facets of one vertex can cross each other.
 std::vector<Index> judges(const Surface<3>& s, const std::vector<Index>& crossing) {
   std::vector<bool> crosses(s.facets.size());
   for (const Index f : crossing) crosses[f] = true;
@@ -71,7 +71,9 @@ std::vector<double> depths_of(const Surface<3>& s, const std::vector<char>& buri
     if (!buried[f]) others.facets.push_back(s.facets[f]);
   if (others.facets.empty()) return depths;
   const FacetTree<3> tree(others);
-  const auto below = [&](const Vec<3>& x) { return (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm(); };
+  const auto below = [&](const Vec<3>& x) {
+    return (closest_point_on_facet(others, tree.nearest(x), x).point - x).norm();
+  };
   parallel_for(
       depths.size(),
       [&](std::size_t f) {
@@ -131,8 +133,7 @@ Evidence<3> without_buried(const Surface<3>& surface, const Evidence<3>& evidenc
     const auto& [a, b, c] = known.facets[f];
     if (is_hidden[is_whole ? static_cast<Index>(f) : tree->nearest(centre_of(known, static_cast<Index>(f)))])
       result.unobserved.facets.push_back({a + offset, b + offset, c + offset});
-    else
-      result.observed.facets.push_back(known.facets[f]);
+    else result.observed.facets.push_back(known.facets[f]);
   }
   return result;
 }

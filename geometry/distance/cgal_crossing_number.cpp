@@ -22,8 +22,8 @@ constexpr int most_segments = 8;
 
 ExactPoint exact_point(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
 
-/// 1 where the segment from x to y leaves through the triangle, -1 where it enters; none where it meets an edge or lies in the triangle's
-/// plane. \pre they meet
+/// 1 where the segment from x to y leaves through the triangle, -1 where it enters; none where it meets an edge or lies
+/// in the triangle's plane. \pre they meet
 std::optional<int> crossing(const ExactPoint& x, const ExactPoint& y, const ExactTriangle& t) {
   for (int k = 0; k < 3; ++k)
     if (CGAL::orientation(x, y, t[k], t[(k + 1) % 3]) == CGAL::COPLANAR) return std::nullopt;
@@ -35,7 +35,8 @@ std::optional<int> crossing(const ExactPoint& x, const ExactPoint& y, const Exac
 
 struct CrossingNumber::Tree {
   explicit Tree(const Surface<3>& s) : surface(s), box(bounding_box(s.vertices)) {
-    for (const auto& [a, b, c] : s.facets) triangles.emplace_back(exact_point(s.vertices[a]), exact_point(s.vertices[b]), exact_point(s.vertices[c]));
+    for (const auto& [a, b, c] : s.facets)
+      triangles.emplace_back(exact_point(s.vertices[a]), exact_point(s.vertices[b]), exact_point(s.vertices[c]));
     tree.insert(triangles.begin(), triangles.end());
     tree.build();
   }
@@ -52,7 +53,8 @@ int CrossingNumber::operator()(const Vec<3>& x) const {
   const ExactPoint from = exact_point(x);
   for (int s = 0; s < most_segments; ++s) {
     // Directions to all sides that no modelled edge is likely to have.
-    const double angle = 2.4 * s + 0.7137, height = std::fmod(0.61803 * s + 0.3319, 1.0) * 2 - 1, radius = std::sqrt(1 - height * height);
+    const double angle = 2.4 * s + 0.7137, height = std::fmod(0.61803 * s + 0.3319, 1.0) * 2 - 1,
+                 radius = std::sqrt(1 - height * height);
     const Vec<3> direction(radius * std::cos(angle), radius * std::sin(angle), height);
     const ExactPoint to = exact_point(x + 2 * tree_->box.diagonal() * direction);
     std::vector<std::vector<ExactTriangle>::const_iterator> met;

@@ -15,7 +15,8 @@ namespace shellmatch {
 
 #if CGAL_VERSION_NR >= 1060001000
 template <class Kernel, class Iterator>
-using CgalTriangleTree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Iterator>>>;
+using CgalTriangleTree =
+    CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Iterator>>>;
 #else
 template <class Kernel, class Iterator>
 using CgalTriangleTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Iterator>>>;

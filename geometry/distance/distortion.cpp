@@ -21,9 +21,8 @@ double ratio_or_nan(double deformed, double reference) { return reference > 0 ? 
 
 template <int Dim>
 void require_same_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
-  SHELLMATCH_CHECK(
-      reference.facets == deformed.facets && reference.vertices.size() == deformed.vertices.size(),
-      "distortion compares a surface with the same surface deformed");
+  SHELLMATCH_CHECK(reference.facets == deformed.facets && reference.vertices.size() == deformed.vertices.size(),
+                   "distortion compares a surface with the same surface deformed");
 }
 
 }  // namespace
@@ -108,7 +107,8 @@ std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance
     template_distance.closest(centres, closest);
     for (std::size_t i = 0; i < centres.size(); ++i) {
       const std::size_t f = chunk.begin + i;
-      away[f] = facet_normal(deformed, static_cast<Index>(f)).dot(facet_normal(template_distance.surface(), closest[i].facet)) < 0;
+      away[f] = facet_normal(deformed, static_cast<Index>(f))
+                    .dot(facet_normal(template_distance.surface(), closest[i].facet)) < 0;
     }
   });
   return away;
@@ -131,8 +131,7 @@ Distortion<Dim> distortion(const Surface<Dim>& reference, const Surface<Dim>& de
   Distortion<Dim> result;
   result.measure_ratio = quantiles(ratios);
   result.angle_distortion = quantiles(angle_distortions(reference, deformed));
-  result.n_collapsed =
-      static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
+  result.n_collapsed = static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
   result.n_facing_away = count_facing_away(deformed, template_distance);
   result.n_self_intersecting = self_intersecting_facets(deformed).size();
   result.n_self_intersecting_reference = self_intersecting_facets(reference).size();

@@ -31,8 +31,8 @@ std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surf
 template <int Dim>
 std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
-/// Whether a facet's normal forms an angle of more than 90 degrees with that of the template's facet nearest to its centre:
-/// one entry for each facet, 0 or 1.
+/// Whether a facet's normal forms an angle of more than 90 degrees with that of the template's facet nearest to its
+/// centre: one entry for each facet, 0 or 1.
 template <int Dim>
 std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
 

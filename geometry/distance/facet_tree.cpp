@@ -25,7 +25,8 @@ double inverse_or_zero(double x) { return x > 0 ? 1 / x : 0; }
 /// Builds the tree from the root downwards.
 template <int Dim>
 struct FacetTree<Dim>::Builder {
-  // Small, and side by side: splitting large surfaces takes as long as memory does. Rounding the centres changes the tree, not what it finds.
+  // Small, and side by side: splitting large surfaces takes as long as memory does. Rounding the centres changes the
+  // tree, not what it finds.
   struct Entry {
     std::array<float, Dim> centre;  // of the facet's box, in [-1, 1]
     Index facet;
@@ -80,8 +81,7 @@ struct FacetTree<Dim>::Builder {
         leaf.corner[i][lane] = a[i];
         for (int e = 0; e < Dim - 1; ++e) leaf.edge[e][i][lane] = edge[e][i];
       }
-      for (int e = 0; e < Dim - 1; ++e)
-        leaf.inverse_length2[e][lane] = inverse_or_zero(edge[e].squaredNorm());
+      for (int e = 0; e < Dim - 1; ++e) leaf.inverse_length2[e][lane] = inverse_or_zero(edge[e].squaredNorm());
       if constexpr (Dim == 3) {
         leaf.inverse_length2[2][lane] = inverse_or_zero((edge[1] - edge[0]).squaredNorm());
         leaf.inverse_normal2[lane] =
@@ -144,7 +144,8 @@ FacetTree<Dim>::FacetTree(const Surface<Dim>& surface) {
     stop_check();
     const Box<Dim> box = builder.box(f);
     auto& entry = builder.order.emplace_back();
-    for (int k = 0; k < Dim; ++k) entry.centre[k] = static_cast<float>((box.min[k] - all.min[k] + box.max[k] - all.max[k]) * per_length);
+    for (int k = 0; k < Dim; ++k)
+      entry.centre[k] = static_cast<float>((box.min[k] - all.min[k] + box.max[k] - all.max[k]) * per_length);
     entry.facet = f;
   }
   Box<Dim> bounds;

@@ -25,9 +25,9 @@ Lanes to_segment(const Lanes (&v)[Dim], const Edge (&e)[Dim], const Edge& invers
   return distance2;
 }
 
-/// Squares of the distances between facets and points: eight facets (Number is Lanes) and one point, or one facet (double)
-/// and eight points. The case distinctions of closest_point_on_facet(), made by selection.
-/// \param w from the first corner to the point
+/// Squares of the distances between facets and points: eight facets (Number is Lanes) and one point, or one facet
+/// (double) and eight points. The case distinctions of closest_point_on_facet(), made by selection. \param w from the
+/// first corner to the point
 template <class Lanes, class Number, int Dim>
 Lanes to_facet(const Lanes (&w)[Dim], const Number (&edge)[Dim - 1][Dim], const Number* inverse_length2,
                const Number& inverse_normal2) {
@@ -93,7 +93,8 @@ class FacetTree<Dim>::Stack {
     for (int i = 0; i < width; ++i) {
       if (!(distances[i] <= most2)) continue;
       int place = n_++;
-      for (; place > first && entries_[place - 1].distance2 < distances[i]; --place) entries_[place] = entries_[place - 1];
+      for (; place > first && entries_[place - 1].distance2 < distances[i]; --place)
+        entries_[place] = entries_[place - 1];
       entries_[place] = {distances[i], node.child[i], width * index + i};
     }
   }
@@ -118,7 +119,8 @@ Index FacetTree<Dim>::nearer(const Vec<Dim>& x, double best, Index facet) const 
     for (int k = 0; k < Dim; ++k) w[k] = x[k] - leaf.corner[k];
     const Lanes distances = to_facet(w, leaf.edge, leaf.inverse_length2, leaf.inverse_normal2);
     for (int i = 0; i < width; ++i)
-      if (distances[i] < best || (distances[i] == best && leaf.facet[i] < facet)) best = distances[i], facet = leaf.facet[i];
+      if (distances[i] < best || (distances[i] == best && leaf.facet[i] < facet))
+        best = distances[i], facet = leaf.facet[i];
   };
   Stack stack(nodes_);
   stack.add_children(0, x, best);
@@ -131,8 +133,8 @@ Index FacetTree<Dim>::nearer(const Vec<Dim>& x, double best, Index facet) const 
   return facet;
 }
 
-// The subtrees that the sphere around all points of the group reaches are visited in the order of their distance from its centre.
-// Where they are many, the points lie too far apart to be treated together.
+// The subtrees that the sphere around all points of the group reaches are visited in the order of their distance from
+// its centre. Where they are many, the points lie too far apart to be treated together.
 template <int Dim>
 void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const {
   Lanes x[Dim];
@@ -177,7 +179,8 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
   const auto may_be_nearer = [&](const Node& node, int place) {
     Lanes distances{};
     for (int k = 0; k < Dim; ++k) {
-      const Lanes before = static_cast<double>(node.min[k][place]) - x[k], after = x[k] - static_cast<double>(node.max[k][place]);
+      const Lanes before = static_cast<double>(node.min[k][place]) - x[k],
+                  after = x[k] - static_cast<double>(node.max[k][place]);
       Lanes gap = before > after ? before : after;
       gap = gap > 0 ? gap : Lanes{};
       distances += gap * gap;

@@ -9,11 +9,13 @@
 namespace shellmatch {
 
 template <int Dim>
-MeasuredParts<Dim>::MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices, ObservedPart<Dim> template_part)
+MeasuredParts<Dim>::MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices,
+                                  ObservedPart<Dim> template_part)
     : reference_part_(std::move(reference)), template_part_(std::move(template_part)) {
   if (reference_part_.is_all()) return;
   margins_.resize(its_vertices.size());
-  parallel_for(its_vertices.size(), [&](std::size_t v) { margins_[v] = reference_part_.margin(its_vertices[v]); }, 256);
+  parallel_for(
+      its_vertices.size(), [&](std::size_t v) { margins_[v] = reference_part_.margin(its_vertices[v]); }, 256);
 }
 
 template <int Dim>
@@ -27,26 +29,32 @@ std::vector<char> MeasuredParts<Dim>::of_facets(const Surface<Dim>& reference, c
   };
   parallel_for(
       measured.size(),
-      [&](std::size_t f) { measured[f] = reference_part_.contains(centre(reference, f)) && template_part_.contains(centre(deformed, f)); }, 256);
-  return measured;
-}
-
-template <int Dim>
-std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) const {
-  if (is_all()) return {};
-  SHELLMATCH_CHECK(margins_.empty() || margins_.size() == deformed.vertices.size(), "margins are those of other vertices");
-  std::vector<char> measured(deformed.vertices.size());
-  parallel_for(
-      measured.size(),
-      [&](std::size_t v) {
-        measured[v] = (margins_.empty() || margins_[v] > reference_part_.least_margin()) && template_part_.contains(deformed.vertices[v]);
+      [&](std::size_t f) {
+        measured[f] = reference_part_.contains(centre(reference, f)) && template_part_.contains(centre(deformed, f));
       },
       256);
   return measured;
 }
 
 template <int Dim>
-std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const {
+std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) const {
+  if (is_all()) return {};
+  SHELLMATCH_CHECK(margins_.empty() || margins_.size() == deformed.vertices.size(),
+                   "margins are those of other vertices");
+  std::vector<char> measured(deformed.vertices.size());
+  parallel_for(
+      measured.size(),
+      [&](std::size_t v) {
+        measured[v] = (margins_.empty() || margins_[v] > reference_part_.least_margin()) &&
+                      template_part_.contains(deformed.vertices[v]);
+      },
+      256);
+  return measured;
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>& points,
+                                                    const Surface<Dim>& deformed) const {
   std::vector<char> observed(points.size(), 1);
   if (margins_.empty()) return observed;
   const FacetTree<Dim> tree(deformed);
@@ -67,10 +75,12 @@ std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>&
 }
 
 template <int Dim>
-std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const {
+std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points,
+                                                  const Surface<Dim>& deformed) const {
   if (is_all()) return {};
   std::vector<char> measured = near_observed(points, deformed);
-  parallel_for(points.size(), [&](std::size_t i) { measured[i] = measured[i] && template_part_.contains(points[i]); }, 256);
+  parallel_for(
+      points.size(), [&](std::size_t i) { measured[i] = measured[i] && template_part_.contains(points[i]); }, 256);
   return measured;
 }
 

@@ -14,19 +14,21 @@ class MeasuredParts {
   /// All points.
   MeasuredParts() = default;
   /// \param reference, its_vertices  before it is deformed, in the coordinates of `reference`
-  MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices, ObservedPart<Dim> template_part);
+  MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices,
+                ObservedPart<Dim> template_part);
 
   bool is_all() const { return margins_.empty() && template_part_.is_all(); }
 
-  /// For each vertex of the deformed reference: is it observed, and has the template data next to it? Empty for all. \pre the vertices
-  /// are those of the constructor
+  /// For each vertex of the deformed reference: is it observed, and has the template data next to it? Empty for all.
+  /// \pre the vertices are those of the constructor
   std::vector<char> of_deformed(const Surface<Dim>& deformed) const;
-  /// For each facet of the reference: is its centre observed, and has the template data next to it after it was deformed? Empty for all.
+  /// For each facet of the reference: is its centre observed, and has the template data next to it after it was
+  /// deformed? Empty for all.
   std::vector<char> of_facets(const Surface<Dim>& reference, const Surface<Dim>& deformed) const;
   /// For each point: has the reference data at the nearest point of its deformed surface?
   std::vector<char> near_observed(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const;
-  /// For each point of the template: is it observed, and has the reference data at the nearest point of its deformed surface? Empty for
-  /// all.
+  /// For each point of the template: is it observed, and has the reference data at the nearest point of its deformed
+  /// surface? Empty for all.
   std::vector<char> of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed) const;
 
  private:

@@ -52,7 +52,8 @@ auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
   const auto unobserved = parts_->unobserved.nearest(x);
   // So far away that nothing can be told.
   if (unobserved.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
-  return {unobserved.distance - parts_->observed.nearest(x).distance, parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
+  return {unobserved.distance - parts_->observed.nearest(x).distance,
+          parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
 }
 
 template class ObservedPart<2>;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Which part of space belongs to what is known of a surface, and which to the rest: what was made up to close it, or lies inside the body.
+/// Which part of space belongs to what is known of a surface, and which to the rest: what was made up to close it, or
+/// lies inside the body.
 
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/surface.h"
@@ -12,8 +13,8 @@
 
 namespace shellmatch {
 
-/// The points that are nearer to the observed than to the unobserved part of a surface, whose connected parts are its gaps. Copies share the
-/// data.
+/// The points that are nearer to the observed than to the unobserved part of a surface, whose connected parts are its
+/// gaps. Copies share the data.
 template <int Dim>
 class ObservedPart {
  public:
@@ -24,17 +25,20 @@ class ObservedPart {
   bool is_all() const { return parts_ == nullptr; }
 
   struct Gap {
-    /// Distance to the unobserved part less distance to the observed one: at a point of the observed surface its distance to the nearest
-    /// gap, 0 along the edge of a gap, negative beyond, infinite where all is observed. The Lipschitz constant is 2.
+    /// Distance to the unobserved part less distance to the observed one: at a point of the observed surface its
+    /// distance to the nearest gap, 0 along the edge of a gap, negative beyond, infinite where all is observed. The
+    /// Lipschitz constant is 2.
     double margin = std::numeric_limits<double>::infinity();
-    /// How far the centres of the facets of the nearest gap reach from the observed part: half of the gap's width or somewhat less.
+    /// How far the centres of the facets of the nearest gap reach from the observed part: half of the gap's width or
+    /// somewhat less.
     double half_width = 0;
   };
   Gap nearest_gap(const Vec<Dim>& x) const;
   double margin(const Vec<Dim>& x) const { return nearest_gap(x).margin; }
 
-  /// Is the observed part nearer? Points that are nearest to the edge of a gap, up to rounding, belong to the other: a correspondence
-  /// with an edge is that of whatever lies beyond it (Turk and Levoy, Zippered polygon meshes from range images, SIGGRAPH 1994).
+  /// Is the observed part nearer? Points that are nearest to the edge of a gap, up to rounding, belong to the other: a
+  /// correspondence with an edge is that of whatever lies beyond it (Turk and Levoy, Zippered polygon meshes from range
+  /// images, SIGGRAPH 1994).
   bool contains(const Vec<Dim>& x) const { return is_all() || margin(x) > least_margin(); }
   /// What the margin of a point of the observed part exceeds: rounding errors.
   double least_margin() const { return rounding * scale_; }

@@ -21,7 +21,8 @@ OrientedFacets<Dim>::OrientedFacets(const Surface<Dim>& surface) : surface_(&sur
 }
 
 template <int Dim>
-std::optional<typename OrientedFacets<Dim>::Nearest> OrientedFacets<Dim>::nearest(const Vec<Dim>& x, const Vec<Dim>& normal) const {
+std::optional<typename OrientedFacets<Dim>::Nearest> OrientedFacets<Dim>::nearest(const Vec<Dim>& x,
+                                                                                  const Vec<Dim>& normal) const {
   std::optional<Nearest> best;
   for (int s = 0; s < 2 * Dim; ++s) {
     const Side& side = sides_[static_cast<std::size_t>(s)];

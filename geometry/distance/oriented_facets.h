@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Nearest facets of those that face the way a point's own surface does: of two limbs that touch, the nearest facet as such may belong to
-/// the other one, or to the other side of a thin part.
+/// Nearest facets of those that face the way a point's own surface does: of two limbs that touch, the nearest facet as
+/// such may belong to the other one, or to the other side of a thin part.
 
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"
@@ -24,10 +24,10 @@ class OrientedFacets {
   /// \param surface must outlive this object; its coordinates are finite
   explicit OrientedFacets(const Surface<Dim>& surface);
 
-  /// A near facet whose normal has a positive product with the given one. The facets are kept in groups by the largest component of their
-  /// normals; of each group to whose side the given normal points the nearest one is looked at, and of these the nearest that faces its way is
-  /// returned. That is the nearest of all whose normals differ by less than 35 degrees, unless one that faces away lies before it; none
-  /// where all of them face away.
+  /// A near facet whose normal has a positive product with the given one. The facets are kept in groups by the largest
+  /// component of their normals; of each group to whose side the given normal points the nearest one is looked at, and
+  /// of these the nearest that faces its way is returned. That is the nearest of all whose normals differ by less than
+  /// 35 degrees, unless one that faces away lies before it; none where all of them face away.
   std::optional<Nearest> nearest(const Vec<Dim>& x, const Vec<Dim>& normal) const;
 
  private:

@@ -21,8 +21,7 @@ struct SignedDistance<Dim>::Tree {
   Surface<Dim> surface;
   FacetTree<Dim> facets;
   Pseudonormals<Dim> normals;
-  double
-      rounding;  // below this distance, rounding spoils the direction from the surface to a point
+  double rounding;  // below this distance, rounding spoils the direction from the surface to a point
 };
 
 template <int Dim>

@@ -37,8 +37,8 @@ class SignedDistance {
   ClosestPoint<Dim> closest(const Vec<Dim>& x) const;
   double operator()(const Vec<Dim>& x) const { return closest(x).signed_distance; }
 
-  /// The signed distances of many points, equal to those of one at a time, and faster the nearer consecutive points lie to
-  /// each other. \param distances one entry for each point
+  /// The signed distances of many points, equal to those of one at a time, and faster the nearer consecutive points lie
+  /// to each other. \param distances one entry for each point
   void operator()(std::span<const Vec<Dim>> x, std::span<double> distances) const;
   /// The closest points of many, in the same way. \param found one entry for each point
   void closest(std::span<const Vec<Dim>> x, std::span<ClosestPoint<Dim>> found) const;

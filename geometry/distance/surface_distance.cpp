@@ -22,7 +22,8 @@ struct MeasuredPoints {
   std::vector<double> areas;  ///< around each
 };
 
-/// Vertices that have facets. \param measured one entry for each vertex; empty for all \param most of many, every second, third, ... is taken
+/// Vertices that have facets. \param measured one entry for each vertex; empty for all \param most of many, every
+/// second, third, ... is taken
 template <int Dim>
 MeasuredPoints<Dim> measured_points(const Surface<Dim>& surface, const std::vector<char>& measured, std::size_t most) {
   const std::vector<double> area = vertex_measures(surface);
@@ -114,11 +115,12 @@ std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Surf
 }
 
 template <int Dim>
-MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance, const MeasuredParts<Dim>& parts,
-                                double spacing, std::size_t most_points) {
+MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
+                                const MeasuredParts<Dim>& parts, double spacing, std::size_t most_points) {
   const Surface<Dim> fine = subdivided(template_distance.surface(), spacing);
   const MeasuredPoints<Dim> of_deformed = measured_points(deformed, parts.of_deformed(deformed), most_points);
-  const MeasuredPoints<Dim> of_template = measured_points(fine, parts.of_template(fine.vertices, deformed), most_points);
+  const MeasuredPoints<Dim> of_template =
+      measured_points(fine, parts.of_template(fine.vertices, deformed), most_points);
   // Of the whole template, whatever is measured.
   const double diagonal = bounding_box(measured_points(template_distance.surface(), {}, unlimited).points).diagonal();
   const auto summary = [&](const MeasuredPoints<Dim>& of, const std::vector<double>& distances) {
@@ -131,15 +133,18 @@ MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistan
   };
   const std::vector<double> there = distances_to(of_deformed.points, template_distance);
   const std::vector<double> back = distances_to(of_template.points, deformed);
-  return {summary(of_deformed, there), summary(of_template, back), share_beyond(of_template.areas, back, covered_within * diagonal),
-          farthest(of_deformed.points, there), farthest(of_template.points, back)};
+  return {summary(of_deformed, there), summary(of_template, back),
+          share_beyond(of_template.areas, back, covered_within * diagonal), farthest(of_deformed.points, there),
+          farthest(of_template.points, back)};
 }
 
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const SignedDistance<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Surface<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const Surface<3>&);
-template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double, std::size_t);
-template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double, std::size_t);
+template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double,
+                                       std::size_t);
+template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double,
+                                       std::size_t);
 
 }  // namespace shellmatch

@@ -17,9 +17,7 @@ struct Wave {
 // fixes the raw output of the random generator, so the result is the same on every machine.
 std::vector<Wave> skin_waves(int individual) {
   std::mt19937 generator(static_cast<std::uint32_t>(individual));
-  const auto uniform = [&](double min, double max) {
-    return min + (max - min) * (generator() / 4294967296.0);
-  };
+  const auto uniform = [&](double min, double max) { return min + (max - min) * (generator() / 4294967296.0); };
   std::vector<Wave> waves(16);
   for (Wave& w : waves) {
     const double up = uniform(-1, 1), around = uniform(0, 2 * M_PI), periods = uniform(2, 6);
@@ -48,8 +46,7 @@ Body<3> beet_body(const BeetOptions& options, double edge_length) {
     const double angle = radians(options.groove_turn) * height;
     const double across = std::cos(angle) * x.x() + std::sin(angle) * x.y();
     const double rho = std::hypot(x.x(), x.y()), width = 0.22 * (rho + 0.02);
-    const double fade =
-        std::exp(-std::pow((height - 0.45) / 0.28, 4)) * rho * rho / (rho * rho + 0.03 * 0.03);
+    const double fade = std::exp(-std::pow((height - 0.45) / 0.28, 4)) * rho * rho / (rho * rho + 0.03 * 0.03);
     d += options.groove_depth * fade * std::exp(-across * across / (width * width));
     double skin = 0;
     for (const Wave& w : waves) skin += std::sin(w.direction.dot(x) + w.phase);

@@ -16,13 +16,10 @@ struct BeetOptions {
   int individual = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("width", self.width,
-          {.unit = "side of the domain", .min = 0.1, .max = 0.28, .meaning = "greatest radius"});
-    visit("bend", self.bend,
-          {.unit = "side of the domain",
-           .min = -0.1,
-           .max = 0.1,
-           .meaning = "sideways shift of the middle of the root"});
+    visit("width", self.width, {.unit = "side of the domain", .min = 0.1, .max = 0.28, .meaning = "greatest radius"});
+    visit(
+        "bend", self.bend,
+        {.unit = "side of the domain", .min = -0.1, .max = 0.1, .meaning = "sideways shift of the middle of the root"});
     visit("groove_depth", self.groove_depth,
           {.unit = "side of the domain", .min = 0, .max = 0.03, .meaning = "depth of the two grooves"});
     visit("groove_turn", self.groove_turn,

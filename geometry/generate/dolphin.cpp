@@ -59,8 +59,8 @@ double pectoral_fin(const Vec<3>& x, double side) {
 }
 
 double fluke(const Vec<3>& x, double side) {
-  static const std::array<Vec<2>, 4> outline{Vec<2>(-0.05, -0.012), Vec<2>(0.032, -0.012),
-                                             Vec<2>(0.022, 0.135), Vec<2>(0.008, 0.135)};
+  static const std::array<Vec<2>, 4> outline{Vec<2>(-0.05, -0.012), Vec<2>(0.032, -0.012), Vec<2>(0.022, 0.135),
+                                             Vec<2>(0.008, 0.135)};
   return swept_plate(x.x() - 0.83, side * (x.y() - 0.5), x.z() - 0.48, 1.8, outline);
 }
 
@@ -89,11 +89,7 @@ Vec<3> bent(const Vec<3>& x, double bend, double sway) {
   Vec<3> spine(start, 0.5, spine_height);
   const double length = x.x() - start, step = length / n;
   for (int i = 0; i <= n; ++i)
-    spine += step / 3 *
-             (i == 0 || i == n ? 1
-              : i % 2          ? 4
-                               : 2) *
-             spine_direction(start + i * step, bend, sway);
+    spine += step / 3 * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * spine_direction(start + i * step, bend, sway);
   // The frame: a rotation about the y axis, followed by one about the z axis.
   const double share = turned_share(x.x()), a = share * bend, b = share * sway;
   const Vec<3> across(-std::sin(b), std::cos(b), 0);

@@ -19,9 +19,8 @@ struct DolphinOptions {
            .min = -70,
            .max = 70,
            .meaning = "turn of the tail against the head in the upright plane; positive: tail down"});
-    visit(
-        "sway", self.sway,
-        {.unit = "degrees", .min = -40, .max = 40, .meaning = "turn of the tail against the head sideways"});
+    visit("sway", self.sway,
+          {.unit = "degrees", .min = -40, .max = 40, .meaning = "turn of the tail against the head sideways"});
     visit("turn", self.turn,
           {.unit = "degrees",
            .min = -180,

@@ -26,9 +26,7 @@ template <int Dim>
 double ellipsoid_distance(const Vec<Dim>& a, const Vec<Dim>& y) {
   int shortest = 0;
   const double least = a.minCoeff(&shortest) * a.minCoeff();
-  const auto point = [&](double t) {
-    return Vec<Dim>(a.array().square() * y.array() / (a.array().square() + t));
-  };
+  const auto point = [&](double t) { return Vec<Dim>(a.array().square() * y.array() / (a.array().square() + t)); };
   const auto excess = [&](const Vec<Dim>& x) { return x.cwiseQuotient(a).squaredNorm() - 1; };
   double low = -least, high = y.norm() * a.maxCoeff();
   for (int i = 0; i < 100 && high - low > 1e-17 + 1e-16 * std::abs(high); ++i) {

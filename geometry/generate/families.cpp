@@ -42,8 +42,8 @@ struct Variant {
 };
 
 template <int Dim, class Options>
-Family family(std::string name, std::string meaning, double edge_length,
-              Body<Dim> (*build)(const Options&, double), std::vector<Variant<Options>> variants) {
+Family family(std::string name, std::string meaning, double edge_length, Body<Dim> (*build)(const Options&, double),
+              std::vector<Variant<Options>> variants) {
   Family f;
   f.info = {std::move(name), std::move(meaning), Dim, 0, edge_length, {}, {}};
   for (const Variant<Options>& v : variants) {
@@ -65,25 +65,22 @@ Family family(std::string name, std::string meaning, double edge_length,
 
 std::vector<Family> make_families() {
   std::vector<Family> all;
-  all.push_back(
-      family<3, SphereOptions>("sphere", "a sphere", 0.01, &sphere_body,
-                               {{"large", "radius 0.25", {}}, {"small", "radius 0.18", {.radius = 0.18}}}));
+  all.push_back(family<3, SphereOptions>("sphere", "a sphere", 0.01, &sphere_body,
+                                         {{"large", "radius 0.25", {}}, {"small", "radius 0.18", {.radius = 0.18}}}));
   all.push_back(family<3, EllipsoidOptions>(
       "ellipsoid", "an ellipsoid; corresponds to every sphere", 0.01, &ellipsoid_body,
       {{"round", "a sphere of radius 0.25", {.semi_x = 0.25, .semi_y = 0.25, .semi_z = 0.25}},
        {"long", "three different semi-axes", {}}}));
-  all.push_back(family<3, TorusOptions>(
-      "torus", "a torus about the z axis", 0.01, &torus_body,
-      {{"thick", "radii 0.26 and 0.1", {}},
-       {"thin", "radii 0.29 and 0.075", {.major_radius = 0.29, .minor_radius = 0.075}}}));
+  all.push_back(
+      family<3, TorusOptions>("torus", "a torus about the z axis", 0.01, &torus_body,
+                              {{"thick", "radii 0.26 and 0.1", {}},
+                               {"thin", "radii 0.29 and 0.075", {.major_radius = 0.29, .minor_radius = 0.075}}}));
   all.back().info.genus = 1;
-  all.push_back(family<3, BoxOptions>("box", "a box with rounded edges", 0.01, &box_body,
-                                      {{"cube", "a cube", {}},
-                                       {"compressed",
-                                        "the cube compressed to 64 % and turned by 25 degrees",
-                                        {.compression = 0.64, .turn = 25}}}));
-  all.push_back(family<3, BeetOptions>("beet", "a sugar beet: root, crown, grooves, uneven skin", 0.0075,
-                                       &beet_body,
+  all.push_back(family<3, BoxOptions>(
+      "box", "a box with rounded edges", 0.01, &box_body,
+      {{"cube", "a cube", {}},
+       {"compressed", "the cube compressed to 64 % and turned by 25 degrees", {.compression = 0.64, .turn = 25}}}));
+  all.push_back(family<3, BeetOptions>("beet", "a sugar beet: root, crown, grooves, uneven skin", 0.0075, &beet_body,
                                        {{"first", "a fat beet", {}},
                                         {"second",
                                          "a slimmer one that bends the other way",
@@ -99,44 +96,40 @@ std::vector<Family> make_families() {
        {"bent",
         "fingers bent by 20 to 30 degrees",
         {.bend_thumb = 20, .bend_index = 25, .bend_middle = 30, .bend_ring = 25, .bend_little = 20}}}));
-  all.push_back(family<3, DolphinOptions>(
-      "dolphin", "a dolphin that swims", 0.0065, &dolphin_body,
-      {{"straight", "at rest", {}},
-       {"bent", "tail down by 45 degrees and a little aside", {.bend = 45, .sway = 12}},
-       {"turned", "at rest, turned by 30 degrees", {.turn = 30}},
-       {"reversed", "at rest, turned by 180 degrees", {.turn = 180}}}));
-  all.push_back(family<3, RingOptions>("ring", "a bar bent to a ring", 0.0085, &ring_body,
-                                       {{"open", "with a gap", {}}, {"clasped", "its ends press into each other: the surface crosses itself", {.arc = 330}}}));
+  all.push_back(
+      family<3, DolphinOptions>("dolphin", "a dolphin that swims", 0.0065, &dolphin_body,
+                                {{"straight", "at rest", {}},
+                                 {"bent", "tail down by 45 degrees and a little aside", {.bend = 45, .sway = 12}},
+                                 {"turned", "at rest, turned by 30 degrees", {.turn = 30}},
+                                 {"reversed", "at rest, turned by 180 degrees", {.turn = 180}}}));
+  all.push_back(family<3, RingOptions>(
+      "ring", "a bar bent to a ring", 0.0085, &ring_body,
+      {{"open", "with a gap", {}},
+       {"clasped", "its ends press into each other: the surface crosses itself", {.arc = 330}}}));
   all.push_back(family<3, FaceOptions>(
       "face", "a head with nose, brows, eyes, mouth, chin and ears", 0.0085, &face_body,
       {{"neutral", "a head at rest", {}},
        {"smiling", "the same head, smiling", {.smile = 1}},
        {"other", "another head", {.nose = 1.3, .brow = 1.3, .jaw = 1.12, .width = 0.94, .ears = 1.15}}}));
-  all.push_back(
-      family<2, LeafOptions>("leaf", "a leaf with lobes and teeth", 0.004, &leaf_body,
-                             {{"deep", "deep bays", {}},
-                              {"shallow",
-                               "shallow bays, longer, bent and lopsided",
-                               {.depth = 0.36, .asymmetry = -0.05, .slenderness = 1.12, .bend = 15}}}));
-  all.push_back(
-      family<2, CircleOptions>("circle", "a circle", 0.004, &circle_body,
-                               {{"large", "radius 0.3", {}}, {"small", "radius 0.2", {.radius = 0.2}}}));
-  all.push_back(
-      family<2, EllipseOptions>("ellipse", "an ellipse; corresponds to every circle", 0.004, &ellipse_body,
-                                {{"round", "a circle of radius 0.3", {.semi_x = 0.3, .semi_y = 0.3}},
-                                 {"long", "two different semi-axes", {}}}));
-  all.push_back(
-      family<2, StarOptions>("star", "a star with rounded points", 0.004, &star_body,
-                             {{"mild", "five points", {}},
-                              {"sharp", "deeper and turned", {.radius = 0.27, .depth = 0.42, .turn = 12}}}));
-  all.push_back(
-      family<2, BlobOptions>("blob", "a random smooth outline", 0.004, &blob_body,
-                             {{"first", "one outline", {}}, {"second", "another", {.individual = 2}}}));
+  all.push_back(family<2, LeafOptions>("leaf", "a leaf with lobes and teeth", 0.004, &leaf_body,
+                                       {{"deep", "deep bays", {}},
+                                        {"shallow",
+                                         "shallow bays, longer, bent and lopsided",
+                                         {.depth = 0.36, .asymmetry = -0.05, .slenderness = 1.12, .bend = 15}}}));
+  all.push_back(family<2, CircleOptions>("circle", "a circle", 0.004, &circle_body,
+                                         {{"large", "radius 0.3", {}}, {"small", "radius 0.2", {.radius = 0.2}}}));
+  all.push_back(family<2, EllipseOptions>(
+      "ellipse", "an ellipse; corresponds to every circle", 0.004, &ellipse_body,
+      {{"round", "a circle of radius 0.3", {.semi_x = 0.3, .semi_y = 0.3}}, {"long", "two different semi-axes", {}}}));
+  all.push_back(family<2, StarOptions>(
+      "star", "a star with rounded points", 0.004, &star_body,
+      {{"mild", "five points", {}}, {"sharp", "deeper and turned", {.radius = 0.27, .depth = 0.42, .turn = 12}}}));
+  all.push_back(family<2, BlobOptions>("blob", "a random smooth outline", 0.004, &blob_body,
+                                       {{"first", "one outline", {}}, {"second", "another", {.individual = 2}}}));
   return all;
 }
 
-[[noreturn]] void throw_unknown(std::string_view what, std::string_view word,
-                                const std::vector<std::string>& known) {
+[[noreturn]] void throw_unknown(std::string_view what, std::string_view word, const std::vector<std::string>& known) {
   const std::string near = nearest_word(word, known);
   throw_input_error("{} '{}' is unknown{}; there are: {}", what, word,
                     near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(known, ", "));
@@ -178,8 +171,7 @@ GeneratorParameters complete_parameters(const GeneratorInfo& info, std::string_v
   for (const GeneratorParameter& p : info.parameters) {
     const double value = complete.at(p.name);
     if (!in_range(value, p.info))
-      throw_input_error("{}: {} = {:g} is out of range; give {}", info.name, p.name, value,
-                        range_text(p.info));
+      throw_input_error("{}: {} = {:g} is out of range; give {}", info.name, p.name, value, range_text(p.info));
     if (p.whole_number && value != std::floor(value))
       throw_input_error("{}: {} = {:g} must be a whole number", info.name, p.name, value);
   }

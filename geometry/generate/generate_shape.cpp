@@ -20,8 +20,7 @@ OriginalShape<Dim> posed(const Body<Dim>& body, std::string_view name) {
     const Vec<Dim>& y = shape.vertices.back();
     if (!(y.minCoeff() >= 0.05 && y.maxCoeff() <= 0.95))
       throw_input_error(
-          "{}: with these parameters the shape leaves [0.05, 0.95]^{}; choose smaller or less extreme ones",
-          name, Dim);
+          "{}: with these parameters the shape leaves [0.05, 0.95]^{}; choose smaller or less extreme ones", name, Dim);
   }
   if constexpr (Dim == 3) {
     for (const auto& facet : body.rest.facets) shape.polygons.emplace_back(facet.begin(), facet.end());
@@ -46,7 +45,8 @@ std::shared_ptr<const AnyBody> built(const Family& family, const GeneratorParame
   {
     const std::lock_guard lock(mutex);
     for (const Kept& one : kept)
-      if (one.name == family.info.name && one.parameters == parameters && one.edge_length == edge_length) return one.body;
+      if (one.name == family.info.name && one.parameters == parameters && one.edge_length == edge_length)
+        return one.body;
   }
   const auto body = std::make_shared<const AnyBody>(family.build(parameters, edge_length));
   const std::lock_guard lock(mutex);
@@ -58,8 +58,8 @@ std::shared_ptr<const AnyBody> built(const Family& family, const GeneratorParame
 double checked_edge_length(const GeneratorInfo& info, double edge_length) {
   if (edge_length == 0) return info.edge_length;
   if (!(edge_length >= 0.003 && edge_length <= 0.05))
-    throw_input_error("{}: edge length {:g} is out of range; give 0.003 <= x <= 0.05, or 0 for {:g}",
-                      info.name, edge_length, info.edge_length);
+    throw_input_error("{}: edge length {:g} is out of range; give 0.003 <= x <= 0.05, or 0 for {:g}", info.name,
+                      edge_length, info.edge_length);
   return edge_length;
 }
 
@@ -108,7 +108,7 @@ std::vector<GeneratorInfo> generator_catalogue() {
 }
 
 AnyOriginal generate_shape(std::string_view name, std::string_view variant, double edge_length,
-                        const GeneratorParameters& parameters) {
+                           const GeneratorParameters& parameters) {
   const Family& family = find_family(name);
   const GeneratorParameters complete = complete_parameters(family.info, variant, parameters);
   return std::visit([&](const auto& body) -> AnyOriginal { return posed(body, name); },
@@ -120,8 +120,10 @@ AnyKnownPositions known_positions(std::string_view name, std::string_view from, 
   const GeneratorParameters first = complete_parameters(family.info, from, {});
   const GeneratorParameters second = complete_parameters(family.info, to, {});
   const auto known = [&]<int Dim>(std::integral_constant<int, Dim>) -> AnyKnownPositions {
-    const auto reference = built(family, first, family.info.edge_length), target = built(family, second, family.info.edge_length);
-    return truth_between<Dim>(family, first, second, std::get<Body<Dim>>(*reference).rest.vertices, std::get<Body<Dim>>(*target));
+    const auto reference = built(family, first, family.info.edge_length),
+               target = built(family, second, family.info.edge_length);
+    return truth_between<Dim>(family, first, second, std::get<Body<Dim>>(*reference).rest.vertices,
+                              std::get<Body<Dim>>(*target));
   };
   if (family.info.dimension == 2) return known(std::integral_constant<int, 2>());
   return known(std::integral_constant<int, 3>());

@@ -24,7 +24,7 @@ using AnyOriginal = std::variant<OriginalShape<2>, OriginalShape<3>>;
 /// \throws InputError for an unknown name, variant or parameter, naming those that exist and the nearest
 /// spelling; for values out of range; and for a shape that leaves [0.05, 0.95]^Dim.
 AnyOriginal generate_shape(std::string_view name, std::string_view variant = "", double edge_length = 0,
-                        const GeneratorParameters& parameters = {});
+                           const GeneratorParameters& parameters = {});
 
 /// The exact image of a vertex of the reference.
 template <int Dim>

@@ -58,8 +58,9 @@ Hand::Hand(const HandOptions& options) {
     const double turn = radians(a.bend + (k == 0 ? 12 : 0));
     const double r = a.thickness, end = a.length - 0.75 * r, knuckle = (k == 0 ? 0.62 : 0.5) * a.length;
     const auto at = [](double along) { return Vec<3>(0, along, 0); };
-    fingers_.push_back({a.base + anatomy_offset, direction * Eigen::AngleAxisd(turn, -Vec<3>::UnitX()).toRotationMatrix(), a.length, r,
-                        RoundedCone(at(0), at(knuckle), r, 0.88 * r), RoundedCone(at(knuckle), at(end), 0.92 * r, 0.74 * r)});
+    fingers_.push_back(
+        {a.base + anatomy_offset, direction * Eigen::AngleAxisd(turn, -Vec<3>::UnitX()).toRotationMatrix(), a.length, r,
+         RoundedCone(at(0), at(knuckle), r, 0.88 * r), RoundedCone(at(knuckle), at(end), 0.92 * r, 0.74 * r)});
   }
 }
 
@@ -87,8 +88,8 @@ double Hand::palm(const Vec<3>& point) const {
   return d;
 }
 
-// As for a finger, with the box of all bones. A stretched distance is at least `flatness` times it, and each blend lowers the union by a
-// sixth of its width at most.
+// As for a finger, with the box of all bones. A stretched distance is at least `flatness` times it, and each blend
+// lowers the union by a sixth of its width at most.
 double Hand::palm_at_least(const Vec<3>& point) const {
   static const auto [box, lowered] = [] {
     std::pair<Box<2>, double> all{{}, 0};
@@ -116,9 +117,10 @@ double Hand::fingers(const Vec<3>& x, const std::array<double, 5>& at_least) con
   return d;
 }
 
-// Parts too far to change the union are left out; it stays the same to the bit. Of two values that differ by more than the width
-// smooth_union() returns the smaller, and it lowers none by more than a sixth of the width. A finger before the nearest one that is 2.5
-// widths above it changes nothing nearer to it than 2.5 - 1 - 1/6 widths, of which nothing is left once the nearest is added.
+// Parts too far to change the union are left out; it stays the same to the bit. Of two values that differ by more than
+// the width smooth_union() returns the smaller, and it lowers none by more than a sixth of the width. A finger before
+// the nearest one that is 2.5 widths above it changes nothing nearer to it than 2.5 - 1 - 1/6 widths, of which nothing
+// is left once the nearest is added.
 double Hand::operator()(const Vec<3>& x) const {
   std::array<double, 5> at_least;
   for (int k = 0; k < 5; ++k) at_least[k] = finger_at_least(k, x);

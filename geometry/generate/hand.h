@@ -18,14 +18,11 @@ struct HandOptions {
   double bend_thumb = 0, bend_index = 0, bend_middle = 0, bend_ring = 0, bend_little = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("spread", self.spread,
-          {.min = 0.85, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
+    visit("spread", self.spread, {.min = 0.85, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
     const auto bend = [&](const char* name, auto& value) {
-      visit(name, value,
-            {.unit = "degrees",
-             .min = -20,
-             .max = 60,
-             .meaning = "turn of the finger about its base, towards the palm"});
+      visit(
+          name, value,
+          {.unit = "degrees", .min = -20, .max = 60, .meaning = "turn of the finger about its base, towards the palm"});
     };
     bend("bend_thumb", self.bend_thumb);
     bend("bend_index", self.bend_index);

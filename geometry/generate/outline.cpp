@@ -45,8 +45,7 @@ Body<2> circle_body(const CircleOptions& options, double edge_length) {
 
 Body<2> ellipse_body(const EllipseOptions& options, double edge_length) {
   const Mat<2> linear = rotation(options.turn) * Vec<2>(options.semi_x, options.semi_y).asDiagonal();
-  return equally_spaced([linear](const Vec<2>& u) -> Vec<2> { return domain_centre<2>() + linear * u; },
-                        edge_length);
+  return equally_spaced([linear](const Vec<2>& u) -> Vec<2> { return domain_centre<2>() + linear * u; }, edge_length);
 }
 
 Body<2> star_body(const StarOptions& options, double edge_length) {
@@ -55,8 +54,7 @@ Body<2> star_body(const StarOptions& options, double edge_length) {
       [options, turn](const Vec<2>& u) -> Vec<2> {
         // The exponential of a cosine makes points narrower than bays.
         const double wave = std::cos(options.points * std::atan2(u.y(), u.x()));
-        return domain_centre<2>() +
-               options.radius * (1 + options.depth * (std::exp(0.5 * wave) - 1.06)) * (turn * u);
+        return domain_centre<2>() + options.radius * (1 + options.depth * (std::exp(0.5 * wave) - 1.06)) * (turn * u);
       },
       edge_length);
 }
@@ -105,8 +103,7 @@ Body<2> leaf_body(const LeafOptions& o, double edge_length) {
         const double curvature = radians(o.bend) / 0.6, turn = curvature * flat.y();
         const double along = std::abs(curvature) < 1e-9 ? flat.y() : std::sin(turn) / curvature;
         const double aside = std::abs(curvature) < 1e-9 ? 0 : (1 - std::cos(turn)) / curvature;
-        return Vec<2>(0.5, 0.43) +
-               Vec<2>(flat.x() * std::cos(turn) + aside, along - flat.x() * std::sin(turn));
+        return Vec<2>(0.5, 0.43) + Vec<2>(flat.x() * std::cos(turn) + aside, along - flat.x() * std::sin(turn));
       },
       edge_length);
 }

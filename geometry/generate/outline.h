@@ -11,8 +11,7 @@ struct CircleOptions {
   double radius = 0.3;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("radius", self.radius,
-          {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
+    visit("radius", self.radius, {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
   }
 };
 
@@ -25,8 +24,7 @@ struct EllipseOptions {
           {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "semi-axis along x"});
     visit("semi_y", self.semi_y,
           {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "semi-axis along y"});
-    visit("turn", self.turn,
-          {.unit = "degrees", .min = -180, .max = 180, .meaning = "rotation about the centre"});
+    visit("turn", self.turn, {.unit = "degrees", .min = -180, .max = 180, .meaning = "rotation about the centre"});
   }
 };
 
@@ -35,13 +33,10 @@ struct StarOptions {
   int points = 5;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("radius", self.radius,
-          {.unit = "side of the domain", .min = 0.05, .max = 0.35, .meaning = "mean radius"});
-    visit("depth", self.depth,
-          {.min = 0, .max = 0.6, .meaning = "deviation from the mean radius, as a share of it"});
+    visit("radius", self.radius, {.unit = "side of the domain", .min = 0.05, .max = 0.35, .meaning = "mean radius"});
+    visit("depth", self.depth, {.min = 0, .max = 0.6, .meaning = "deviation from the mean radius, as a share of it"});
     visit("points", self.points, {.min = 2, .max = 12, .meaning = "number of rounded points"});
-    visit("turn", self.turn,
-          {.unit = "degrees", .min = -180, .max = 180, .meaning = "rotation about the centre"});
+    visit("turn", self.turn, {.unit = "degrees", .min = -180, .max = 180, .meaning = "rotation about the centre"});
   }
 };
 
@@ -50,12 +45,9 @@ struct BlobOptions {
   int individual = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("radius", self.radius,
-          {.unit = "side of the domain", .min = 0.05, .max = 0.32, .meaning = "mean radius"});
+    visit("radius", self.radius, {.unit = "side of the domain", .min = 0.05, .max = 0.32, .meaning = "mean radius"});
     visit("roughness", self.roughness,
-          {.min = 0,
-           .max = 0.15,
-           .meaning = "root of the mean square of the relative deviation from the radius"});
+          {.min = 0, .max = 0.15, .meaning = "root of the mean square of the relative deviation from the radius"});
     visit("individual", self.individual, {.min = 1, .max = 1000, .meaning = "which of the random outlines"});
   }
 };

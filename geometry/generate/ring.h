@@ -21,8 +21,9 @@ struct RingOptions {
   }
 };
 
-/// Rest shape: the straight bar, half as large. The pose bends its axis to a part of a circle; cross sections remain plane, undistorted and
-/// orthogonal to it. Where the ends meet, the surface crosses itself. Rings of the same radius correspond.
+/// Rest shape: the straight bar, half as large. The pose bends its axis to a part of a circle; cross sections remain
+/// plane, undistorted and orthogonal to it. Where the ends meet, the surface crosses itself. Rings of the same radius
+/// correspond.
 Body<3> ring_body(const RingOptions& options, double edge_length);
 
 }  // namespace shellmatch

@@ -55,8 +55,7 @@ Surface<3> geodesic_sphere(int frequency) {
   std::map<std::array<int, 6>, Index> known;
   const auto vertex = [&](const std::array<Index, 3>& corner, const std::array<int, 3>& weight) {
     std::array<std::pair<int, int>, 3> parts;
-    for (int k = 0; k < 3; ++k)
-      parts[k] = weight[k] > 0 ? std::pair(corner[k], weight[k]) : std::pair(no_index, 0);
+    for (int k = 0; k < 3; ++k) parts[k] = weight[k] > 0 ? std::pair(corner[k], weight[k]) : std::pair(no_index, 0);
     std::sort(parts.begin(), parts.end());
     std::array<int, 6> key;
     Vec<3> x = Vec<3>::Zero();
@@ -73,11 +72,10 @@ Surface<3> geodesic_sphere(int frequency) {
     for (int i = 0; i < frequency; ++i)
       for (int j = 0; i + j < frequency; ++j) {
         const int k = frequency - i - j;
-        s.facets.push_back(
-            {vertex(face, {k, i, j}), vertex(face, {k - 1, i + 1, j}), vertex(face, {k - 1, i, j + 1})});
+        s.facets.push_back({vertex(face, {k, i, j}), vertex(face, {k - 1, i + 1, j}), vertex(face, {k - 1, i, j + 1})});
         if (k > 1)
-          s.facets.push_back({vertex(face, {k - 1, i + 1, j}), vertex(face, {k - 2, i + 1, j + 1}),
-                              vertex(face, {k - 1, i, j + 1})});
+          s.facets.push_back(
+              {vertex(face, {k - 1, i + 1, j}), vertex(face, {k - 2, i + 1, j + 1}), vertex(face, {k - 1, i, j + 1})});
       }
   return s;
 }
@@ -96,8 +94,7 @@ Body<3> ellipsoid_body(const EllipsoidOptions& options, double edge_length) {
 Body<3> torus_body(const TorusOptions& options, double edge_length) {
   const double major = options.major_radius, minor = options.minor_radius;
   if (minor >= 0.95 * major)
-    throw_input_error("torus: minor_radius {:g} must be less than 0.95 times major_radius {:g}", minor,
-                      major);
+    throw_input_error("torus: minor_radius {:g} must be less than 0.95 times major_radius {:g}", minor, major);
   const int n_long = std::max(8, static_cast<int>(std::lround(2 * M_PI * major / edge_length)));
   // Even, because every second row is shifted by half a step.
   const int n_short = 2 * std::max(3, static_cast<int>(std::lround(M_PI * minor / edge_length / 0.87)));
@@ -110,9 +107,7 @@ Body<3> torus_body(const TorusOptions& options, double edge_length) {
     }
   for (int j = 0; j < n_short; ++j)
     for (int i = 0; i < n_long; ++i) {
-      const auto at = [&](int column, int row) {
-        return static_cast<Index>(row % n_short * n_long + column % n_long);
-      };
+      const auto at = [&](int column, int row) { return static_cast<Index>(row % n_short * n_long + column % n_long); };
       const Index a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
       if (j % 2 == 0) {
         rest.facets.push_back({a, b, c});

@@ -11,8 +11,7 @@ struct SphereOptions {
   double radius = 0.25;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("radius", self.radius,
-          {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
+    visit("radius", self.radius, {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
   }
 };
 

@@ -13,7 +13,8 @@ double smooth_union(double a, double b, double width) {
 }
 
 // In the half plane (along, across) the mantle is a segment with the unit normal (sine, cosine).
-RoundedCone::RoundedCone(const Vec<3>& a, const Vec<3>& b, double ra, double rb) : a_(a), axis_(b - a), ra_(ra), rb_(rb) {
+RoundedCone::RoundedCone(const Vec<3>& a, const Vec<3>& b, double ra, double rb)
+    : a_(a), axis_(b - a), ra_(ra), rb_(rb) {
   length_ = axis_.norm();
   sine_ = (ra - rb) / length_;
   cosine_ = std::sqrt(1 - sine_ * sine_);
@@ -53,8 +54,8 @@ double rounded_plate(const Vec<3>& x, std::span<const Vec<2>> polygon, double ha
   }
   const double in_plane = inside ? -std::sqrt(squared) : std::sqrt(squared);
   const double off_plane = std::abs(x.z()) - half_thickness;
-  return std::hypot(std::max(in_plane, 0.0), std::max(off_plane, 0.0)) +
-         std::min(std::max(in_plane, off_plane), 0.0) - radius;
+  return std::hypot(std::max(in_plane, 0.0), std::max(off_plane, 0.0)) + std::min(std::max(in_plane, off_plane), 0.0) -
+         radius;
 }
 
 Vec<3> implicit_gradient(const ImplicitFunction& f, const Vec<3>& x) {

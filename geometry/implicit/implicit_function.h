@@ -36,7 +36,9 @@ class RoundedCone {
 };
 
 /// As RoundedCone, for one point.
-inline double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb) { return RoundedCone(a, b, ra, rb)(x); }
+inline double rounded_cone(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b, double ra, double rb) {
+  return RoundedCone(a, b, ra, rb)(x);
+}
 
 /// Distance to the box with the given half sides, centred at 0, whose edges are rounded with `radius`.
 /// \pre every half side is at least `radius` >= 0.

@@ -47,7 +47,8 @@ class Lattice::Body {
     for (const Vec<3>& x : places) {
       const Vec<3> at = (x - Vec<3>::Constant(low)) / spacing_;
       for (int c = 0; c < 64; ++c) {
-        const int i = static_cast<int>(std::floor(at[0])) + c % 4 - 1, j = static_cast<int>(std::floor(at[1])) + c / 4 % 4 - 1,
+        const int i = static_cast<int>(std::floor(at[0])) + c % 4 - 1,
+                  j = static_cast<int>(std::floor(at[1])) + c / 4 % 4 - 1,
                   k = static_cast<int>(std::floor(at[2])) + c / 16 - 1;
         if (std::min({i, j, k}) < 0 || std::max({i, j, k}) >= n_) continue;
         kept_.insert(site(i, j, k, false));
@@ -84,8 +85,8 @@ class Lattice::Body {
           const int first[3] = {static_cast<int>(b) % n_blocks * block,
                                 static_cast<int>(b) / n_blocks % n_blocks * block,
                                 static_cast<int>(b) / (n_blocks * n_blocks) * block};
-          const Vec<3> middle = rest_position(site(first[0], first[1], first[2], false)) +
-                                Vec<3>::Constant(0.5 * block * spacing_);
+          const Vec<3> middle =
+              rest_position(site(first[0], first[1], first[2], false)) + Vec<3>::Constant(0.5 * block * spacing_);
           const double far = f(middle);
           active[b] = std::abs(far) < 2 * std::sqrt(3.0) * (0.5 * block + 1) * spacing_;
           for (int k = first[2]; k < std::min(first[2] + block, n_); ++k)
@@ -101,8 +102,7 @@ class Lattice::Body {
         1);
     for (std::size_t b = 0; b < active.size(); ++b)
       if (active[b])
-        blocks_.push_back({static_cast<int>(b) % n_blocks * block,
-                           static_cast<int>(b) / n_blocks % n_blocks * block,
+        blocks_.push_back({static_cast<int>(b) % n_blocks * block, static_cast<int>(b) / n_blocks % n_blocks * block,
                            static_cast<int>(b) / (n_blocks * n_blocks) * block});
   }
 
@@ -111,8 +111,7 @@ class Lattice::Body {
     for (const auto& first : blocks_)
       for (int k = first[2]; k < std::min(first[2] + block, n_ - 1); ++k)
         for (int j = first[1]; j < std::min(first[1] + block, n_ - 1); ++j)
-          for (int i = first[0]; i < std::min(first[0] + block, n_ - 1); ++i)
-            body(std::array<int, 3>{i, j, k});
+          for (int i = first[0]; i < std::min(first[0] + block, n_ - 1); ++i) body(std::array<int, 3>{i, j, k});
   }
 
   // Each of the three upper faces of a cube lies between two centres, which form a tetrahedron with every
@@ -233,8 +232,7 @@ class Lattice::Body {
     for (int i = 0; i < n_on; ++i) corners[n++] = vertex(on[i], on[i]);
     for (int i = 0; i < n_inside; ++i)
       // Reversed for the second corner inside, so that four cuts are in cyclic order.
-      for (int j = 0; j < n_outside; ++j)
-        corners[n++] = vertex(inside[i], outside[i % 2 ? n_outside - 1 - j : j]);
+      for (int j = 0; j < n_outside; ++j) corners[n++] = vertex(inside[i], outside[i % 2 ? n_outside - 1 - j : j]);
     if (n == 3) {
       add_facet(corners[0], corners[1], corners[2], outward);
       return;

@@ -23,8 +23,8 @@ class Lattice {
 
   Surface<3> triangulate();
 
-  /// Lattice points within a cube's diagonal of these places are no longer moved. Where none is, the triangles bound a body whatever the
-  /// function, but may be thin.
+  /// Lattice points within a cube's diagonal of these places are no longer moved. Where none is, the triangles bound a
+  /// body whatever the function, but may be thin.
   void keep_points_near(const std::vector<Vec<3>>& places);
   /// None at all.
   void keep_all_points();

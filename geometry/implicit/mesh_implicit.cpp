@@ -11,7 +11,8 @@ namespace shellmatch {
 
 namespace {
 
-// Lattice points that were moved onto the surface where two sheets of it are close have joined these; they are left where they were.
+// Lattice points that were moved onto the surface where two sheets of it are close have joined these; they are left
+// where they were.
 Surface<3> closed_in_any_case(const ImplicitFunction& f, double spacing) {
   Lattice lattice(f, spacing);
   for (int round = 0; round < 12; ++round) {
@@ -43,12 +44,10 @@ Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::str
   }
   const Box<3> box = bounding_box(surface.vertices);
   if (!surface.vertices.empty() && (box.min.minCoeff() < 0.05 || box.max.maxCoeff() > 0.95))
-    throw_input_error("{}: with these parameters the body leaves [0.05, 0.95]^3; choose less extreme ones",
-                      name);
+    throw_input_error("{}: with these parameters the body leaves [0.05, 0.95]^3; choose less extreme ones", name);
   if (!closed)
-    throw_input_error(
-        "{}: an edge length of {:g} is too coarse for the details of this body; choose a smaller one", name,
-        edge_length);
+    throw_input_error("{}: an edge length of {:g} is too coarse for the details of this body; choose a smaller one",
+                      name, edge_length);
   const auto project = [&](std::size_t v) { surface.vertices[v] = project_to_zero(f, surface.vertices[v]); };
   parallel_for(surface.vertices.size(), project);
   for (int round = 0; round < 3; ++round) {

@@ -22,8 +22,7 @@ FacetOfEdge facets_of_edges(const Surface<3>& s) {
   FacetOfEdge facet_of;
   facet_of.reserve(3 * s.facets.size());
   for (std::size_t f = 0; f < s.facets.size(); ++f)
-    for (int k = 0; k < 3; ++k)
-      facet_of[edge_key(s.facets[f][k], s.facets[f][(k + 1) % 3])] = static_cast<Index>(f);
+    for (int k = 0; k < 3; ++k) facet_of[edge_key(s.facets[f][k], s.facets[f][(k + 1) % 3])] = static_cast<Index>(f);
   return facet_of;
 }
 
@@ -66,8 +65,7 @@ void swap_to_delaunay(Surface<3>& s) {
         if (facet_of.count(edge_key(c, d)) || facet_of.count(edge_key(d, c))) continue;
         if (valence[a] <= 3 || valence[b] <= 3) continue;
         const Vec<3> normal = (x[b] - x[a]).cross(x[c] - x[a]) + (x[a] - x[b]).cross(x[d] - x[b]);
-        if ((x[d] - x[c]).cross(x[a] - x[c]).dot(normal) * (x[b] - x[c]).cross(x[d] - x[c]).dot(normal) <= 0)
-          continue;
+        if ((x[d] - x[c]).cross(x[a] - x[c]).dot(normal) * (x[b] - x[c]).cross(x[d] - x[c]).dot(normal) <= 0) continue;
         // Facets (a, b, c) and (b, a, d) become (c, a, d) and (d, b, c).
         facet_of.erase(edge_key(a, b));
         facet_of.erase(edge_key(b, a));
@@ -76,7 +74,8 @@ void swap_to_delaunay(Surface<3>& s) {
         for (const Index h : {f, g})
           for (int q = 0; q < 3; ++q) facet_of[edge_key(s.facets[h][q], s.facets[h][(q + 1) % 3])] = h;
         for (const Index h : {f, g})
-          for (int q = 0; q < 3; ++q) is_delaunay[facet_of.at(edge_key(s.facets[h][(q + 1) % 3], s.facets[h][q]))] = false;
+          for (int q = 0; q < 3; ++q)
+            is_delaunay[facet_of.at(edge_key(s.facets[h][(q + 1) % 3], s.facets[h][q]))] = false;
         --valence[a], --valence[b], ++valence[c], ++valence[d];
         ++n_swaps;
         break;
@@ -119,7 +118,8 @@ std::vector<Index> vertices_without_a_fan(const Surface<3>& s) {
       ++n_facets[v];
       start[v] = static_cast<Index>(f);
       // One facet to the left of each edge, and one to its right.
-      if (facet_of.at(edge_key(v, next)) != static_cast<Index>(f) || !facet_of.contains(edge_key(next, v))) is_bad[v] = is_bad[next] = true;
+      if (facet_of.at(edge_key(v, next)) != static_cast<Index>(f) || !facet_of.contains(edge_key(next, v)))
+        is_bad[v] = is_bad[next] = true;
     }
   std::vector<Index> found;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v) {

@@ -18,10 +18,12 @@ void swap_to_delaunay(Surface<3>& surface);
 /// the zero level of f by a simplified Newton step (with the gradient at the old position); `n_sweeps` times.
 void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& surface);
 
-/// The vertices, ascending, at which the surface is no closed two-manifold: an edge is not shared by exactly two facets with opposite
-/// directions, or the facets form no single fan.
+/// The vertices, ascending, at which the surface is no closed two-manifold: an edge is not shared by exactly two facets
+/// with opposite directions, or the facets form no single fan.
 std::vector<Index> vertices_without_a_fan(const Surface<3>& surface);
 
-inline bool is_closed_manifold(const Surface<3>& surface) { return !surface.facets.empty() && vertices_without_a_fan(surface).empty(); }
+inline bool is_closed_manifold(const Surface<3>& surface) {
+  return !surface.facets.empty() && vertices_without_a_fan(surface).empty();
+}
 
 }  // namespace shellmatch

@@ -18,14 +18,16 @@ namespace shellmatch {
 namespace {
 
 constexpr std::pair<std::string_view, FileFormat> endings[] = {
-    {".obj", FileFormat::obj},   {".off", FileFormat::off},   {".ply", FileFormat::ply},    {".stl", FileFormat::stl},
-    {".vtk", FileFormat::vtk},   {".vtp", FileFormat::vtp},   {".gii", FileFormat::gifti},
-    {".glb", FileFormat::gltf},  {".gltf", FileFormat::gltf}, {".dae", FileFormat::collada}, {".3mf", FileFormat::three_mf},
-    {".csv", FileFormat::table}, {".txt", FileFormat::table}, {".xy", FileFormat::table},   {".dat", FileFormat::table},
-    {".png", FileFormat::png},   {".pgm", FileFormat::pgm},   {".tif", FileFormat::tiff},   {".tiff", FileFormat::tiff},
-    {".jpg", FileFormat::jpeg},  {".jpeg", FileFormat::jpeg}, {".bmp", FileFormat::bmp},    {".xyz", FileFormat::points},
-    {".tps", FileFormat::tps},   {".roi", FileFormat::roi},   {".zip", FileFormat::roi_set}, {".geojson", FileFormat::geojson}, {".json", FileFormat::geojson},
-    {".svg", FileFormat::svg}};
+    {".obj", FileFormat::obj},      {".off", FileFormat::off},      {".ply", FileFormat::ply},
+    {".stl", FileFormat::stl},      {".vtk", FileFormat::vtk},      {".vtp", FileFormat::vtp},
+    {".gii", FileFormat::gifti},    {".glb", FileFormat::gltf},     {".gltf", FileFormat::gltf},
+    {".dae", FileFormat::collada},  {".3mf", FileFormat::three_mf}, {".csv", FileFormat::table},
+    {".txt", FileFormat::table},    {".xy", FileFormat::table},     {".dat", FileFormat::table},
+    {".png", FileFormat::png},      {".pgm", FileFormat::pgm},      {".tif", FileFormat::tiff},
+    {".tiff", FileFormat::tiff},    {".jpg", FileFormat::jpeg},     {".jpeg", FileFormat::jpeg},
+    {".bmp", FileFormat::bmp},      {".xyz", FileFormat::points},   {".tps", FileFormat::tps},
+    {".roi", FileFormat::roi},      {".zip", FileFormat::roi_set},  {".geojson", FileFormat::geojson},
+    {".json", FileFormat::geojson}, {".svg", FileFormat::svg}};
 
 // Of files alone: a pipe would wait.
 bool begins_as_freesurfer(const std::string& path) {
@@ -33,7 +35,8 @@ bool begins_as_freesurfer(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream stream(path, std::ios::binary);
   std::string head(freesurfer_head, '\0');
-  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && is_freesurfer(head, std::filesystem::file_size(path, error));
+  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) &&
+         is_freesurfer(head, std::filesystem::file_size(path, error));
 }
 
 }  // namespace
@@ -66,8 +69,7 @@ int dimension_of(FileFormat format) {
     case FileFormat::freesurfer:
     case FileFormat::gltf:
     case FileFormat::collada:
-    case FileFormat::three_mf:
-      return 3;
+    case FileFormat::three_mf: return 3;
     case FileFormat::table:
     case FileFormat::png:
     case FileFormat::pgm:
@@ -78,15 +80,14 @@ int dimension_of(FileFormat format) {
     case FileFormat::roi:
     case FileFormat::roi_set:
     case FileFormat::geojson:
-    case FileFormat::svg:
-      return 2;
-    default:
-      return 0;
+    case FileFormat::svg: return 2;
+    default: return 0;
   }
 }
 
 bool is_picture(FileFormat format) {
-  return format == FileFormat::png || format == FileFormat::pgm || format == FileFormat::tiff || format == FileFormat::jpeg || format == FileFormat::bmp;
+  return format == FileFormat::png || format == FileFormat::pgm || format == FileFormat::tiff ||
+         format == FileFormat::jpeg || format == FileFormat::bmp;
 }
 
 bool has_parts(FileFormat format) { return dimension_of(format) == 2 && format != FileFormat::table; }
@@ -101,7 +102,8 @@ InputFile::InputFile(std::string path) : path_(std::move(path)), format_(format_
     throw_input_error("{}: no such file; check the name and the folder", path_);
   }
   if (fs::is_directory(status)) throw_input_error("{}: is a folder, not a file; name the file in it", path_);
-  if (!fs::is_regular_file(status)) throw_input_error("{}: is a pipe or a device, not a file; write its contents to a file", path_);
+  if (!fs::is_regular_file(status))
+    throw_input_error("{}: is a pipe or a device, not a file; write its contents to a file", path_);
 }
 
 std::string InputFile::read() const {

@@ -9,15 +9,32 @@ namespace shellmatch {
 /// The ending of a file name in lower case with its dot, ".ply"; empty where there is none.
 std::string file_extension(const std::string& path);
 
-/// What a name stands for by its ending. The contents are asked only where the ending is unknown: surfaces of FreeSurfer's have none.
+/// What a name stands for by its ending. The contents are asked only where the ending is unknown: surfaces of
+/// FreeSurfer's have none.
 enum class FileFormat {
-  obj, off, ply, stl, vtk, vtp,  ///< meshes
-  gifti, freesurfer,             ///< surfaces of neuroimaging
-  gltf, collada, three_mf,       ///< scenes of meshes
-  table,               ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
-  points,              ///< .xyz: points alone
-  png, pgm, tiff, jpeg, bmp,  ///< masks
-  tps, roi, roi_set, geojson, svg,  ///< outlines that other programs drew
+  obj,
+  off,
+  ply,
+  stl,
+  vtk,
+  vtp,  ///< meshes
+  gifti,
+  freesurfer,  ///< surfaces of neuroimaging
+  gltf,
+  collada,
+  three_mf,  ///< scenes of meshes
+  table,     ///< .csv, .txt, .xy, .dat: an outline in the plane, or points
+  points,    ///< .xyz: points alone
+  png,
+  pgm,
+  tiff,
+  jpeg,
+  bmp,  ///< masks
+  tps,
+  roi,
+  roi_set,
+  geojson,
+  svg,  ///< outlines that other programs drew
   unknown
 };
 FileFormat format_of(const std::string& path);

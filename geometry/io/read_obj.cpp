@@ -48,7 +48,8 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
   bool has_normals = false;
   LineReader lines(path, bytes);
   std::array<std::vector<double>, 3> colours;
-  std::vector<std::pair<std::size_t, std::size_t>> far_corners;  // polygon and line of indices beyond the vertices so far
+  std::vector<std::pair<std::size_t, std::size_t>>
+      far_corners;  // polygon and line of indices beyond the vertices so far
   std::size_t n_ignored = 0;
   std::string joined;
   for (;;) {
@@ -66,7 +67,8 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
     }
     const bool is_frame = keyword.empty() && space_in_comment(raw) != Space::unsaid;
     if (keyword == "f" && has_normal(rest)) details->obj_text.append(without_normals(whole)).push_back('\n');
-    else if (keyword != "v" && !is_frame) details->obj_text.append(raw.find_first_of("\r\n") == raw.npos ? raw : whole).push_back('\n');
+    else if (keyword != "v" && !is_frame)
+      details->obj_text.append(raw.find_first_of("\r\n") == raw.npos ? raw : whole).push_back('\n');
     if (keyword == "v") {
       Vec<3> x;
       for (int k = 0; k < 3; ++k) x[k] = lines.number_of(rest, "a coordinate of a vertex");
@@ -83,8 +85,7 @@ MeshFile read_obj(const std::string& path, std::string_view bytes) {
       for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
         const std::optional<std::int64_t> index = to_integer(word.substr(0, word.find('/')));
         if (!index || *index == 0)
-          lines.fail("a corner of a face should be a vertex number from 1, or a negative one, not '{}'",
-                     word);
+          lines.fail("a corner of a face should be a vertex number from 1, or a negative one, not '{}'", word);
         const auto n = static_cast<std::int64_t>(mesh.shape.vertices.size());
         const std::int64_t corner = *index > 0 ? *index - 1 : n + *index;
         if (corner < 0 || corner >= std::numeric_limits<Index>::max())

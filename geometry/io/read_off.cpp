@@ -31,8 +31,7 @@ Header read_header(LineReader& lines) {
     header.colour = has("C");
     header.normal = has("N");
     if (!prefix.empty())
-      lines.fail("'{}' is not supported; only vertices with three coordinates are (OFF, COFF, NOFF, STOFF)",
-                 keyword);
+      lines.fail("'{}' is not supported; only vertices with three coordinates are (OFF, COFF, NOFF, STOFF)", keyword);
   } else if (!to_integer(next_word(rest))) {
     lines.fail("an OFF file starts with the word OFF and the numbers of vertices and faces");
   } else {
@@ -72,15 +71,13 @@ void keep_attributes(const Header& header, std::vector<std::vector<double>> colu
     const char* const names[] = {"red", "green", "blue", "alpha"};
     bool bytes = true;
     for (std::size_t k = 0; k < n_colour; ++k)
-      for (const double v : columns[next + k])
-        bytes = bytes && v >= 0 && v <= 255 && v == static_cast<int>(v);
+      for (const double v : columns[next + k]) bytes = bytes && v >= 0 && v <= 255 && v == static_cast<int>(v);
     for (std::size_t k = 0; k < n_colour; ++k)
       mesh.shape.attributes.push_back({names[k], bytes ? "uchar" : "float", std::move(columns[next + k])});
   }
   if (header.texture && columns.size() >= next + 2)
     for (std::size_t k = 0; k < 2; ++k)
-      mesh.shape.attributes.push_back(
-          {k == 0 ? "s" : "t", "float", std::move(columns[columns.size() - 2 + k])});
+      mesh.shape.attributes.push_back({k == 0 ? "s" : "t", "float", std::move(columns[columns.size() - 2 + k])});
 }
 
 }  // namespace
@@ -90,8 +87,8 @@ MeshFile read_off(const std::string& path, std::string_view bytes) {
   LineReader lines(path, bytes);
   const Header header = read_header(lines);
   const auto ends_early = [&](std::size_t done, std::size_t declared, std::string_view what) {
-    throw_input_error("{}: cut off: the header declares {} {}, the file ends after {} (line {})", path,
-                      declared, what, done, lines.number());
+    throw_input_error("{}: cut off: the header declares {} {}, the file ends after {} (line {})", path, declared, what,
+                      done, lines.number());
   };
   std::vector<std::vector<double>> columns;
   for (std::size_t i = 0; i < header.n_vertices; ++i) {
@@ -117,8 +114,8 @@ MeshFile read_off(const std::string& path, std::string_view bytes) {
     if (n_corners < 0) lines.fail("the number of corners of a face is negative");
     std::vector<Index> polygon;
     for (std::int64_t k = 0; k < n_corners; ++k)
-      add_corner({path, "line", lines.number()}, lines.integer_of(rest, "a corner of a face"),
-                 header.n_vertices, polygon);
+      add_corner({path, "line", lines.number()}, lines.integer_of(rest, "a corner of a face"), header.n_vertices,
+                 polygon);
     add_polygon(std::move(polygon), mesh.shape, n_ignored);
   }
   if (lines.next())

@@ -18,8 +18,7 @@ std::int64_t next_count(std::string_view& rest, const std::string& path, std::st
   }
   if (rest.empty()) throw_input_error("{}: the PGM image is cut off: {} is missing", path, what);
   const std::optional<std::int64_t> value = to_integer(next_word(rest, white_space));
-  if (!value || *value < 0)
-    throw_input_error("{}: {} of the PGM image is not a whole number from 0", path, what);
+  if (!value || *value < 0) throw_input_error("{}: {} of the PGM image is not a whole number from 0", path, what);
   return *value;
 }
 
@@ -42,8 +41,8 @@ Picture read_pgm(const std::string& path, std::string_view bytes) {
   if (binary && !rest.empty()) rest.remove_prefix(1);
   const std::size_t needed = binary ? n * bytes_per_value : 2 * n - 1;
   if (rest.size() < needed)
-    throw_input_error("{}: the PGM image is cut off: {} x {} pixels take {} bytes, {} are there", path, width,
-                      height, needed, rest.size());
+    throw_input_error("{}: the PGM image is cut off: {} x {} pixels take {} bytes, {} are there", path, width, height,
+                      needed, rest.size());
   picture.values.reserve(n);
   picture.brightness.values.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -55,8 +54,7 @@ Picture read_pgm(const std::string& path, std::string_view bytes) {
         value = value << 8 | static_cast<unsigned char>(rest[i * bytes_per_value + k]);
     }
     if (value > white)
-      throw_input_error("{}: pixel {} (counted from 0) is {}, above the largest value {}", path, i, value,
-                        white);
+      throw_input_error("{}: pixel {} (counted from 0) is {}, above the largest value {}", path, i, value, white);
     picture.values.push_back(static_cast<float>(value));
     picture.brightness.values.push_back(static_cast<float>(value) / static_cast<float>(white));
   }

@@ -16,8 +16,7 @@ namespace {
 // Reads the values of the body one by one, in text or binary form.
 class PlyBody {
  public:
-  PlyBody(const PlyHeader& header, LineReader& lines)
-      : form_(header.form), lines_(lines), bytes_(lines.rest()) {}
+  PlyBody(const PlyHeader& header, LineReader& lines) : form_(header.form), lines_(lines), bytes_(lines.rest()) {}
 
   void begin_item(const PlyElement& element, std::size_t item) {
     element_ = &element;
@@ -31,22 +30,14 @@ class PlyBody {
   double value(PlyType type) {
     if (form_ == PlyForm::text) return lines_.number_of(rest_, "a value of the " + element_->name);
     switch (type) {
-      case PlyType::int8:
-        return binary<std::int8_t>();
-      case PlyType::uint8:
-        return binary<std::uint8_t>();
-      case PlyType::int16:
-        return binary<std::int16_t>();
-      case PlyType::uint16:
-        return binary<std::uint16_t>();
-      case PlyType::int32:
-        return binary<std::int32_t>();
-      case PlyType::uint32:
-        return binary<std::uint32_t>();
-      case PlyType::float32:
-        return binary<float>();
-      case PlyType::float64:
-        return binary<double>();
+      case PlyType::int8: return binary<std::int8_t>();
+      case PlyType::uint8: return binary<std::uint8_t>();
+      case PlyType::int16: return binary<std::int16_t>();
+      case PlyType::uint16: return binary<std::uint16_t>();
+      case PlyType::int32: return binary<std::int32_t>();
+      case PlyType::uint32: return binary<std::uint32_t>();
+      case PlyType::float32: return binary<float>();
+      case PlyType::float64: return binary<double>();
     }
     return 0;
   }
@@ -83,8 +74,7 @@ class PlyBody {
     if (form_ != PlyForm::text && !bytes_.empty())
       notes.push_back(counted(bytes_.size(), "byte", "bytes") + " after the last element ignored");
     if (form_ == PlyForm::text && lines_.next())
-      lines_.fail("the header declares {}, but the file goes on; correct the header",
-                  describe_counts(header));
+      lines_.fail("the header declares {}, but the file goes on; correct the header", describe_counts(header));
   }
 
  private:
@@ -93,8 +83,7 @@ class PlyBody {
     static_assert(std::endian::native == std::endian::little);
     if (bytes_.size() < sizeof(T)) ends_early();
     std::array<char, sizeof(T)> raw;
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      raw[form_ == PlyForm::big_endian ? sizeof(T) - 1 - i : i] = bytes_[i];
+    for (std::size_t i = 0; i < sizeof(T); ++i) raw[form_ == PlyForm::big_endian ? sizeof(T) - 1 - i : i] = bytes_[i];
     bytes_.remove_prefix(sizeof(T));
     return static_cast<double>(std::bit_cast<T>(raw));
   }
@@ -158,7 +147,8 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
 }
 
 DetailColumn column_of(const PlyProperty& p) {
-  return {p.name, std::string(ply_type_name(p.type)), p.is_list ? std::string(ply_type_name(p.count_type)) : std::string()};
+  return {p.name, std::string(ply_type_name(p.type)),
+          p.is_list ? std::string(ply_type_name(p.count_type)) : std::string()};
 }
 
 // Reads the values of a property of one item.
@@ -177,7 +167,8 @@ void drop_last(DetailColumn& column) {
   column.values.resize(column.ends.empty() ? 0 : column.ends.back());
 }
 
-void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body, MeshFile& mesh, std::vector<DetailColumn>& columns) {
+void read_faces(const PlyElement& element, std::size_t n_vertices, PlyBody& body, MeshFile& mesh,
+                std::vector<DetailColumn>& columns) {
   const auto is_corners = [](const PlyProperty& p) {
     return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
@@ -211,7 +202,8 @@ DetailTable read_element(const PlyElement& element, PlyBody& body) {
   for (const PlyProperty& p : element.properties) table.columns.push_back(column_of(p));
   for (std::size_t i = 0; i < element.n_items && !element.properties.empty(); ++i) {
     body.begin_item(element, i);
-    for (std::size_t k = 0; k < element.properties.size(); ++k) read_values(element.properties[k], body, table.columns[k]);
+    for (std::size_t k = 0; k < element.properties.size(); ++k)
+      read_values(element.properties[k], body, table.columns[k]);
     body.end_item();
   }
   return table;

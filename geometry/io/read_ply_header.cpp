@@ -17,8 +17,7 @@ constexpr TypeFacts types[] = {{"char", "int8", 1},     {"uchar", "uint8", 1},  
 
 PlyType known_type(std::string_view name, const LineReader& lines) {
   const std::optional<PlyType> type = ply_type(name);
-  if (!type)
-    lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
+  if (!type) lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
   return *type;
 }
 
@@ -50,10 +49,8 @@ void check_size(const PlyHeader& header, const LineReader& lines) {
   for (const PlyElement& element : header.elements) {
     std::size_t item = 0;
     for (const PlyProperty& p : element.properties) {
-      if (header.form == PlyForm::text)
-        item += 2;
-      else
-        item += ply_type_size(p.is_list ? p.count_type : p.type);
+      if (header.form == PlyForm::text) item += 2;
+      else item += ply_type_size(p.is_list ? p.count_type : p.type);
     }
     // The last line of a text may lack its end.
     if (item > 0 && element.n_items > (lines.n_left() + 1) / item)
@@ -97,8 +94,7 @@ PlyHeader read_ply_header(LineReader& lines) {
     } else if (keyword == "comment" || keyword == "obj_info") {
       if (space_in_comment(lines.line()) == Space::unsaid) header.comments.emplace_back(lines.line());
     } else if (!keyword.empty()) {
-      lines.fail(
-          "unknown word in the header; a PLY header has format, comment, element, property and end_header");
+      lines.fail("unknown word in the header; a PLY header has format, comment, element, property and end_header");
     }
   }
   throw_input_error("{}: cut off: the header has no end_header", lines.path());

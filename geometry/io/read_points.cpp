@@ -68,9 +68,8 @@ Columns<Dim> named_columns(const std::vector<std::string>& words, const LineRead
   std::iota(columns.coordinates.begin(), columns.coordinates.end(), std::size_t{0});
   const auto column_of = [&](std::size_t axis) {
     return static_cast<std::size_t>(
-        std::find_if(
-            words.begin(), words.end(),
-            [&](std::string_view word) { return equals_ignoring_case(word, axis_names.substr(axis, 1)); }) -
+        std::find_if(words.begin(), words.end(),
+                     [&](std::string_view word) { return equals_ignoring_case(word, axis_names.substr(axis, 1)); }) -
         words.begin());
   };
   if (Dim == 2 && column_of(2) < words.size())
@@ -160,10 +159,8 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
       values[c].push_back(lines.number_of(word, "a column"));
     }
     Vec<Dim> x;
-    for (std::size_t axis = 0; axis < Dim; ++axis)
-      x[static_cast<int>(axis)] = values[columns.coordinates[axis]].back();
-    if (!x.allFinite())
-      lines.fail("the point has a coordinate that is not finite; remove it or give it a position");
+    for (std::size_t axis = 0; axis < Dim; ++axis) x[static_cast<int>(axis)] = values[columns.coordinates[axis]].back();
+    if (!x.allFinite()) lines.fail("the point has a coordinate that is not finite; remove it or give it a position");
     block.push_back(static_cast<Index>(shape.vertices.size()));
     shape.vertices.push_back(x);
   }

@@ -22,9 +22,11 @@
 namespace shellmatch {
 namespace {
 
-constexpr std::string_view mesh_list = "meshes .obj .off .ply .stl .vtk .vtp .gii .glb .gltf .3mf .dae and FreeSurfer's surfaces";
+constexpr std::string_view mesh_list =
+    "meshes .obj .off .ply .stl .vtk .vtp .gii .glb .gltf .3mf .dae and FreeSurfer's surfaces";
 constexpr std::string_view volume_list = "volumes .nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
-constexpr std::string_view outline_list = "outlines .csv .txt .xy .dat .tps .roi .zip .geojson .json .svg, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
+constexpr std::string_view outline_list =
+    "outlines .csv .txt .xy .dat .tps .roi .zip .geojson .json .svg, masks .png .pgm .tif .tiff .jpg .jpeg .bmp";
 
 [[noreturn]] void unsupported(const InputFile& file) {
   const std::string extension = file_extension(file.path());
@@ -86,14 +88,15 @@ DrawnOutline parse_outline(const InputFile& file, const std::string& part, bool 
     outline.shape = mask_rings(shape_of_picture(*picture, choice, source, outline.notes), source, outline.notes);
     return outline;
   }
-  if (std::optional<Drawing> drawing = parse_drawing(file, part)) return outline_of_drawing(std::move(*drawing), source, part);
+  if (std::optional<Drawing> drawing = parse_drawing(file, part))
+    return outline_of_drawing(std::move(*drawing), source, part);
   return {read_points<2>(file.path(), file.read(), closed), {}, {}, {}};
 }
 
 // Landmarks alone, as a table of points.
 template <int Dim>
-OriginalShape<Dim> points_of_tps(const std::vector<TpsSpecimen>& specimens, const TpsSpecimen& specimen, const std::string& path,
-                                 std::vector<std::string>& notes) {
+OriginalShape<Dim> points_of_tps(const std::vector<TpsSpecimen>& specimens, const TpsSpecimen& specimen,
+                                 const std::string& path, std::vector<std::string>& notes) {
   OriginalShape<Dim> shape;
   shape.space = Dim == 3 ? specimen.space : Space::unsaid;
   VertexAttribute names{"name", "text", {}, {}};
@@ -104,7 +107,8 @@ OriginalShape<Dim> points_of_tps(const std::vector<TpsSpecimen>& specimens, cons
     names.texts.push_back(fmt::format("{}", i + 1));
   }
   if (shape.vertices.empty()) throw_input_error("{}: none of its landmarks has a position", path);
-  if (const std::size_t n = points.size() - shape.vertices.size(); n > 0) notes.push_back(counted(n, "landmark", "landmarks") + " without position left out");
+  if (const std::size_t n = points.size() - shape.vertices.size(); n > 0)
+    notes.push_back(counted(n, "landmark", "landmarks") + " without position left out");
   if (std::string note = scale_note(specimens, specimen); !note.empty()) notes.push_back(std::move(note));
   if (Dim == 2) {
     shape.polygons.emplace_back();
@@ -129,7 +133,8 @@ Shape<2> outline_of(const InputFile& file, const std::string& part, const std::s
     return shape;
   } catch (const InputError& error) {
     if (outline.choices.empty()) throw;
-    throw_input_error("{}; several areas are taken together: choose one, as in \"{}:NAME\", of {}", error.what(), file.path(), outline.choices);
+    throw_input_error("{}; several areas are taken together: choose one, as in \"{}:NAME\", of {}", error.what(),
+                      file.path(), outline.choices);
   }
 }
 
@@ -163,7 +168,8 @@ Shape<2> read_outline(const std::string& path) {
   const InputFile file(name.file);
   const int dimension = dimension_of(file.format());
   if (dimension == 3)
-    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path, outline_list);
+    throw_input_error("{}: a mesh is a shape of space, but a shape of the plane is wanted here: {}", path,
+                      outline_list);
   if (dimension != 2) unsupported(file);
   return outline_of(file, name.part, path);
 }
@@ -183,12 +189,12 @@ OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std
   const InputFile file(name.file);
   switch (file.format()) {
     case FileFormat::table:
-    case FileFormat::points:
-      return read_points<3>(path, file.read(), false);
+    case FileFormat::points: return read_points<3>(path, file.read(), false);
     case FileFormat::tps: {
       std::vector<std::string> own_notes;
       const std::vector<TpsSpecimen> specimens = parse_tps(name.file, file.read());
-      return points_of_tps<3>(specimens, chosen_specimen(specimens, name.file, name.part), path, notes ? *notes : own_notes);
+      return points_of_tps<3>(specimens, chosen_specimen(specimens, name.file, name.part), path,
+                              notes ? *notes : own_notes);
     }
     case FileFormat::png:
     case FileFormat::pgm:
@@ -199,9 +205,9 @@ OriginalShape<3> read_points_or_mesh_3d(const std::string& path, std::vector<std
     case FileFormat::roi_set:
     case FileFormat::geojson:
     case FileFormat::svg:
-      throw_input_error("{}: {} is a shape of the plane, but this deformation is one of space", path, is_picture(file.format()) ? "a mask" : "a drawing");
-    case FileFormat::unknown:
-      unsupported(file);
+      throw_input_error("{}: {} is a shape of the plane, but this deformation is one of space", path,
+                        is_picture(file.format()) ? "a mask" : "a drawing");
+    case FileFormat::unknown: unsupported(file);
     default: {
       MeshFile mesh = parse_mesh(file);
       if (mesh.shape.vertices.empty()) throw_input_error("{}: no vertices in it", path);

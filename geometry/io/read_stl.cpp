@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
 
-// Merges corners with equal coordinates: a table of vertices, at most half full, in which those of equal places follow each other.
+// Merges corners with equal coordinates: a table of vertices, at most half full, in which those of equal places follow
+// each other.
 class Welder {
  public:
   explicit Welder(OriginalShape<3>& shape) : shape_(shape), table_(1024, no_index) {}
@@ -42,7 +43,8 @@ class Welder {
 
   void grow() {
     table_.assign(2 * table_.size(), no_index);
-    for (std::size_t v = 0; v < shape_.vertices.size(); ++v) table_[slot_of(shape_.vertices[v])] = static_cast<Index>(v);
+    for (std::size_t v = 0; v < shape_.vertices.size(); ++v)
+      table_[slot_of(shape_.vertices[v])] = static_cast<Index>(v);
   }
 
   OriginalShape<3>& shape_;
@@ -65,8 +67,7 @@ MeshFile read_binary(const std::string& path, std::string_view bytes) {
         "has {}",
         path, n, needed, bytes.size());
   if (bytes.size() > needed)
-    mesh.notes.push_back(counted(bytes.size() - needed, "byte", "bytes") +
-                         " after the last triangle ignored");
+    mesh.notes.push_back(counted(bytes.size() - needed, "byte", "bytes") + " after the last triangle ignored");
   Welder welder(mesh.shape);
   for (std::size_t t = 0; t < n; ++t) {
     std::vector<Index> triangle;
@@ -91,12 +92,10 @@ std::vector<Index> read_facet(LineReader& lines, Welder& welder) {
       for (int k = 0; k < 3; ++k) x[k] = lines.number_of(rest, "a coordinate of a vertex");
       polygon.push_back(welder.vertex({lines.path(), "line", lines.number()}, x));
     } else if (equals_ignoring_case(keyword, "endfacet")) {
-      if (polygon.size() != 3)
-        lines.fail("a facet of an STL file has three vertices, this one has {}", polygon.size());
+      if (polygon.size() != 3) lines.fail("a facet of an STL file has three vertices, this one has {}", polygon.size());
       return polygon;
     } else if (!equals_ignoring_case(keyword, "outer") && !equals_ignoring_case(keyword, "endloop")) {
-      lines.fail(
-          "unknown word in a facet; 'outer loop', 'vertex', 'endloop' or 'endfacet' should stand here");
+      lines.fail("unknown word in a facet; 'outer loop', 'vertex', 'endloop' or 'endfacet' should stand here");
     }
   }
   throw_input_error("{}: cut off: the file ends within facet (line {})", lines.path(), lines.number());
@@ -120,8 +119,7 @@ MeshFile read_text(const std::string& path, std::string_view bytes) {
       lines.fail("'solid', 'facet' or 'endsolid' should stand here");
     }
   }
-  if (open)
-    throw_input_error("{}: cut off: 'endsolid' is missing at the end (line {})", path, lines.number());
+  if (open) throw_input_error("{}: cut off: 'endsolid' is missing at the end (line {})", path, lines.number());
   return mesh;
 }
 
@@ -138,8 +136,8 @@ MeshFile read_stl(const std::string& path, std::string_view bytes) {
   if (text) return read_text(path, bytes);
   if (!has_header)
     throw_input_error(
-        "{}: cut off, or not an STL file: it neither starts with 'solid' nor has a binary header of {} bytes",
-        path, header_size);
+        "{}: cut off, or not an STL file: it neither starts with 'solid' nor has a binary header of {} bytes", path,
+        header_size);
   return read_binary(path, bytes);
 }
 

@@ -30,22 +30,14 @@ void append_integer(std::string& bytes, double value) {
 
 void append_value(std::string& bytes, PlyType type, double value) {
   switch (type) {
-    case PlyType::int8:
-      return append_integer<std::int8_t>(bytes, value);
-    case PlyType::uint8:
-      return append_integer<std::uint8_t>(bytes, value);
-    case PlyType::int16:
-      return append_integer<std::int16_t>(bytes, value);
-    case PlyType::uint16:
-      return append_integer<std::uint16_t>(bytes, value);
-    case PlyType::int32:
-      return append_integer<std::int32_t>(bytes, value);
-    case PlyType::uint32:
-      return append_integer<std::uint32_t>(bytes, value);
-    case PlyType::float32:
-      return append(bytes, static_cast<float>(value));
-    case PlyType::float64:
-      return append(bytes, value);
+    case PlyType::int8: return append_integer<std::int8_t>(bytes, value);
+    case PlyType::uint8: return append_integer<std::uint8_t>(bytes, value);
+    case PlyType::int16: return append_integer<std::int16_t>(bytes, value);
+    case PlyType::uint16: return append_integer<std::uint16_t>(bytes, value);
+    case PlyType::int32: return append_integer<std::int32_t>(bytes, value);
+    case PlyType::uint32: return append_integer<std::uint32_t>(bytes, value);
+    case PlyType::float32: return append(bytes, static_cast<float>(value));
+    case PlyType::float64: return append(bytes, value);
   }
 }
 
@@ -63,7 +55,8 @@ bool is_of_ply(const std::string& word) {
 
 void declare(const std::vector<DetailColumn>& columns, std::string& header) {
   for (const DetailColumn& c : columns)
-    header += c.count_type.empty() ? fmt::format("property {} {}\n", c.type, c.name) : fmt::format("property list {} {} {}\n", c.count_type, c.type, c.name);
+    header += c.count_type.empty() ? fmt::format("property {} {}\n", c.type, c.name)
+                                   : fmt::format("property list {} {} {}\n", c.count_type, c.type, c.name);
 }
 
 PlyType type_named(const std::string& name) { return ply_type(name).value_or(PlyType::float64); }
@@ -89,7 +82,8 @@ std::vector<std::string> ply_names(const OriginalShape<3>& shape) {
   for (const VertexAttribute& a : shape.attributes) {
     const std::string word = word_of(a.name);
     std::string name = word;
-    for (int n = 2; is_of_ply(name) || std::ranges::find(names, name) != names.end(); ++n) name = fmt::format("{}_{}", word, n);
+    for (int n = 2; is_of_ply(name) || std::ranges::find(names, name) != names.end(); ++n)
+      name = fmt::format("{}_{}", word, n);
     names.push_back(name);
   }
   return names;
@@ -106,7 +100,8 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
   const PlyType count_type = longest < 256 ? PlyType::uint8 : PlyType::uint32;
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + space_comment("comment ", shape.space);
   for (const std::string& comment : details.ply_comments) bytes += comment + "\n";
-  bytes += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n", shape.vertices.size());
+  bytes += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+                       shape.vertices.size());
   const std::vector<std::string> names = ply_names(shape);
   std::vector<PlyType> types;
   std::vector<const VertexAttribute*> columns;
@@ -120,7 +115,8 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
     bytes += fmt::format("property {} {}\n", ply_type_name(types.back()), names[k]);
   }
   if (!shape.polygons.empty()) {
-    bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(), ply_type_name(count_type));
+    bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(),
+                         ply_type_name(count_type));
     declare(details.ply_faces, bytes);
   }
   for (const DetailTable& table : details.ply_elements) {
@@ -128,7 +124,8 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
     declare(table.columns, bytes);
   }
   bytes += "end_header\n";
-  bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) + 4 * (n_corners + shape.polygons.size()));
+  bytes.reserve(bytes.size() + shape.vertices.size() * 8 * (3 + types.size()) +
+                4 * (n_corners + shape.polygons.size()));
   StopCheck stop_check;
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
     stop_check();

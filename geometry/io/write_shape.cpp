@@ -26,8 +26,9 @@ namespace {
 template <int Dim>
 void check_attributes(const OriginalShape<Dim>& shape) {
   for (const VertexAttribute& attribute : shape.attributes)
-    SHELLMATCH_CHECK((attribute.type == "text" ? attribute.texts.size() : attribute.values.size()) == shape.vertices.size(),
-                     "an attribute has one value for each vertex");
+    SHELLMATCH_CHECK(
+        (attribute.type == "text" ? attribute.texts.size() : attribute.values.size()) == shape.vertices.size(),
+        "an attribute has one value for each vertex");
 }
 
 /// A column of CSV: a coordinate or an attribute.
@@ -43,7 +44,8 @@ std::vector<CsvColumn> csv_columns(const OriginalShape<Dim>& shape) {
   std::vector<CsvColumn> columns;
   std::vector<bool> taken(shape.attributes.size(), false);
   const auto add_attribute = [&](std::size_t k) {
-    columns.push_back({shape.attributes[k].name.empty() ? "unnamed" : shape.attributes[k].name, -1, &shape.attributes[k]});
+    columns.push_back(
+        {shape.attributes[k].name.empty() ? "unnamed" : shape.attributes[k].name, -1, &shape.attributes[k]});
     taken[k] = true;
   };
   if (shape.details && shape.details->table_coordinates.size() == Dim) {
@@ -69,7 +71,8 @@ std::vector<CsvColumn> csv_columns(const OriginalShape<Dim>& shape) {
 }
 
 template <int Dim>
-void append_point_line(std::string& text, const OriginalShape<Dim>& shape, const std::vector<CsvColumn>& columns, std::size_t v) {
+void append_point_line(std::string& text, const OriginalShape<Dim>& shape, const std::vector<CsvColumn>& columns,
+                       std::size_t v) {
   for (const CsvColumn& column : columns) {
     if (&column != columns.data()) text.push_back(',');
     if (column.axis >= 0) fmt::format_to(std::back_inserter(text), "{}", shape.vertices[v][column.axis]);
@@ -148,9 +151,9 @@ void write_obj(const std::string& path, const OriginalShape<3>& shape, Existing 
 }
 
 void write_off(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
-  std::string text = fmt::format("OFF\n{}{} {} 0\n", space_comment("# ", shape.space), shape.vertices.size(), shape.polygons.size());
-  for (const Vec<3>& x : shape.vertices)
-    text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
+  std::string text =
+      fmt::format("OFF\n{}{} {} 0\n", space_comment("# ", shape.space), shape.vertices.size(), shape.polygons.size());
+  for (const Vec<3>& x : shape.vertices) text += fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
   for (const std::vector<Index>& polygon : shape.polygons) {
     text += fmt::format("{}", polygon.size());
     for (const Index v : polygon) text += fmt::format(" {}", v);
@@ -166,9 +169,7 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
   std::string bytes = space_comment("", shape.space);
   if (!bytes.empty()) bytes.back() = ' ';
   bytes.resize(80, ' ');
-  const auto append = [&](const auto& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
+  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
   append(static_cast<std::uint32_t>(triangles.size()));
   for (const auto& [a, b, c] : triangles) {
     const Vec<3>&xa = shape.vertices[a], &xb = shape.vertices[b], &xc = shape.vertices[c];
@@ -182,8 +183,12 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
 
 }  // namespace
 
-void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing) { write_csv(path, shape, existing); }
-void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Existing existing) { write_csv(path, shape, existing); }
+void write_outline_csv(const std::string& path, const OriginalShape<2>& shape, Existing existing) {
+  write_csv(path, shape, existing);
+}
+void write_points_csv(const std::string& path, const OriginalShape<3>& shape, Existing existing) {
+  write_csv(path, shape, existing);
+}
 
 std::vector<std::string> left_out(const std::string& path, const OriginalShape<3>& shape) {
   const std::string extension = file_extension(path);
@@ -203,9 +208,15 @@ std::vector<std::string> left_out(const std::string& path, const OriginalShape<3
   if (extension == ".csv" && !shape.polygons.empty()) lost.emplace_back("faces");
   if (!shape.details) return lost;
   const MeshDetails& d = *shape.details;
-  const auto has_statement = [&](std::string_view word) { return d.obj_text.starts_with(word) || d.obj_text.find("\n" + std::string(word)) != std::string::npos; };
+  const auto has_statement = [&](std::string_view word) {
+    return d.obj_text.starts_with(word) || d.obj_text.find("\n" + std::string(word)) != std::string::npos;
+  };
   if (extension != ".obj")
-    for (const auto& [word, what] : {std::pair{"vt ", "texture coordinates"}, {"g ", "groups"}, {"o ", "objects"}, {"usemtl ", "materials"}, {"l ", "lines"}})
+    for (const auto& [word, what] : {std::pair{"vt ", "texture coordinates"},
+                                     {"g ", "groups"},
+                                     {"o ", "objects"},
+                                     {"usemtl ", "materials"},
+                                     {"l ", "lines"}})
       if (has_statement(word)) lost.emplace_back(what);
   if (extension == ".ply") return lost;
   for (const DetailColumn& c : d.ply_faces) lost.push_back(fmt::format("the property {} of the faces", c.name));
@@ -223,7 +234,8 @@ void write_shape(const std::string& path, const OriginalShape<3>& shape, Existin
   if (extension == ".stl") return write_stl(path, shape, existing);
   if (extension == ".vtk") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::legacy));
   if (extension == ".vtp") return publish_file(path, existing, polydata_bytes(shape, PolyDataFormat::xml));
-  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl, .vtk, .vtp or .csv, not as '{}'", path, extension);
+  throw_input_error("{}: shapes are written as .ply, .obj, .off, .stl, .vtk, .vtp or .csv, not as '{}'", path,
+                    extension);
 }
 
 }  // namespace shellmatch

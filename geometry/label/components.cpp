@@ -5,8 +5,8 @@
 
 namespace shellmatch {
 
-Removed remove_small_components(const std::array<int, 3>& size, std::uint8_t from, std::uint8_t to, std::size_t least, bool diagonal, bool keep_largest,
-                                std::vector<std::uint8_t>& voxels) {
+Removed remove_small_components(const std::array<int, 3>& size, std::uint8_t from, std::uint8_t to, std::size_t least,
+                                bool diagonal, bool keep_largest, std::vector<std::uint8_t>& voxels) {
   std::vector<char> is_seen(voxels.size(), 0);
   std::vector<std::vector<std::size_t>> small;
   std::vector<std::size_t> component;
@@ -23,7 +23,8 @@ Removed remove_small_components(const std::array<int, 3>& size, std::uint8_t fro
         for (int dj = -1; dj <= 1; ++dj)
           for (int di = -1; di <= 1; ++di) {
             if (!diagonal && std::abs(di) + std::abs(dj) + std::abs(dk) != 1) continue;
-            if (i + di < 0 || i + di >= size[0] || j + dj < 0 || j + dj >= size[1] || k + dk < 0 || k + dk >= size[2]) continue;
+            if (i + di < 0 || i + di >= size[0] || j + dj < 0 || j + dj >= size[1] || k + dk < 0 || k + dk >= size[2])
+              continue;
             const std::size_t neighbour = (static_cast<std::size_t>(k + dk) * size[1] + (j + dj)) * size[0] + (i + di);
             if (is_seen[neighbour] || voxels[neighbour] != from) continue;
             is_seen[neighbour] = 1;

@@ -45,17 +45,27 @@ void check_choice(const Volume& volume, const VoxelChoice& choice, std::size_t n
     const std::set<float> there = labels_of(volume);
     std::set<float> absent;
     for (const double label : choice.labels)
-      if (std::ranges::find(volume.values, static_cast<float>(label)) == volume.values.end()) absent.insert(static_cast<float>(label));
+      if (std::ranges::find(volume.values, static_cast<float>(label)) == volume.values.end())
+        absent.insert(static_cast<float>(label));
     if (!absent.empty())
-      throw_input_error("{}: no voxel has the label {}; {}", source, list_text(absent),
-                        !there.empty()    ? "there are the labels " + list_text(there)
-                        : *least == *most ? fmt::format("all voxels are {:g}", *least)
-                                          : fmt::format("its values are from {:g} to {:g} and no labels: choose a threshold, as in \"scan.nii.gz:>0.5\"", *least, *most));
+      throw_input_error(
+          "{}: no voxel has the label {}; {}", source, list_text(absent),
+          !there.empty() ? "there are the labels " + list_text(there)
+          : *least == *most
+              ? fmt::format("all voxels are {:g}", *least)
+              : fmt::format(
+                    "its values are from {:g} to {:g} and no labels: choose a threshold, as in \"scan.nii.gz:>0.5\"",
+                    *least, *most));
   }
-  if (n_chosen == 0) throw_input_error("{}: no voxel is above {:g}: its values are from {:g} to {:g}", source, choice.above, *least, *most);
+  if (n_chosen == 0)
+    throw_input_error("{}: no voxel is above {:g}: its values are from {:g} to {:g}", source, choice.above, *least,
+                      *most);
   if (n_chosen == volume.values.size())
-    throw_input_error("{}: every voxel is in the shape ({}): its values are from {:g} to {:g}; choose a label or a threshold, as in \"scan.nii.gz:3\" or "
-                      "\"scan.nii.gz:>0.5\"", source, choice.text(), *least, *most);
+    throw_input_error(
+        "{}: every voxel is in the shape ({}): its values are from {:g} to {:g}; choose a label or a threshold, as in "
+        "\"scan.nii.gz:3\" or "
+        "\"scan.nii.gz:>0.5\"",
+        source, choice.text(), *least, *most);
 }
 
 struct IndexBox {
@@ -98,7 +108,9 @@ std::array<int, 3> block_sides(const VoxelGrid& grid, const IndexBox& box) {
   double extent = 0;
   for (int a = 0; a < 3; ++a) extent = std::max(extent, (box.high[a] - box.low[a] + 1) * spacing[a]);
   std::array<int, 3> sides;
-  for (int a = 0; a < 3; ++a) sides[a] = static_cast<int>(std::clamp(std::ceil(extent / most_voxels_across / spacing[a] - 1e-9), 1.0, static_cast<double>(box.high[a] - box.low[a] + 1)));
+  for (int a = 0; a < 3; ++a)
+    sides[a] = static_cast<int>(std::clamp(std::ceil(extent / most_voxels_across / spacing[a] - 1e-9), 1.0,
+                                           static_cast<double>(box.high[a] - box.low[a] + 1)));
   return sides;
 }
 
@@ -108,7 +120,9 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
   const Chosen chosen = find_chosen(volume, choice);
   check_choice(volume, choice, chosen.n, source);
   const auto& [low, high] = chosen.box;
-  if (chosen.n < least_label) throw_input_error("{}: {} has {}: too small for a surface", source, choice.text(), counted(chosen.n, "voxel", "voxels"));
+  if (chosen.n < least_label)
+    throw_input_error("{}: {} has {}: too small for a surface", source, choice.text(),
+                      counted(chosen.n, "voxel", "voxels"));
   LabelRegion region;
   region.n_at_border = chosen.n_at_border;
 
@@ -116,16 +130,23 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
   std::array<int, 3> size;
   for (std::size_t a = 0; a < 3; ++a) size[a] = high[a] - low[a] + 3;
   std::vector<std::uint8_t> mask(static_cast<std::size_t>(size[0]) * size[1] * size[2], 0);
-  const auto mask_at = [&](int i, int j, int k) -> std::uint8_t& { return mask[(static_cast<std::size_t>(k) * size[1] + j) * size[0] + i]; };
+  const auto mask_at = [&](int i, int j, int k) -> std::uint8_t& {
+    return mask[(static_cast<std::size_t>(k) * size[1] + j) * size[0] + i];
+  };
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i)
-        mask_at(i - low[0] + 1, j - low[1] + 1, k - low[2] + 1) = choice.contains(volume.values[volume.grid.number(i, j, k)]);
-  if (const Removed islands = remove_small_components(size, 1, 0, least_component, true, true, mask); islands.n_components > 0)
-    region.notes.push_back(fmt::format("{} of fewer than {} voxels dropped ({})", counted(islands.n_components, "island", "islands"), least_component,
+        mask_at(i - low[0] + 1, j - low[1] + 1, k - low[2] + 1) =
+            choice.contains(volume.values[volume.grid.number(i, j, k)]);
+  if (const Removed islands = remove_small_components(size, 1, 0, least_component, true, true, mask);
+      islands.n_components > 0)
+    region.notes.push_back(fmt::format("{} of fewer than {} voxels dropped ({})",
+                                       counted(islands.n_components, "island", "islands"), least_component,
                                        counted(islands.n_voxels, "voxel", "voxels")));
-  if (const Removed holes = remove_small_components(size, 0, 1, least_component, false, true, mask); holes.n_components > 0)
-    region.notes.push_back(fmt::format("{} of fewer than {} voxels filled ({})", counted(holes.n_components, "cavity", "cavities"), least_component,
+  if (const Removed holes = remove_small_components(size, 0, 1, least_component, false, true, mask);
+      holes.n_components > 0)
+    region.notes.push_back(fmt::format("{} of fewer than {} voxels filled ({})",
+                                       counted(holes.n_components, "cavity", "cavities"), least_component,
                                        counted(holes.n_voxels, "voxel", "voxels")));
 
   // What is left, by its place in the mask.
@@ -152,7 +173,8 @@ LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const 
       for (int i = rest.low[0]; i <= rest.high[0]; ++i)
         if (mask_at(i, j, k)) region.shares[grid.number(block(0, i), block(1, j), block(2, k))] += share;
   if (sides != std::array<int, 3>{1, 1, 1})
-    region.notes.push_back(fmt::format("it is large: blocks of {} x {} x {} voxels are taken as one", sides[0], sides[1], sides[2]));
+    region.notes.push_back(
+        fmt::format("it is large: blocks of {} x {} x {} voxels are taken as one", sides[0], sides[1], sides[2]));
   return region;
 }
 

@@ -26,9 +26,9 @@ struct LabelRegion {
   std::size_t n_at_border = 0;  ///< chosen voxels at the border of the volume
 };
 
-/// Components and cavities of fewer than least_component voxels go (the largest component stays); notes say so. What reaches the border of the
-/// volume ends there. \param volume canonical() \param source for messages
-/// \throws InputError where a label is absent, naming those that there are, or where no voxel or every voxel is chosen
+/// Components and cavities of fewer than least_component voxels go (the largest component stays); notes say so. What
+/// reaches the border of the volume ends there. \param volume canonical() \param source for messages \throws InputError
+/// where a label is absent, naming those that there are, or where no voxel or every voxel is chosen
 LabelRegion label_region(const Volume& volume, const VoxelChoice& choice, const std::string& source);
 
 }  // namespace shellmatch

@@ -22,19 +22,23 @@ std::array<double, 4> spline_weights(double t) {
 
 // One direction of the discrete step. \pre the first and the last value of every line are 0
 void smooth_lines(const std::array<int, 3>& size, int axis, std::vector<float>& values) {
-  const std::array<std::size_t, 3> steps{1, static_cast<std::size_t>(size[0]), static_cast<std::size_t>(size[0]) * size[1]};
+  const std::array<std::size_t, 3> steps{1, static_cast<std::size_t>(size[0]),
+                                         static_cast<std::size_t>(size[0]) * size[1]};
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const std::size_t next = steps[axis];
-  parallel_for(static_cast<std::size_t>(size[u]) * size[v], [&](std::size_t line) {
-    float* const first = values.data() + line % size[u] * steps[u] + line / size[u] * steps[v];
-    float before = 0;
-    for (int i = 0; i < size[axis]; ++i) {
-      float& value = first[i * next];
-      const float here = value, after = i + 1 < size[axis] ? first[(i + 1) * next] : 0;
-      value = (1 - 2 * step) * here + step * (before + after);
-      before = here;
-    }
-  }, 256);
+  parallel_for(
+      static_cast<std::size_t>(size[u]) * size[v],
+      [&](std::size_t line) {
+        float* const first = values.data() + line % size[u] * steps[u] + line / size[u] * steps[v];
+        float before = 0;
+        for (int i = 0; i < size[axis]; ++i) {
+          float& value = first[i * next];
+          const float here = value, after = i + 1 < size[axis] ? first[(i + 1) * next] : 0;
+          value = (1 - 2 * step) * here + step * (before + after);
+          before = here;
+        }
+      },
+      256);
 }
 
 }  // namespace
@@ -64,10 +68,12 @@ double SmoothedLabel::share(const Vec<3>& index) const {
     double plane = 0;
     for (int j = 0; j < 4; ++j) {
       if (first[1] + j < 0 || first[1] + j >= size_[1]) continue;
-      const std::ptrdiff_t line = (static_cast<std::ptrdiff_t>(first[2] + k) * size_[1] + first[1] + j) * size_[0] + first[0];
+      const std::ptrdiff_t line =
+          (static_cast<std::ptrdiff_t>(first[2] + k) * size_[1] + first[1] + j) * size_[0] + first[0];
       double part = 0;
       for (int i = 0; i < 4; ++i)
-        if (first[0] + i >= 0 && first[0] + i < size_[0]) part += weights[0][i] * coefficients_[static_cast<std::size_t>(line + i)];
+        if (first[0] + i >= 0 && first[0] + i < size_[0])
+          part += weights[0][i] * coefficients_[static_cast<std::size_t>(line + i)];
       plane += weights[1][j] * part;
     }
     sum += weights[2][k] * plane;
@@ -80,7 +86,8 @@ double SmoothedLabel::largest_share() const {
   for (int k = 0; k < size_[2]; ++k)
     for (int j = 0; j < size_[1]; ++j)
       for (int i = 0; i < size_[0]; ++i)
-        if (coefficients_[(static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i] > 0) largest = std::max(largest, share(Vec<3>(i, j, k)));
+        if (coefficients_[(static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i] > 0)
+          largest = std::max(largest, share(Vec<3>(i, j, k)));
   return largest;
 }
 
@@ -88,17 +95,20 @@ double SmoothedLabel::largest_share() const {
 void SmoothedLabel::find_clearance() {
   constexpr int most = 255;
   clearance_.resize(coefficients_.size());
-  for (std::size_t v = 0; v < clearance_.size(); ++v) clearance_[v] = coefficients_[v] == 0 || coefficients_[v] == 1 ? most : 0;
+  for (std::size_t v = 0; v < clearance_.size(); ++v)
+    clearance_[v] = coefficients_[v] == 0 || coefficients_[v] == 1 ? most : 0;
   const auto sweep = [&](bool forward) {
     for (int n = 0; n < size_[2]; ++n)
       for (int m = 0; m < size_[1]; ++m)
         for (int l = 0; l < size_[0]; ++l) {
-          const int i = forward ? l : size_[0] - 1 - l, j = forward ? m : size_[1] - 1 - m, k = forward ? n : size_[2] - 1 - n;
+          const int i = forward ? l : size_[0] - 1 - l, j = forward ? m : size_[1] - 1 - m,
+                    k = forward ? n : size_[2] - 1 - n;
           std::uint8_t& here = clearance_[(static_cast<std::size_t>(k) * size_[1] + j) * size_[0] + i];
           for (int neighbour = 0; neighbour < 13 && here > 0; ++neighbour) {
             // The 13 of 26 that come before in the order of the sweep.
             const int sign = forward ? 1 : -1;
-            const int x = i + sign * (neighbour % 3 - 1), y = j + sign * (neighbour / 3 % 3 - 1), z = k + sign * (neighbour / 9 - 1);
+            const int x = i + sign * (neighbour % 3 - 1), y = j + sign * (neighbour / 3 % 3 - 1),
+                      z = k + sign * (neighbour / 9 - 1);
             if (x < 0 || y < 0 || z < 0 || x >= size_[0] || y >= size_[1] || z >= size_[2]) continue;
             const int there = clearance_[(static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x];
             here = static_cast<std::uint8_t>(std::min<int>(here, std::min(there + 1, most)));
@@ -117,12 +127,14 @@ double SmoothedLabel::clearance(const Vec<3>& index) const {
     outside = std::max(outside, std::abs(index[a] - inside));
     nearest[a] = static_cast<int>(std::lround(inside));
   }
-  const double there = clearance_[(static_cast<std::size_t>(nearest[2]) * size_[1] + nearest[1]) * size_[0] + nearest[0]];
+  const double there =
+      clearance_[(static_cast<std::size_t>(nearest[2]) * size_[1] + nearest[1]) * size_[0] + nearest[0]];
   // A coefficient reaches two voxels, and the nearest voxel is up to half of one away.
   return std::max({0.0, there - 3, outside - 3});
 }
 
-// Shares are sampled at 27 points between neighbouring voxels and counted in classes, which is exact enough and takes no memory.
+// Shares are sampled at 27 points between neighbouring voxels and counted in classes, which is exact enough and takes
+// no memory.
 void SmoothedLabel::find_level(const LabelRegion& region) {
   constexpr int n_samples = 3, n_classes = 1 << 14;
   using Counts = std::vector<std::int64_t>;
@@ -137,14 +149,17 @@ void SmoothedLabel::find_level(const LabelRegion& region) {
             continue;
           }
           for (int s = 0; s < n_samples * n_samples * n_samples; ++s) {
-            const Vec<3> offset(s % n_samples + 0.5, s / n_samples % n_samples + 0.5, s / (n_samples * n_samples) + 0.5);
-            ++counts[static_cast<std::size_t>(std::lround(n_classes * std::clamp(share(Vec<3>(i, j, k) + offset / n_samples), 0.0, 1.0)))];
+            const Vec<3> offset(s % n_samples + 0.5, s / n_samples % n_samples + 0.5,
+                                s / (n_samples * n_samples) + 0.5);
+            ++counts[static_cast<std::size_t>(
+                std::lround(n_classes * std::clamp(share(Vec<3>(i, j, k) + offset / n_samples), 0.0, 1.0)))];
           }
         }
     return counts;
   };
   std::vector<Counts> parts(n_chunks(static_cast<std::size_t>(size_[2]) - 1, 16));
-  parallel_chunks(static_cast<std::size_t>(size_[2]) - 1, 16, [&](const Chunk& chunk) { parts[chunk.index] = count_slice(chunk); });
+  parallel_chunks(static_cast<std::size_t>(size_[2]) - 1, 16,
+                  [&](const Chunk& chunk) { parts[chunk.index] = count_slice(chunk); });
   double left = 0;
   for (const float share : region.shares) left += share;
   left *= n_samples * n_samples * n_samples;

@@ -12,8 +12,9 @@ namespace shellmatch {
 /// The smoothing's standard deviation in voxels, along each axis of the volume.
 inline constexpr double label_smoothing = 0.73;
 
-/// The label's share of space around a point: the cubic B-spline whose coefficients are the voxels' shares after a step of a discrete
-/// Gaussian. The spline spreads a voxel with the variance 1/3, the step adds 1/5; it is twice continuously differentiable.
+/// The label's share of space around a point: the cubic B-spline whose coefficients are the voxels' shares after a step
+/// of a discrete Gaussian. The spline spreads a voxel with the variance 1/3, the step adds 1/5; it is twice
+/// continuously differentiable.
 class SmoothedLabel {
  public:
   /// \param region must outlive this object

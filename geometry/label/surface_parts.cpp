@@ -19,7 +19,8 @@ std::size_t drop_small_parts(Surface<3>& surface, double least) {
   std::vector<double> volume(surface.vertices.size(), 0);
   const Vec<3> origin = surface.vertices.empty() ? Vec<3>::Zero() : surface.vertices[0];
   for (const auto& [a, b, c] : surface.facets)
-    volume[sets.find(a)] += (surface.vertices[a] - origin).dot((surface.vertices[b] - origin).cross(surface.vertices[c] - origin)) / 6;
+    volume[sets.find(a)] +=
+        (surface.vertices[a] - origin).dot((surface.vertices[b] - origin).cross(surface.vertices[c] - origin)) / 6;
   double largest = 0;
   for (const double v : volume) largest = std::max(largest, std::abs(v));
   // Cavities have a negative volume.

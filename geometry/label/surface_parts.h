@@ -6,8 +6,8 @@
 
 namespace shellmatch {
 
-/// Removes the parts that enclose less than `least`, but for the largest, and the vertices that are left without a facet.
-/// \return their number
+/// Removes the parts that enclose less than `least`, but for the largest, and the vertices that are left without a
+/// facet. \return their number
 std::size_t drop_small_parts(Surface<3>& surface, double least);
 
 }  // namespace shellmatch

@@ -49,7 +49,8 @@ class LabelFunction {
   double extent() const { return extent_; }
   double to_unit(double length) const { return length * scale_; }
 
-  // Negative inside, Lipschitz with the constant 2 where it matters: far from the surface it says how far that is at least.
+  // Negative inside, Lipschitz with the constant 2 where it matters: far from the surface it says how far that is at
+  // least.
   double operator()(const Vec<3>& unit) const {
     const Vec<3> index = to_index_ * (point(unit) - grid_.origin);
     const double value = gain_ * (label_->level() - label_->share(index));
@@ -68,7 +69,8 @@ class LabelFunction {
 };
 
 Surface<3> mesh(const LabelFunction& function, const LabelRegion& region, const std::string& source) {
-  // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 7 can use.
+  // Finer triangles show no more of the voxels, and a label of the largest size gets as many as a grid of level 7 can
+  // use.
   const double edge = std::max(0.7 * region.grid.least_spacing(), function.extent() / most_voxels_across);
   const ImplicitFunction f = [&](const Vec<3>& x) { return function(x); };
   Surface<3> surface = mesh_implicit(f, function.to_unit(edge), source, Details::as_they_come);
@@ -84,7 +86,8 @@ DistanceStatistics distance_to_voxels(const LabelRegion& region, const Surface<3
     for (int j = 0; j + 1 < grid.size[1]; ++j)
       for (int i = 0; i + 1 < grid.size[0]; ++i)
         for (int a = 0; a < 3; ++a) {
-          const bool here = region.shares[grid.number(i, j, k)] > 0.5f, there = region.shares[grid.number(i + (a == 0), j + (a == 1), k + (a == 2))] > 0.5f;
+          const bool here = region.shares[grid.number(i, j, k)] > 0.5f,
+                     there = region.shares[grid.number(i + (a == 0), j + (a == 1), k + (a == 2))] > 0.5f;
           if (here != there) faces.push_back(grid.position(Vec<3>(i, j, k) + 0.5 * Vec<3>::Unit(a)));
         }
   constexpr std::size_t enough = 20000;
@@ -99,19 +102,20 @@ std::vector<std::string> result_notes(const VoxelChoice& choice, const LabelRegi
   constexpr double enough = 0.8;
   const double voxels = std::accumulate(region.shares.begin(), region.shares.end(), 0.0);
   const double share = enclosed_measure(surface) / (voxels * region.grid.voxel_volume());
-  std::string text = fmt::format("{}: {:.0f} voxels of {}; smoothed by {} of a voxel, the surface ", choice.text(), voxels,
-                                 spacing_text(region.grid), label_smoothing);
+  std::string text = fmt::format("{}: {:.0f} voxels of {}; smoothed by {} of a voxel, the surface ", choice.text(),
+                                 voxels, spacing_text(region.grid), label_smoothing);
   // Where no block of voxels is more than half full, nothing says where the boundary is.
   if (const DistanceStatistics d = distance_to_voxels(region, surface); std::isfinite(d.mean))
-    text += fmt::format("is {:.2g} from the voxels' boundary on average and at most {:.2g}, and its volume {:.2f} times theirs", d.mean,
-                        d.max, share);
-  else
-    text += fmt::format("has {:.2f} times their volume", share);
+    text += fmt::format(
+        "is {:.2g} from the voxels' boundary on average and at most {:.2g}, and its volume {:.2f} times theirs", d.mean,
+        d.max, share);
+  else text += fmt::format("has {:.2f} times their volume", share);
   std::vector<std::string> notes{text};
   if (share < enough)
-    notes.push_back(fmt::format("the surface has only {:.0f} % of the label's volume: the rest is thinner than its voxels (or blocks of "
-                                "these) can show, and is lost; cut the volume to the region of interest, or sample it more finely",
-                                100 * share));
+    notes.push_back(fmt::format(
+        "the surface has only {:.0f} % of the label's volume: the rest is thinner than its voxels (or blocks of "
+        "these) can show, and is lost; cut the volume to the region of interest, or sample it more finely",
+        100 * share));
   return notes;
 }
 
@@ -124,14 +128,18 @@ void leave_out_border(const Volume& volume, const VoxelChoice& choice, const Lab
   double area = 0;
   for (const Index f : facets) area += facet_measure(shape.surface, f);
   const double share = area / surface_measure(shape.surface);
-  const std::string text = fmt::format("it reaches the border of the volume ({}) and is closed there", counted(region.n_at_border, "voxel", "voxels"));
+  const std::string text = fmt::format("it reaches the border of the volume ({}) and is closed there",
+                                       counted(region.n_at_border, "voxel", "voxels"));
   if (share > most) {
-    shape.notes.push_back(fmt::format("{}, which is {:.2g} % of the area: hardly anything else is seen of it, and that part counts as its surface", text, 100 * share));
+    shape.notes.push_back(fmt::format(
+        "{}, which is {:.2g} % of the area: hardly anything else is seen of it, and that part counts as its surface",
+        text, 100 * share));
     return;
   }
   shape.evidence = without_buried(shape.surface, shape.evidence, facets);
   shape.invented_share = share;
-  shape.notes.push_back(fmt::format("{}: that part, {:.2g} % of the area, is made up, and weighs nothing", text, 100 * share));
+  shape.notes.push_back(
+      fmt::format("{}: that part, {:.2g} % of the area, is made up, and weighs nothing", text, 100 * share));
 }
 
 }  // namespace
@@ -147,16 +155,22 @@ Shape<3> volume_shape(VolumePart part, const std::string& source, Space space) {
   if (region.n_at_border == 0) volume = {};  // it is large, and no longer needed
   const SmoothedLabel label(region);
   if (!(label.largest_share() > label.level() + 1e-3))
-    throw_input_error("{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source, part.choice.text());
+    throw_input_error(
+        "{}: {} is too small or too thin for a surface: nothing is left of it where its stairs are smoothed", source,
+        part.choice.text());
   Surface<3> surface = mesh(LabelFunction(region, label), region, source);
   std::vector<std::string> notes = std::move(region.notes);
   const double voxel = region.grid.voxel_volume();
   if (const std::size_t n = drop_small_parts(surface, 4 * voxel); n > 0)
-    notes.push_back(fmt::format("{} of less than 4 voxels, which smoothing left of thin parts, dropped", counted(n, "piece", "pieces")));
-  if (surface.facets.empty()) throw_input_error("{}: {} is too small or too thin for a surface", source, part.choice.text());
+    notes.push_back(fmt::format("{} of less than 4 voxels, which smoothing left of thin parts, dropped",
+                                counted(n, "piece", "pieces")));
+  if (surface.facets.empty())
+    throw_input_error("{}: {} is too small or too thin for a surface", source, part.choice.text());
   const std::vector<std::string> result = result_notes(part.choice, region, surface);
   notes.insert(notes.begin(), result.begin(), result.end());
-  if (grid.file) notes.push_back(fmt::format("its voxels are placed by {}; the surface is in {}", grid.file->placed_by, space_name(or_default(space))));
+  if (grid.file)
+    notes.push_back(fmt::format("its voxels are placed by {}; the surface is in {}", grid.file->placed_by,
+                                space_name(or_default(space))));
   for (const std::string& note : volume_notes(grid)) notes.push_back(note);
   OriginalShape<3> original;
   original.vertices = std::move(surface.vertices);

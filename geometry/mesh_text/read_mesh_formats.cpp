@@ -11,9 +11,11 @@ Space space_of_mesh(std::string_view bytes) {
   for (std::size_t n = 0; !head.empty(); ++n) {
     const std::size_t end = std::min(head.find_first_of("\r\n"), head.size());
     const std::string_view line = head.substr(0, end);
-    const bool is_comment = line.starts_with('#') || line.starts_with("comment") || line.starts_with("obj_info") || line.starts_with("format");
+    const bool is_comment = line.starts_with('#') || line.starts_with("comment") || line.starts_with("obj_info") ||
+                            line.starts_with("format");
     if (n > 0 && !line.empty() && !is_comment) return Space::unsaid;
-    if (const Space space = space_in_comment(n == 0 && !is_comment ? line.substr(0, 80) : line); space != Space::unsaid) return space;
+    if (const Space space = space_in_comment(n == 0 && !is_comment ? line.substr(0, 80) : line); space != Space::unsaid)
+      return space;
     head.remove_prefix(std::min(end + 1, head.size()));
   }
   return Space::unsaid;
@@ -40,15 +42,12 @@ void add_corner(const FilePosition& place, std::int64_t index, std::size_t n_ver
 }
 
 void add_polygon(std::vector<Index> polygon, OriginalShape<3>& shape, std::size_t& n_ignored) {
-  if (polygon.size() < 3)
-    ++n_ignored;
-  else
-    shape.polygons.push_back(std::move(polygon));
+  if (polygon.size() < 3) ++n_ignored;
+  else shape.polygons.push_back(std::move(polygon));
 }
 
 void note_ignored_polygons(std::size_t n_ignored, std::vector<std::string>& notes) {
-  if (n_ignored > 0)
-    notes.push_back(counted(n_ignored, "face", "faces") + " with fewer than three corners ignored");
+  if (n_ignored > 0) notes.push_back(counted(n_ignored, "face", "faces") + " with fewer than three corners ignored");
 }
 
 }  // namespace shellmatch

@@ -19,7 +19,8 @@ std::string shown(std::string_view word) {
   return word.size() > 24 ? text + "..." : text;
 }
 
-// Where the comment of a line begins. In the quotes around a field there is none; a quote that is not closed is a letter.
+// Where the comment of a line begins. In the quotes around a field there is none; a quote that is not closed is a
+// letter.
 std::size_t comment_in(std::string_view line, char comment) {
   if (!comment) return line.npos;
   std::size_t at = line.find(comment);

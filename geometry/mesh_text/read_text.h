@@ -27,7 +27,8 @@ bool equals_ignoring_case(std::string_view text, std::string_view lower_case_wor
 /// Cuts the next word off the front of `rest`; empty where there is none.
 std::string_view next_word(std::string_view& rest, std::string_view separators = " \t");
 
-/// The fields of a line between commas, without blanks at their ends; a field in quotes may hold commas, and quotes as "".
+/// The fields of a line between commas, without blanks at their ends; a field in quotes may hold commas, and quotes as
+/// "".
 std::vector<std::string_view> csv_fields(std::string_view line);
 /// The text of such a field, without its quotes.
 std::string csv_text(std::string_view field);
@@ -35,7 +36,8 @@ std::string csv_text(std::string_view field);
 /// The lines of a text one by one; ends of line may be LF, CR LF or CR. Keeps a view of the text.
 class LineReader {
  public:
-  /// `comment`: from this character on the rest of a line is ignored, unless it stands in quotes around a field; 0: nothing is.
+  /// `comment`: from this character on the rest of a line is ignored, unless it stands in quotes around a field; 0:
+  /// nothing is.
   LineReader(std::string path, std::string_view text, char comment = '#');
 
   /// Goes to the next line that is not blank; false at the end of the text.

@@ -16,7 +16,9 @@ namespace {
 
 using Rings = std::vector<std::vector<Vec<2>>>;
 
-bool is_named(const std::vector<std::string>& names, const std::string& part) { return std::ranges::find(names, part) != names.end(); }
+bool is_named(const std::vector<std::string>& names, const std::string& part) {
+  return std::ranges::find(names, part) != names.end();
+}
 
 // The areas that are asked for; others go.
 void choose(Drawing& drawing, const std::string& source, const std::string& part) {
@@ -25,7 +27,8 @@ void choose(Drawing& drawing, const std::string& source, const std::string& part
   // Parents stand before their children.
   for (const DrawnGroup& group : drawing.groups)
     group_is_meant.push_back(is_named(group.names, part) || (group.parent != no_group && group_is_meant[group.parent]));
-  const bool is_area = std::ranges::any_of(drawing.areas, [&](const DrawnArea& area) { return is_named(area.names, part); });
+  const bool is_area =
+      std::ranges::any_of(drawing.areas, [&](const DrawnArea& area) { return is_named(area.names, part); });
   std::vector<std::string> names;
   for (const DrawnArea& area : drawing.areas)
     if (!area.names.empty()) names.push_back(area.names.front());
@@ -34,7 +37,8 @@ void choose(Drawing& drawing, const std::string& source, const std::string& part
   });
   if (drawing.areas.empty())
     throw_input_error("{}: no area is named '{}'; {}", source, printable(part, 60),
-                      names.empty() ? "its areas have no names: leave out the colon and what follows" : "choose one of " + some_names(names));
+                      names.empty() ? "its areas have no names: leave out the colon and what follows"
+                                    : "choose one of " + some_names(names));
 }
 
 bool is_inside(const Vec<2>& x, const std::vector<Vec<2>>& ring) {
@@ -125,13 +129,15 @@ Rings rings_of(const DrawnArea& area, double tolerance, Counts& counts) {
 std::string some_names(const std::vector<std::string>& names) {
   constexpr std::size_t most = 10;
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += fmt::format("{}'{}'", i == 0 ? "" : ", ", printable(names[i], 40));
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", printable(names[i], 40));
   return text + (names.size() > most ? fmt::format(", ... ({} in all)", names.size()) : "");
 }
 
 DrawnOutline outline_of_drawing(Drawing drawing, const std::string& source, const std::string& part) {
-  if (drawing.areas.empty()) throw_input_error("{}: no area in it{}; draw the outline as a closed one", source,
-                                               drawing.notes.empty() ? "" : fmt::format(" ({})", fmt::join(drawing.notes, "; ")));
+  if (drawing.areas.empty())
+    throw_input_error("{}: no area in it{}; draw the outline as a closed one", source,
+                      drawing.notes.empty() ? "" : fmt::format(" ({})", fmt::join(drawing.notes, "; ")));
   choose(drawing, source, part);
   check_finite(drawing, source);
   DrawnOutline result{{}, std::move(drawing.notes), std::move(drawing.unit), {}};
@@ -140,7 +146,8 @@ DrawnOutline outline_of_drawing(Drawing drawing, const std::string& source, cons
   std::vector<std::string> names;
   // Of points in one place the diagonal is 0.
   const double tolerance = std::max(curve_tolerance * diagonal_of(drawing), std::numeric_limits<double>::min());
-  if (!(tolerance <= std::numeric_limits<double>::max())) throw_input_error("{}: its coordinates are too large; scale the drawing", source);
+  if (!(tolerance <= std::numeric_limits<double>::max()))
+    throw_input_error("{}: its coordinates are too large; scale the drawing", source);
   for (const DrawnArea& area : drawing.areas) {
     if (!area.names.empty()) names.push_back(area.names.front());
     for (const std::vector<Vec<2>>& ring : rings_of(area, tolerance, counts)) {
@@ -148,12 +155,14 @@ DrawnOutline outline_of_drawing(Drawing drawing, const std::string& source, cons
       for (const Vec<2>& x : ring) {
         polygon.push_back(static_cast<Index>(result.shape.vertices.size()));
         result.shape.vertices.push_back(result.shape.frame(x));
-        if (!result.shape.vertices.back().allFinite()) throw_input_error("{}: its coordinates are too large; scale the drawing", source);
+        if (!result.shape.vertices.back().allFinite())
+          throw_input_error("{}: its coordinates are too large; scale the drawing", source);
       }
       result.shape.polygons.push_back(std::move(polygon));
     }
   }
-  if (result.shape.polygons.empty()) throw_input_error("{}: what is drawn has no area: lines of two points; draw a closed outline", source);
+  if (result.shape.polygons.empty())
+    throw_input_error("{}: what is drawn has no area: lines of two points; draw a closed outline", source);
   const auto note = [&](std::string text) { result.notes.push_back(std::move(text)); };
   if (drawing.areas.size() > 1) {
     result.choices = some_names(names);
@@ -163,10 +172,13 @@ DrawnOutline outline_of_drawing(Drawing drawing, const std::string& source, cons
   if (counts.n_lines > 0) note(counted(counts.n_lines, "line", "lines") + " without area left out");
   if (counts.n_open > 0) note(counted(counts.n_open, "open path", "open paths") + " closed by a line");
   if (counts.n_inner > 0)
-    note(counted(counts.n_inner, "ring", "rings") + " within an area left out: the fill rule 'nonzero' fills both sides");
+    note(counted(counts.n_inner, "ring", "rings") +
+         " within an area left out: the fill rule 'nonzero' fills both sides");
   if (counts.n_curved > 0) note(fmt::format("curves flattened to {:g} diagonals", curve_tolerance));
   if (drawing.is_downward)
-    note("y points down in the file and up in the result: y = -y, also of landmarks given as CSV; give other points turned (docs/outlines.md)");
+    note(
+        "y points down in the file and up in the result: y = -y, also of landmarks given as CSV; give other points "
+        "turned (docs/outlines.md)");
   return result;
 }
 

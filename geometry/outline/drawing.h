@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Outlines from the files of drawing and annotation programs: the areas of a file by their names, and a shape out of them.
+/// Outlines from the files of drawing and annotation programs: the areas of a file by their names, and a shape out of
+/// them.
 
 #include "geometry/outline/drawn_path.h"
 #include "geometry/surface/surface.h"
@@ -25,7 +26,8 @@ struct DrawnArea {
   std::vector<std::string> names;  ///< by which it can be chosen
   std::size_t group = no_group;
   std::vector<DrawnPath> paths;
-  /// Where paths lie in each other an area is filled by the number of turns around a point ('nonzero'), else by their parity.
+  /// Where paths lie in each other an area is filled by the number of turns around a point ('nonzero'), else by their
+  /// parity.
   bool is_filled_by_turns = false;
 };
 
@@ -53,8 +55,8 @@ inline constexpr double curve_tolerance = 1e-4;
 /// Depth of groups within groups that is followed.
 inline constexpr int deepest_group = 100;
 
-/// The areas that are named `part`, else those in groups of that name, or all where `part` is empty: their paths as rings, y upward.
-/// \param source the whole name, for messages \throws InputError where there are none
+/// The areas that are named `part`, else those in groups of that name, or all where `part` is empty: their paths as
+/// rings, y upward. \param source the whole name, for messages \throws InputError where there are none
 DrawnOutline outline_of_drawing(Drawing drawing, const std::string& source, const std::string& part);
 
 /// Up to ten names for a message: "'a', 'b', ...".

@@ -82,7 +82,9 @@ void PathPen::arc_to(Vec<2> radii, double degrees, bool is_large, bool is_positi
   if (!std::isfinite(angle) || !centre.allFinite()) return line_to(x);
   std::vector<PathPiece>& pieces = open_path().pieces;
   for_each_cubic(centre, axes.col(0) * radii.x(), axes.col(1) * radii.y(), t0, angle,
-                 [&](const Vec<2>& first, const Vec<2>& second, const Vec<2>& to) { pieces.push_back({to, {first, second}, true}); });
+                 [&](const Vec<2>& first, const Vec<2>& second, const Vec<2>& to) {
+                   pieces.push_back({to, {first, second}, true});
+                 });
   pieces.back().end = at_ = x;
 }
 
@@ -106,8 +108,9 @@ DrawnPath path_through(const std::vector<Vec<2>>& points, bool is_closed) {
 
 DrawnPath ellipse_path(const Vec<2>& centre, const Vec<2>& a, const Vec<2>& b) {
   DrawnPath path{centre + a, {}, true};
-  for_each_cubic(centre, a, b, 0, 2 * pi,
-                 [&](const Vec<2>& first, const Vec<2>& second, const Vec<2>& to) { path.pieces.push_back({to, {first, second}, true}); });
+  for_each_cubic(centre, a, b, 0, 2 * pi, [&](const Vec<2>& first, const Vec<2>& second, const Vec<2>& to) {
+    path.pieces.push_back({to, {first, second}, true});
+  });
   path.pieces.back().end = path.start;
   return path;
 }

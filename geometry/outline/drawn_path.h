@@ -66,9 +66,9 @@ DrawnPath ellipse_path(const Vec<2>& centre, const Vec<2>& a, const Vec<2>& b);
 /// A rectangle, its corners rounded by quarters of ellipses. \pre radii of at most half its sides
 DrawnPath rectangle_path(const Vec<2>& corner, const Vec<2>& size, const Vec<2>& radii);
 
-/// Points of which the polygon is nowhere farther from the path than `tolerance`, by Wang's bound on the number of steps along a cubic
-/// (Wang, 'The subdivision method for finding the intersection between two Bezier curves or surfaces', 1984). A last point that repeats the
-/// first is left out. \pre tolerance > 0
+/// Points of which the polygon is nowhere farther from the path than `tolerance`, by Wang's bound on the number of
+/// steps along a cubic (Wang, 'The subdivision method for finding the intersection between two Bezier curves or
+/// surfaces', 1984). A last point that repeats the first is left out. \pre tolerance > 0
 std::vector<Vec<2>> flattened(const DrawnPath& path, double tolerance);
 
 }  // namespace shellmatch

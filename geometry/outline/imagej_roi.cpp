@@ -21,13 +21,15 @@ namespace shellmatch {
 namespace {
 
 enum RoiType { polygon, rectangle, oval, line, free_line, polyline, nothing, freehand, traced, angle, point };
-constexpr std::string_view type_names[] = {"a polygon", "a rectangle", "an oval", "a line", "a freehand line", "a line of segments",
-                                           "nothing", "a freehand area", "a traced area", "an angle", "points"};
+constexpr std::string_view type_names[] = {"a polygon",       "a rectangle",        "an oval", "a line",
+                                           "a freehand line", "a line of segments", "nothing", "a freehand area",
+                                           "a traced area",   "an angle",           "points"};
 
 // Where the parts of the header are, and what options say.
 namespace at {
-constexpr std::size_t version = 4, type = 6, top = 8, left = 10, bottom = 12, right = 14, n_points = 16, floats = 18, shape_size = 36, subtype = 48,
-                      options = 50, parameter = 52, arc_size = 54, second_header = 60, coordinates = 64, name_offset = 16, name_length = 20;
+constexpr std::size_t version = 4, type = 6, top = 8, left = 10, bottom = 12, right = 14, n_points = 16, floats = 18,
+                      shape_size = 36, subtype = 48, options = 50, parameter = 52, arc_size = 54, second_header = 60,
+                      coordinates = 64, name_offset = 16, name_length = 20;
 }
 constexpr int spline_fit = 1, sub_pixel = 128;
 constexpr int ellipse = 3, turned_rectangle = 5;
@@ -35,18 +37,24 @@ constexpr int ellipse = 3, turned_rectangle = 5;
 class RoiReader {
  public:
   /// \param name where the file has none \param place for messages: the file, or the part of the archive
-  RoiReader(std::string place, std::string_view bytes, std::string name) : place_(std::move(place)), bytes_(bytes), file_name_(std::move(name)) {
-    if (!bytes.starts_with("Iout")) throw_input_error("{}: no region of interest of ImageJ: it does not begin with 'Iout'", place_);
+  RoiReader(std::string place, std::string_view bytes, std::string name)
+      : place_(std::move(place)), bytes_(bytes), file_name_(std::move(name)) {
+    if (!bytes.starts_with("Iout"))
+      throw_input_error("{}: no region of interest of ImageJ: it does not begin with 'Iout'", place_);
     if (bytes.size() < at::coordinates) cut_off();
     type_ = byte(at::type);
-    if (type_ > point) throw_input_error("{}: the type {} of the region is unknown; save it from ImageJ as a polygon", place_, type_);
+    if (type_ > point)
+      throw_input_error("{}: the type {} of the region is unknown; save it from ImageJ as a polygon", place_, type_);
   }
 
   bool is_area() const {
-    return is_composite() || type_ == polygon || type_ == rectangle || type_ == oval || type_ == freehand || type_ == traced;
+    return is_composite() || type_ == polygon || type_ == rectangle || type_ == oval || type_ == freehand ||
+           type_ == traced;
   }
   std::string_view kind() const { return type_names[type_]; }
-  bool is_spline() const { return !is_composite() && (option(spline_fit)) && (type_ == polygon || type_ == freehand || type_ == traced); }
+  bool is_spline() const {
+    return !is_composite() && (option(spline_fit)) && (type_ == polygon || type_ == freehand || type_ == traced);
+  }
 
   DrawnArea area() const {
     DrawnArea result;
@@ -57,7 +65,9 @@ class RoiReader {
   }
 
  private:
-  [[noreturn]] void cut_off() const { throw_input_error("{}: the region is cut off or damaged; save it again", place_); }
+  [[noreturn]] void cut_off() const {
+    throw_input_error("{}: the region is cut off or damaged; save it again", place_);
+  }
 
   int byte(std::size_t where) const { return static_cast<unsigned char>(bytes_[where]); }
   std::uint32_t word(std::size_t where) const {
@@ -88,7 +98,8 @@ class RoiReader {
       auto c = static_cast<std::uint32_t>(byte(begin + 2 * i) << 8 | byte(begin + 2 * i + 1));
       if ((c & 0xfc00) == 0xd800 && i + 1 < n) {
         ++i;
-        c = 0x10000 + ((c & 0x3ff) << 10) + (static_cast<std::uint32_t>(byte(begin + 2 * i) << 8 | byte(begin + 2 * i + 1)) & 0x3ff);
+        c = 0x10000 + ((c & 0x3ff) << 10) +
+            (static_cast<std::uint32_t>(byte(begin + 2 * i) << 8 | byte(begin + 2 * i + 1)) & 0x3ff);
       }
       const auto put = [&](std::uint32_t bits, std::uint32_t mark) { name.push_back(static_cast<char>(mark | bits)); };
       if (c < 0x80) put(c, 0);
@@ -102,9 +113,11 @@ class RoiReader {
   DrawnPath path() const {
     const bool is_box = type_ == rectangle || type_ == oval;
     if (is_box) {
-      Vec<2> corner(half(at::left), half(at::top)), size(half(at::right) - half(at::left), half(at::bottom) - half(at::top));
+      Vec<2> corner(half(at::left), half(at::top)),
+          size(half(at::right) - half(at::left), half(at::bottom) - half(at::top));
       if (is_sub_pixel() && half(at::version) >= 223) corner = reals(at::floats), size = reals(at::floats + 8);
-      if (!(size.minCoeff() > 0) || !size.allFinite()) throw_input_error("{}: {} of {:g} x {:g} pixels has no area", place_, kind(), size.x(), size.y());
+      if (!(size.minCoeff() > 0) || !size.allFinite())
+        throw_input_error("{}: {} of {:g} x {:g} pixels has no area", place_, kind(), size.x(), size.y());
       if (type_ == oval) return ellipse_path(corner + size / 2, {size.x() / 2, 0}, {0, size.y() / 2});
       const double radius = std::max(0, half(at::arc_size)) / 2.0;
       return rectangle_path(corner, size, size.cwiseMin(Vec<2>::Constant(2 * radius)) / 2);
@@ -115,7 +128,8 @@ class RoiReader {
       const Vec<2> from = reals(at::floats), to = reals(at::floats + 8), along = (to - from) / 2;
       const Vec<2> across(-along.y(), along.x());
       const double parameter = real(at::parameter);
-      if (subtype == ellipse) return ellipse_path((from + to) / 2, along, std::min(1.0, std::max(0.0, parameter)) * across);
+      if (subtype == ellipse)
+        return ellipse_path((from + to) / 2, along, std::min(1.0, std::max(0.0, parameter)) * across);
       const Vec<2> side = parameter / 2 * across / across.norm();
       return path_through({from + side, to + side, to - side, from - side}, true);
     }
@@ -149,7 +163,9 @@ class RoiReader {
     for (std::size_t i = at::coordinates; i < end;) {
       const double kind = real(i);
       const std::size_t n_points = kind == 0 || kind == 1 ? 1 : kind == 2 ? 2 : kind == 3 ? 3 : 0;
-      if (n_points == 0 && kind != 4) throw_input_error("{}: a segment of its path is of the kind {:g}, which there is not; save it again", place_, kind);
+      if (n_points == 0 && kind != 4)
+        throw_input_error("{}: a segment of its path is of the kind {:g}, which there is not; save it again", place_,
+                          kind);
       i += 4;
       if (end - i < 8 * n_points) cut_off();
       const auto next = [&] {
@@ -184,16 +200,22 @@ void add_area(const RoiReader& roi, Drawing& drawing, std::size_t& n_splines) {
 
 void note_splines(std::size_t n, Drawing& drawing) {
   if (n > 0)
-    drawing.notes.push_back(counted(n, "area", "areas") + " fitted by a spline in ImageJ: the points that were clicked are taken; 'Interpolate' there keeps the curve");
+    drawing.notes.push_back(
+        counted(n, "area", "areas") +
+        " fitted by a spline in ImageJ: the points that were clicked are taken; 'Interpolate' there keeps the curve");
 }
 
-bool is_roi_name(std::string_view name) { return name.size() > 4 && equals_ignoring_case(name.substr(name.size() - 4), ".roi"); }
+bool is_roi_name(std::string_view name) {
+  return name.size() > 4 && equals_ignoring_case(name.substr(name.size() - 4), ".roi");
+}
 
 }  // namespace
 
 Drawing read_roi(const std::string& path, std::string_view bytes) {
   const RoiReader roi(path, bytes, std::filesystem::path(path).stem().string());
-  if (!roi.is_area()) throw_input_error("{}: {}, which bound no area; save an area: a polygon, rectangle, oval, freehand or traced one", path, roi.kind());
+  if (!roi.is_area())
+    throw_input_error("{}: {}, which bound no area; save an area: a polygon, rectangle, oval, freehand or traced one",
+                      path, roi.kind());
   Drawing drawing;
   drawing.is_downward = true;
   std::size_t n_splines = 0;
@@ -214,14 +236,20 @@ Drawing read_roi_set(const std::string& path, std::string_view bytes) {
     }
     const std::string part = *archive.part(name);
     // Parts of an honest archive do not lie on each other.
-    if ((n_unpacked += part.size()) / max_expansion > bytes.size()) throw_input_error("{}: its parts are larger than it can hold; the archive is damaged", path);
-    const RoiReader roi(fmt::format("{}: its part '{}'", path, printable(name, 60)), part, name.substr(0, name.size() - 4));
+    if ((n_unpacked += part.size()) / max_expansion > bytes.size())
+      throw_input_error("{}: its parts are larger than it can hold; the archive is damaged", path);
+    const RoiReader roi(fmt::format("{}: its part '{}'", path, printable(name, 60)), part,
+                        name.substr(0, name.size() - 4));
     if (roi.is_area()) add_area(roi, drawing, n_splines);
     else ++n_others;
   }
-  if (drawing.areas.empty() && n_others == 0) throw_input_error("{}: no regions of interest of ImageJ in the archive; save them from its ROI Manager ('Save...')", path);
+  if (drawing.areas.empty() && n_others == 0)
+    throw_input_error("{}: no regions of interest of ImageJ in the archive; save them from its ROI Manager ('Save...')",
+                      path);
   note_splines(n_splines, drawing);
-  if (n_others > 0) drawing.notes.push_back(counted(n_others, "region", "regions") + " that bound no area left out: lines, angles, points");
+  if (n_others > 0)
+    drawing.notes.push_back(counted(n_others, "region", "regions") +
+                            " that bound no area left out: lines, angles, points");
   if (n_files > 0) drawing.notes.push_back(counted(n_files, "other file", "other files") + " in the archive left out");
   return drawing;
 }

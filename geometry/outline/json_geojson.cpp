@@ -35,7 +35,10 @@ class GeoJsonReader {
     note(n_nuclei_, "nucleus", "nuclei", " of cells left out: the cells' own borders are taken");
     note(n_empty_, "object", "objects", " without geometry left out");
     if (is_of_qupath_) drawing_.notes.push_back("GeoJSON of QuPath (objectType): coordinates are pixels");
-    else drawing_.notes.push_back("GeoJSON without QuPath's objectType: y points up, coordinates as they stand; degrees are no lengths: project them");
+    else
+      drawing_.notes.push_back(
+          "GeoJSON without QuPath's objectType: y points up, coordinates as they stand; degrees are no lengths: "
+          "project them");
     return std::move(drawing_);
   }
 
@@ -53,7 +56,8 @@ class GeoJsonReader {
   std::string where() const { return n_features_ == 0 ? path_ : fmt::format("{}, feature {}", path_, n_features_); }
   const Json& list_in(const Json& object, const char* name, std::string_view type) const {
     const Json* list = member(object, name);
-    if (!list || !list->is_array()) throw_input_error("{}: a {} has no list '{}'; export it again", where(), printable(type, 30), name);
+    if (!list || !list->is_array())
+      throw_input_error("{}: a {} has no list '{}'; export it again", where(), printable(type, 30), name);
     return *list;
   }
 
@@ -89,7 +93,8 @@ class GeoJsonReader {
       if (const Json* group = member(*properties, "classification")) put_in_group(text_of(*group, "name"));
     }
     if (!id.empty() && !is_kind) names.push_back(id);
-    is_of_qupath_ = is_of_qupath_ || is_kind || (properties && (member(*properties, "objectType") || member(*properties, "object_type")));
+    is_of_qupath_ = is_of_qupath_ || is_kind ||
+                    (properties && (member(*properties, "objectType") || member(*properties, "object_type")));
     n_nuclei_ += member(feature, "nucleusGeometry") != nullptr;
     if (const Json* geometry = member(feature, "geometry")) read_geometry(*geometry, 0);
     else ++n_empty_;
@@ -114,13 +119,15 @@ class GeoJsonReader {
     } else if (type == "MultiPolygon") {
       for (const Json& polygon : list_in(geometry, "coordinates", type)) read_polygon(polygon);
     } else if (type == "GeometryCollection") {
-      if (depth > deepest_group) throw_input_error("{}: collections are nested more than {} deep", where(), deepest_group);
+      if (depth > deepest_group)
+        throw_input_error("{}: collections are nested more than {} deep", where(), deepest_group);
       for (const Json& part : list_in(geometry, "geometries", type)) read_geometry(part, depth + 1);
     } else if (type == "Point" || type == "MultiPoint" || type == "LineString" || type == "MultiLineString") {
       ++n_others_;
     } else {
-      throw_input_error("{}: {}; expected a FeatureCollection, Feature, Polygon or MultiPolygon of GeoJSON", where(),
-                        type.empty() ? "an object without 'type'" : fmt::format("the type '{}' is unknown", printable(type, 30)));
+      throw_input_error(
+          "{}: {}; expected a FeatureCollection, Feature, Polygon or MultiPolygon of GeoJSON", where(),
+          type.empty() ? "an object without 'type'" : fmt::format("the type '{}' is unknown", printable(type, 30)));
     }
   }
 

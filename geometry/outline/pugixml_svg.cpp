@@ -96,9 +96,11 @@ class SvgReader {
     if (std::isfinite(scale) && scale > 0) {
       drawing_.scale = scale;
       drawing_.unit = "mm";
-      drawing_.notes.push_back(fmt::format("in millimetres: a unit of the drawing has {:.6g}, by its width and height", scale));
+      drawing_.notes.push_back(
+          fmt::format("in millimetres: a unit of the drawing has {:.6g}, by its width and height", scale));
     } else {
-      drawing_.notes.push_back("coordinates are units of the drawing: its width and height are no lengths such as 210mm");
+      drawing_.notes.push_back(
+          "coordinates are units of the drawing: its width and height are no lengths such as 210mm");
     }
     return whole;
   }
@@ -123,7 +125,8 @@ class SvgReader {
     if (node.type() != pugi::node_element) return;
     const std::string_view name = local_name(node);
     const bool is_nested = name == "svg", is_group = is_nested || name == "g" || name == "a" || name == "switch";
-    const bool is_shape = name == "path" || name == "polygon" || name == "polyline" || name == "rect" || name == "circle" || name == "ellipse";
+    const bool is_shape = name == "path" || name == "polygon" || name == "polyline" || name == "rect" ||
+                          name == "circle" || name == "ellipse";
     if (!is_group && !is_shape) {
       for (const std::string_view what : {"use", "text", "image", "foreignObject", "line"})
         if (name == what) left_out_.insert(what);
@@ -132,13 +135,16 @@ class SvgReader {
     if (property_of(node, "display") == "none" || property_of(node, "visibility") == "hidden") return;
     const std::string_view id = attribute_of(node, "id"), label = attribute_of(node, "label");
     place_ = fmt::format("{}: <{}>{}", path_, name, id.empty() ? "" : fmt::format(" '{}'", printable(id, 60)));
-    if (const std::string_view text = attribute_of(node, "transform"); !text.empty()) around.place = around.place * svg_transform({text, place_});
-    if (const std::string_view rule = property_of(node, "fill-rule"); !rule.empty() && rule != "inherit") around.is_filled_by_turns = rule != "evenodd";
+    if (const std::string_view text = attribute_of(node, "transform"); !text.empty())
+      around.place = around.place * svg_transform({text, place_});
+    if (const std::string_view rule = property_of(node, "fill-rule"); !rule.empty() && rule != "inherit")
+      around.is_filled_by_turns = rule != "evenodd";
     std::vector<std::string> names;
     for (const std::string_view own : {id, label})
       if (!own.empty()) names.emplace_back(own);
     if (is_shape) return add(names, paths_of(node, name, around.whole), around);
-    if (++around.depth > deepest_group) throw_input_error("{}: groups are nested more than {} deep; ungroup them", path_, deepest_group);
+    if (++around.depth > deepest_group)
+      throw_input_error("{}: groups are nested more than {} deep; ungroup them", path_, deepest_group);
     if (is_nested) {
       Vec<2> inner;
       around.place = around.place * viewport(node, around.whole, inner);
@@ -157,16 +163,20 @@ class SvgReader {
       const std::vector<Vec<2>> points = svg_points({attribute_of(node, "points"), place_});
       return points.empty() ? std::vector<DrawnPath>() : std::vector{path_through(points, name == "polygon")};
     }
-    const auto along = [&](std::string_view attribute, int axis, double absent = 0) { return length(node, attribute, whole[axis], absent); };
+    const auto along = [&](std::string_view attribute, int axis, double absent = 0) {
+      return length(node, attribute, whole[axis], absent);
+    };
     if (name == "rect") {
       const Vec<2> size(along("width", 0), along("height", 1));
       if (!(size.minCoeff() > 0)) return {};
       const double rx = along("rx", 0, -1), ry = along("ry", 1, -1);
       const Vec<2> radii(rx < 0 ? std::max(0.0, ry) : rx, ry < 0 ? std::max(0.0, rx) : ry);
-      return {rectangle_path({along("x", 0), along("y", 1)}, size, radii.minCoeff() > 0 ? Vec<2>(radii.cwiseMin(size / 2)) : Vec<2>(Vec<2>::Zero()))};
+      return {rectangle_path({along("x", 0), along("y", 1)}, size,
+                             radii.minCoeff() > 0 ? Vec<2>(radii.cwiseMin(size / 2)) : Vec<2>(Vec<2>::Zero()))};
     }
     const double diagonal = whole.norm() / std::sqrt(2.0);
-    const double r = length(node, "r", diagonal), rx = name == "circle" ? r : along("rx", 0, along("ry", 1)), ry = name == "circle" ? r : along("ry", 1, rx);
+    const double r = length(node, "r", diagonal), rx = name == "circle" ? r : along("rx", 0, along("ry", 1)),
+                 ry = name == "circle" ? r : along("ry", 1, rx);
     if (!(rx > 0) || !(ry > 0)) return {};
     return {ellipse_path({along("cx", 0), along("cy", 1)}, {rx, 0}, {0, ry})};
   }

@@ -20,8 +20,8 @@ constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' &&
 }  // namespace
 
 void SvgNumbers::fail(std::string_view expected) const {
-  throw_input_error("{}: at byte {} of '{}' expected {}; correct it or save the drawing again", source_.place, source_.text.size() - rest_.size() + 1,
-                    printable(source_.text, 60), expected);
+  throw_input_error("{}: at byte {} of '{}' expected {}; correct it or save the drawing again", source_.place,
+                    source_.text.size() - rest_.size() + 1, printable(source_.text, 60), expected);
 }
 
 void SvgNumbers::drop(std::size_t n) {
@@ -87,9 +87,15 @@ SvgLength svg_length(const SvgText& text, double whole) {
   while (!unit.empty() && is_blank(unit.back())) unit.remove_suffix(1);
   if (unit.empty() || unit == "px") return {value};
   if (unit == "%") return {value / 100 * whole};
-  for (const auto& [name, length] : {std::pair<std::string_view, double>{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6}, {"Q", 0.25}})
+  for (const auto& [name, length] : {std::pair<std::string_view, double>{"mm", 1},
+                                     {"cm", 10},
+                                     {"in", 25.4},
+                                     {"pt", 25.4 / 72},
+                                     {"pc", 25.4 / 6},
+                                     {"Q", 0.25}})
     if (unit == name) return {value * length / millimetres_per_user_unit, value * length};
-  throw_input_error("{}: the unit '{}' of '{}' cannot be used; expected px, mm, cm, in, pt, pc, Q or %", text.place, printable(unit, 20), printable(text.text, 30));
+  throw_input_error("{}: the unit '{}' of '{}' cannot be used; expected px, mm, cm, in, pt, pc, Q or %", text.place,
+                    printable(unit, 20), printable(text.text, 30));
 }
 
 PlaneMap svg_transform(const SvgText& text) {
@@ -122,7 +128,8 @@ PlaneMap svg_transform(const SvgText& text) {
     } else if (name == "skewY" && v.size() == 1) {
       step.linear(1, 0) = std::tan(angle);
     } else {
-      throw_input_error("{}: the transformation '{}' with {} numbers is unknown", text.place, printable(name, 30), v.size());
+      throw_input_error("{}: the transformation '{}' with {} numbers is unknown", text.place, printable(name, 30),
+                        v.size());
     }
     map = map * step;
   }
@@ -150,9 +157,12 @@ std::vector<DrawnPath> svg_paths(const SvgText& text) {
       command = command == 'M' ? 'L' : 'l';  // further points of a move are lines
     }
     const Vec<2> from = pen.position(), base = command >= 'a' ? from : Vec<2>(Vec<2>::Zero());
-    const char kind = command >= 'a' ? static_cast<char>(command - 'a' + 'A') : command, last = before >= 'a' ? static_cast<char>(before - 'a' + 'A') : before;
+    const char kind = command >= 'a' ? static_cast<char>(command - 'a' + 'A') : command,
+               last = before >= 'a' ? static_cast<char>(before - 'a' + 'A') : before;
     const auto point = [&]() -> Vec<2> { return base + numbers.next_point(); };
-    const auto reflected = [&](char a, char b) -> Vec<2> { return last == a || last == b ? Vec<2>(2 * from - control) : from; };
+    const auto reflected = [&](char a, char b) -> Vec<2> {
+      return last == a || last == b ? Vec<2>(2 * from - control) : from;
+    };
     switch (kind) {
       case 'M': pen.move_to(point()); break;
       case 'L': pen.line_to(point()); break;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The texts of SVG's attributes: numbers, lengths, transformations, path data (https://www.w3.org/TR/SVG2/paths.html, 9.3).
+/// The texts of SVG's attributes: numbers, lengths, transformations, path data
+/// (https://www.w3.org/TR/SVG2/paths.html, 9.3).
 
 #include "geometry/outline/drawn_path.h"
 
@@ -45,7 +46,7 @@ class SvgNumbers {
 /// A length with its unit. \param whole what 100 % is \throws InputError where it is none
 struct SvgLength {
   double user_units = 0;
-  double millimetres = 0;    ///< of mm, cm, in, pt, pc and Q; 0 of others
+  double millimetres = 0;  ///< of mm, cm, in, pt, pc and Q; 0 of others
 };
 SvgLength svg_length(const SvgText& text, double whole);
 

@@ -59,7 +59,8 @@ class TpsReader {
     } else if (is("scale")) {
       begin_unless(!current().scale);
       const std::optional<double> scale = to_double(value);
-      if (!scale || !std::isfinite(*scale) || !(*scale > 0)) lines_.fail("SCALE is '{}'; expected a number above 0", printable(value, 30));
+      if (!scale || !std::isfinite(*scale) || !(*scale > 0))
+        lines_.fail("SCALE is '{}'; expected a number above 0", printable(value, 30));
       current().scale = scale;
     } else if (is("comment")) {
       if (const Space space = space_in_comment(value); space != Space::unsaid) current().space = space;
@@ -109,7 +110,8 @@ class TpsReader {
         continue;
       }
       const std::optional<double> value = to_double(word);
-      if (!value || !std::isfinite(*value)) lines_.fail("'{}' is no number; {} has {} with '.' as the decimal sign", printable(word, 30), what, dimension);
+      if (!value || !std::isfinite(*value))
+        lines_.fail("'{}' is no number; {} has {} with '.' as the decimal sign", printable(word, 30), what, dimension);
       x[k] = *value;
     }
     if (!next_word(rest, " \t").empty()) lines_.fail("more numbers than the {} of a {}", dimension, what);
@@ -146,9 +148,12 @@ std::string stem(const std::string& image) {
 
 }  // namespace
 
-std::vector<TpsSpecimen> parse_tps(const std::string& path, std::string_view bytes) { return TpsReader(path, bytes).take(); }
+std::vector<TpsSpecimen> parse_tps(const std::string& path, std::string_view bytes) {
+  return TpsReader(path, bytes).take();
+}
 
-const TpsSpecimen& chosen_specimen(const std::vector<TpsSpecimen>& specimens, const std::string& path, const std::string& part) {
+const TpsSpecimen& chosen_specimen(const std::vector<TpsSpecimen>& specimens, const std::string& path,
+                                   const std::string& part) {
   std::vector<std::string> names;
   for (const TpsSpecimen& s : specimens)
     if (s.id || s.image) names.push_back(s.id ? *s.id : stem(*s.image));
@@ -156,7 +161,8 @@ const TpsSpecimen& chosen_specimen(const std::vector<TpsSpecimen>& specimens, co
     if (specimens.size() == 1) return specimens.front();
     throw_input_error("{}: {} specimens in it; {}", path, specimens.size(),
                       names.empty() ? "give each an ID=, by which one can be chosen"
-                                    : fmt::format("choose one by its ID, as in \"{}:{}\": {}", path, printable(names.front(), 60), some_names(names)));
+                                    : fmt::format("choose one by its ID, as in \"{}:{}\": {}", path,
+                                                  printable(names.front(), 60), some_names(names)));
   }
   const auto only = [&](auto is_it) -> const TpsSpecimen* {
     const auto found = std::ranges::find_if(specimens, is_it);
@@ -166,9 +172,12 @@ const TpsSpecimen& chosen_specimen(const std::vector<TpsSpecimen>& specimens, co
     return &*found;
   };
   if (const TpsSpecimen* s = only([&](const TpsSpecimen& specimen) { return specimen.id == part; })) return *s;
-  if (const TpsSpecimen* s = only([&](const TpsSpecimen& specimen) { return specimen.image && (*specimen.image == part || stem(*specimen.image) == part); }))
+  if (const TpsSpecimen* s = only([&](const TpsSpecimen& specimen) {
+        return specimen.image && (*specimen.image == part || stem(*specimen.image) == part);
+      }))
     return *s;
-  throw_input_error("{}: no specimen has the ID '{}'; {}", path, printable(part, 60), names.empty() ? "none has one" : "there are " + some_names(names));
+  throw_input_error("{}: no specimen has the ID '{}'; {}", path, printable(part, 60),
+                    names.empty() ? "none has one" : "there are " + some_names(names));
 }
 
 std::string scale_note(const std::vector<TpsSpecimen>& specimens, const TpsSpecimen& chosen) {
@@ -181,12 +190,14 @@ template <int Dim>
 std::vector<std::optional<Vec<Dim>>> scaled_landmarks(const TpsSpecimen& specimen, const std::string& path) {
   if (specimen.landmarks.empty()) throw_input_error("{}: no landmarks in it: LM= or LM3= is missing or 0", path);
   if (specimen.dimension != Dim)
-    throw_input_error("{}: {}= holds points of {}, but the shapes are of {}", path, specimen.dimension == 2 ? "LM" : "LM3",
-                      specimen.dimension == 2 ? "the plane" : "space", Dim == 2 ? "the plane" : "space");
+    throw_input_error("{}: {}= holds points of {}, but the shapes are of {}", path,
+                      specimen.dimension == 2 ? "LM" : "LM3", specimen.dimension == 2 ? "the plane" : "space",
+                      Dim == 2 ? "the plane" : "space");
   std::vector<std::optional<Vec<Dim>>> points;
   for (const std::optional<Vec<3>>& x : specimen.landmarks) {
     points.push_back(x ? std::optional<Vec<Dim>>(specimen.factor() * x->head<Dim>()) : std::nullopt);
-    if (x && !points.back()->allFinite()) throw_input_error("{}: landmark {} is too large for its SCALE=", path, points.size());
+    if (x && !points.back()->allFinite())
+      throw_input_error("{}: landmark {} is too large for its SCALE=", path, points.size());
   }
   return points;
 }
@@ -194,8 +205,10 @@ std::vector<std::optional<Vec<Dim>>> scaled_landmarks(const TpsSpecimen& specime
 template std::vector<std::optional<Vec<2>>> scaled_landmarks<2>(const TpsSpecimen&, const std::string&);
 template std::vector<std::optional<Vec<3>>> scaled_landmarks<3>(const TpsSpecimen&, const std::string&);
 
-void append_tps_specimen(std::string& text, std::string_view name, std::span<const double> coordinates, std::size_t dimension, Space space) {
-  SHELLMATCH_CHECK((dimension == 2 || dimension == 3) && coordinates.size() % dimension == 0, "points have 2 or 3 coordinates each");
+void append_tps_specimen(std::string& text, std::string_view name, std::span<const double> coordinates,
+                         std::size_t dimension, Space space) {
+  SHELLMATCH_CHECK((dimension == 2 || dimension == 3) && coordinates.size() % dimension == 0,
+                   "points have 2 or 3 coordinates each");
   fmt::format_to(std::back_inserter(text), "LM{}={}\n", dimension == 3 ? "3" : "", coordinates.size() / dimension);
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (std::isnan(coordinates[i])) text += "NA";

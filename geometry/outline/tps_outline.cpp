@@ -19,8 +19,11 @@ class CurveChains {
   explicit CurveChains(const std::vector<TpsCurve>& curves) {
     for (const TpsCurve& curve : curves) {
       if (curve.points.empty()) continue;
-      if (curve.is_closed || curve.points.front() == curve.points.back()) paths_.push_back(path_through(curve.points, true));
-      else ends_.push_back({&curve, at_end_.emplace(key(curve.points.front()), ends_.size()), at_end_.emplace(key(curve.points.back()), ends_.size())});
+      if (curve.is_closed || curve.points.front() == curve.points.back())
+        paths_.push_back(path_through(curve.points, true));
+      else
+        ends_.push_back({&curve, at_end_.emplace(key(curve.points.front()), ends_.size()),
+                         at_end_.emplace(key(curve.points.back()), ends_.size())});
     }
     for (Ends& first : ends_) {
       if (is_used(first)) continue;
@@ -74,8 +77,8 @@ Drawing read_tps_outline(const std::string& path, std::string_view bytes, const 
   const std::vector<TpsSpecimen> specimens = parse_tps(path, bytes);
   const TpsSpecimen& specimen = chosen_specimen(specimens, path, part);
   if (specimen.curves.empty())
-    throw_input_error("{}: {}landmarks, but neither CURVES= nor OUTLINES=: no outline; landmarks are for --landmarks", path,
-                      part.empty() ? "" : printable(part, 60) + " has ");
+    throw_input_error("{}: {}landmarks, but neither CURVES= nor OUTLINES=: no outline; landmarks are for --landmarks",
+                      path, part.empty() ? "" : printable(part, 60) + " has ");
   Drawing drawing;
   drawing.scale = specimen.factor();
   DrawnArea area;
@@ -83,7 +86,8 @@ Drawing read_tps_outline(const std::string& path, std::string_view bytes, const 
   if (!part.empty()) area.names.push_back(part);
   area.paths = chains.take();
   drawing.areas.push_back(std::move(area));
-  if (const std::size_t n = chains.n_joined(); n > 0) drawing.notes.push_back(fmt::format("{} curves joined where they meet", n + 1));
+  if (const std::size_t n = chains.n_joined(); n > 0)
+    drawing.notes.push_back(fmt::format("{} curves joined where they meet", n + 1));
   if (std::string note = scale_note(specimens, specimen); !note.empty()) drawing.notes.push_back(std::move(note));
   return drawing;
 }

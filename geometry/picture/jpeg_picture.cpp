@@ -17,7 +17,8 @@ Picture read_jpeg(const std::string& path, std::string_view bytes) {
   const std::unique_ptr<void, Closed> handle(tjInitDecompress());
   const auto check = [&](int result) {
     if (result != 0)
-      throw_input_error("{}: the JPEG image is cut off or damaged ({}); save it again", path, tjGetErrorStr2(handle.get()));
+      throw_input_error("{}: the JPEG image is cut off or damaged ({}); save it again", path,
+                        tjGetErrorStr2(handle.get()));
   };
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
   int width = 0, height = 0, subsampling = 0, colours = 0;
@@ -28,7 +29,8 @@ Picture read_jpeg(const std::string& path, std::string_view bytes) {
   const bool is_grey = colours == TJCS_GRAY;
   const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height), n_parts = is_grey ? 1 : 3;
   std::vector<unsigned char> pixels(n * n_parts);
-  check(tjDecompress2(handle.get(), data, bytes.size(), pixels.data(), width, 0, height, is_grey ? TJPF_GRAY : TJPF_RGB, TJFLAG_LIMITSCANS));
+  check(tjDecompress2(handle.get(), data, bytes.size(), pixels.data(), width, 0, height, is_grey ? TJPF_GRAY : TJPF_RGB,
+                      TJFLAG_LIMITSCANS));
   Picture picture{{width, height, {}}, {}, is_grey ? PictureKind::grey : PictureKind::colour, true};
   picture.brightness.values.reserve(n);
   picture.values.reserve(n);

@@ -31,7 +31,8 @@ VoxelChoice parse_choice(std::string_view text, const std::string& source, std::
   if (text.starts_with('>')) {
     const auto above = number_of<double>(text.substr(1));
     if (!above || !std::isfinite(*above))
-      throw_input_error("{}: '{}' after the last colon is no threshold; write a number, as in \"{}:>0.5\"", source, text, example);
+      throw_input_error("{}: '{}' after the last colon is no threshold; write a number, as in \"{}:>0.5\"", source,
+                        text, example);
     choice.above = *above;
     return choice;
   }
@@ -46,8 +47,11 @@ VoxelChoice parse_choice(std::string_view text, const std::string& source, std::
     if (comma == rest.npos) return choice;
     rest.remove_prefix(comma + 1);
   }
-  throw_input_error("{0}: '{1}' after the last colon names no labels; write whole numbers up to {2:.0f}, as in {3}:3 or {3}:1,2, or a "
-                    "threshold, as in \"{3}:>0.5\"", source, text, largest_label, example);
+  throw_input_error(
+      "{0}: '{1}' after the last colon names no labels; write whole numbers up to {2:.0f}, as in {3}:3 or {3}:1,2, or "
+      "a "
+      "threshold, as in \"{3}:>0.5\"",
+      source, text, largest_label, example);
 }
 
 bool VoxelChoice::contains(float value) const {

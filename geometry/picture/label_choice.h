@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What is chosen of a volume or a picture: the text after the colon of "scan.nii.gz:3", "mask.png:1,2", "map.mha:>0.5".
+/// What is chosen of a volume or a picture: the text after the colon of "scan.nii.gz:3", "mask.png:1,2",
+/// "map.mha:>0.5".
 
 #include <string>
 #include <string_view>
@@ -15,7 +16,8 @@ inline constexpr double largest_label = 16777216;
 struct VoxelChoice {
   std::vector<double> labels;
   double above = 0;
-  std::string segment = {};  ///< of an NRRD, by its name: read_volume_part() (geometry/volume/volume_file.h) finds its label
+  std::string segment =
+      {};  ///< of an NRRD, by its name: read_volume_part() (geometry/volume/volume_file.h) finds its label
 
   bool contains(float value) const;
   /// "label 3", "labels 1, 2", "everything above 0"

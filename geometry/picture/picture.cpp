@@ -8,9 +8,11 @@
 namespace shellmatch {
 
 void check_picture_size(std::int64_t width, std::int64_t height, const std::string& path) {
-  if (width <= 0 || height <= 0) throw_input_error("{}: the picture has {} x {} pixels; save it again", path, width, height);
+  if (width <= 0 || height <= 0)
+    throw_input_error("{}: the picture has {} x {} pixels; save it again", path, width, height);
   if (width > max_pixels || height > max_pixels || width * height > max_pixels)
-    throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height, max_pixels / 1'000'000);
+    throw_input_error("{}: {} x {} pixels; up to {} million are read: scale the image", path, width, height,
+                      max_pixels / 1'000'000);
 }
 
 float luminance(unsigned char red, unsigned char green, unsigned char blue) {

@@ -17,7 +17,8 @@ struct GreyImage {
   float at(int column, int row) const { return values[static_cast<std::size_t>(row) * width + column]; }
 };
 
-/// What the values of a picture are: those of the file, the numbers of its palette's colours, or luminances where the file has colours.
+/// What the values of a picture are: those of the file, the numbers of its palette's colours, or luminances where the
+/// file has colours.
 enum class PictureKind { grey, palette, colour };
 
 /// A picture as its file has it.
@@ -25,21 +26,23 @@ struct Picture {
   GreyImage brightness;       ///< of a transparent pixel 0; of a colour its luminance
   std::vector<float> values;  ///< as `kind` says; of colours whole numbers from 0 to 255
   PictureKind kind = PictureKind::grey;
-  bool is_lossy = false;           ///< compressed so that values change a little: no labels
+  bool is_lossy = false;                ///< compressed so that values change a little: no labels
   std::vector<std::string> notes = {};  ///< what of the file was left out
 };
 
-/// Largest number of pixels that is read: 4096 x 4096, for which the reader takes 0.6 GB. A small file may declare any size.
+/// Largest number of pixels that is read: 4096 x 4096, for which the reader takes 0.6 GB. A small file may declare any
+/// size.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 24;
 
 /// \throws InputError where a picture has no pixels or more than are read
 void check_picture_size(std::int64_t width, std::int64_t height, const std::string& path);
 
-/// Luminance of a colour, encoded as grey values are (IEC 61966-2-1): full red is 0.5, green 0.86 and blue 0.3. Components from 0 to 255.
+/// Luminance of a colour, encoded as grey values are (IEC 61966-2-1): full red is 0.5, green 0.86 and blue 0.3.
+/// Components from 0 to 255.
 float luminance(unsigned char red, unsigned char green, unsigned char blue);
 
-/// TIFF: grey and labels of 8, 16 and 32 bits, whole or floating, palettes, and what libtiff turns into colours. The first page.
-/// \throws InputError where the file is cut off or damaged.
+/// TIFF: grey and labels of 8, 16 and 32 bits, whole or floating, palettes, and what libtiff turns into colours. The
+/// first page. \throws InputError where the file is cut off or damaged.
 Picture read_tiff(const std::string& path, std::string_view bytes);
 /// JPEG. \throws as above.
 Picture read_jpeg(const std::string& path, std::string_view bytes);

@@ -69,8 +69,8 @@ class Areas {
         }
         if (column == 0 || at(column - 1, row) != value) seen.insert(value);
         if (seen.size() > most_labels) return;
-        const bool fills = column + 1 < width && row + 1 < height && at(column + 1, row) == value && at(column, row + 1) == value &&
-                           at(column + 1, row + 1) == value;
+        const bool fills = column + 1 < width && row + 1 < height && at(column + 1, row) == value &&
+                           at(column, row + 1) == value && at(column + 1, row + 1) == value;
         if (fills && (filling.empty() || value != last)) filling.insert(last = value);
         if (value == 0) continue;
         ++n_inside;
@@ -97,7 +97,8 @@ std::optional<TwoValues> two_values(const Picture& picture) {
   const auto& values = picture.values;
   const auto other = std::find_if(values.begin(), values.end(), [&](float v) { return v != values.front(); });
   if (other == values.end()) return std::nullopt;
-  if (!std::all_of(other, values.end(), [&](float v) { return v == values.front() || v == *other; })) return std::nullopt;
+  if (!std::all_of(other, values.end(), [&](float v) { return v == values.front() || v == *other; }))
+    return std::nullopt;
   const auto& brightness = picture.brightness.values;
   const float first = brightness.front(), second = brightness[static_cast<std::size_t>(other - values.begin())];
   // Values of 16 bits may differ where their brightness does not.
@@ -105,17 +106,22 @@ std::optional<TwoValues> two_values(const Picture& picture) {
   return ascending ? TwoValues{values.front(), *other} : TwoValues{*other, values.front()};
 }
 
-GreyImage chosen_shape(const Picture& picture, const VoxelChoice& choice, const std::string& source, std::vector<std::string>& notes) {
+GreyImage chosen_shape(const Picture& picture, const VoxelChoice& choice, const std::string& source,
+                       std::vector<std::string>& notes) {
   if (!choice.labels.empty() && (picture.is_lossy || picture.kind == PictureKind::colour))
-    throw_input_error("{}: the picture has {}, no labels; choose by brightness from 0 to 255, as in \"mask.png:>100\", or save labels as grey values",
-                      source, picture.is_lossy ? "values that its compression changed" : "colours");
+    throw_input_error(
+        "{}: the picture has {}, no labels; choose by brightness from 0 to 255, as in \"mask.png:>100\", or save "
+        "labels as grey values",
+        source, picture.is_lossy ? "values that its compression changed" : "colours");
   GreyImage image = image_of(picture, [&](std::size_t i) { return choice.contains(picture.values[i]) ? 1 : 0; });
   const auto n = std::ranges::count(image.values, 1.0f);
   const auto [least, most] = std::ranges::minmax_element(picture.values);
   if (n == 0)
-    throw_input_error("{}: no pixel is in the shape ({}); the values are from {:g} to {:g}: {}", source, choice.text(), *least, *most, some_values(picture));
+    throw_input_error("{}: no pixel is in the shape ({}); the values are from {:g} to {:g}: {}", source, choice.text(),
+                      *least, *most, some_values(picture));
   if (n == static_cast<std::ptrdiff_t>(image.values.size()))
-    throw_input_error("{}: every pixel is in the shape ({}); the values are from {:g} to {:g}", source, choice.text(), *least, *most);
+    throw_input_error("{}: every pixel is in the shape ({}); the values are from {:g} to {:g}", source, choice.text(),
+                      *least, *most);
   notes.push_back(fmt::format("{}: {} pixels", choice.text(), n));
   return image;
 }
@@ -135,10 +141,11 @@ GreyImage shape_of_picture(const Picture& picture, const std::optional<VoxelChoi
   if (!picture.is_lossy && share_of_rim(picture, [&](std::size_t i) { return values[i] == 0; }) > 0.5) {
     const Areas areas(picture);
     if (areas.are_labels) {
-      notes.push_back(fmt::format("a picture of {} {} (0, the background, not counted; values {}): all that is not {} is the shape{}", areas.n_values - 1,
-                                  picture.kind == PictureKind::colour ? "colours" : "labels", some_values(picture),
-                                  picture.kind == PictureKind::colour ? "black" : "0",
-                                  picture.kind == PictureKind::colour ? "" : "; FILE:N chooses the label N"));
+      notes.push_back(fmt::format(
+          "a picture of {} {} (0, the background, not counted; values {}): all that is not {} is the shape{}",
+          areas.n_values - 1, picture.kind == PictureKind::colour ? "colours" : "labels", some_values(picture),
+          picture.kind == PictureKind::colour ? "black" : "0",
+          picture.kind == PictureKind::colour ? "" : "; FILE:N chooses the label N"));
       return image_of(picture, [&](std::size_t i) { return values[i] != 0 ? 1 : 0; });
     }
   }
@@ -150,8 +157,11 @@ GreyImage shape_of_picture(const Picture& picture, const std::optional<VoxelChoi
   }
   const auto [least, most] = std::ranges::minmax_element(values);
   if (picture.kind == PictureKind::grey && !is_uniform && *std::ranges::max_element(brightness) <= half_of_white)
-    throw_input_error("{0}: no pixel is brighter than half of white, and the values, from {1:g} to {2:g}, are not labels that fill areas; choose a "
-                      "threshold, as in \"{0}:>{3:g}\"", source, *least, *most, std::floor(0.5 * (*least + *most)));
+    throw_input_error(
+        "{0}: no pixel is brighter than half of white, and the values, from {1:g} to {2:g}, are not labels that fill "
+        "areas; choose a "
+        "threshold, as in \"{0}:>{3:g}\"",
+        source, *least, *most, std::floor(0.5 * (*least + *most)));
   notes.push_back("a picture of shades: what is brighter than half of white is the shape");
   return picture.brightness;
 }

@@ -43,13 +43,16 @@ struct Values {
   int kind = PNG_COLOR_TYPE_RGB, n_bytes = 1;
 };
 
-// False where there are colours or transparent pixels, or where the file is damaged. What outlives a jump back is the caller's.
+// False where there are colours or transparent pixels, or where the file is damaged. What outlives a jump back is the
+// caller's.
 bool read_values(png_structp png, png_infop info, Source& source, Values& values) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_read_fn(png, &source, read_bytes);
   png_read_info(png, info);
   values.kind = png_get_color_type(png, info);
-  if ((values.kind != PNG_COLOR_TYPE_GRAY && values.kind != PNG_COLOR_TYPE_PALETTE) || png_get_valid(png, info, PNG_INFO_tRNS)) return false;
+  if ((values.kind != PNG_COLOR_TYPE_GRAY && values.kind != PNG_COLOR_TYPE_PALETTE) ||
+      png_get_valid(png, info, PNG_INFO_tRNS))
+    return false;
   values.n_bytes = png_get_bit_depth(png, info) == 16 ? 2 : 1;
   png_set_packing(png);
   png_set_interlace_handling(png);
@@ -72,7 +75,8 @@ void keep_values(std::string_view bytes, Picture& picture) {
   if (!are_read) return;
   picture.kind = values.kind == PNG_COLOR_TYPE_PALETTE ? PictureKind::palette : PictureKind::grey;
   for (std::size_t i = 0; i < picture.values.size(); ++i)
-    picture.values[i] = values.n_bytes == 1 ? static_cast<float>(values.bytes[i]) : static_cast<float>(values.bytes[2 * i] << 8 | values.bytes[2 * i + 1]);
+    picture.values[i] = values.n_bytes == 1 ? static_cast<float>(values.bytes[i])
+                                            : static_cast<float>(values.bytes[2 * i] << 8 | values.bytes[2 * i + 1]);
 }
 
 }  // namespace
@@ -81,8 +85,7 @@ Picture read_png(const std::string& path, std::string_view bytes) {
   Image image;
   const auto check = [&](int success) {
     if (!success || PNG_IMAGE_FAILED(image.control))
-      throw_input_error("{}: the PNG image is cut off or damaged ({}); save it again", path,
-                        image.control.message);
+      throw_input_error("{}: the PNG image is cut off or damaged ({}); save it again", path, image.control.message);
   };
   check(png_image_begin_read_from_memory(&image.control, bytes.data(), bytes.size()));
   const std::int64_t width = image.control.width, height = image.control.height;
@@ -97,8 +100,7 @@ Picture read_png(const std::string& path, std::string_view bytes) {
   std::vector<float>& brightness = result.brightness.values;
   brightness.reserve(pixels.size() / 2);
   for (std::size_t i = 0; i < pixels.size(); i += 2)
-    brightness.push_back(static_cast<float>(pixels[i]) * static_cast<float>(pixels[i + 1]) /
-                         (255.0f * 255.0f));
+    brightness.push_back(static_cast<float>(pixels[i]) * static_cast<float>(pixels[i + 1]) / (255.0f * 255.0f));
   // Black on nothing: the opacity is the picture.
   const bool is_black = std::ranges::all_of(brightness, [](float b) { return b == 0; });
   if (is_black)

@@ -60,13 +60,14 @@ GreyImage padded(const GreyImage& image, const Brightness& brightness, int width
   result.values.assign(static_cast<std::size_t>(result.width) * result.height, 0.0f);
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)
-      result.values[static_cast<std::size_t>(row + width) * result.width + column + width] = brightness(image.at(column, row));
+      result.values[static_cast<std::size_t>(row + width) * result.width + column + width] =
+          brightness(image.at(column, row));
   return result;
 }
 
 // One direction of a Gaussian; `next` is the distance of neighbours in `values`. Outside is dark.
-void smooth_lines(std::vector<float>& values, int n_lines, int length, std::ptrdiff_t line_step,
-                  std::ptrdiff_t next, const std::vector<float>& kernel) {
+void smooth_lines(std::vector<float>& values, int n_lines, int length, std::ptrdiff_t line_step, std::ptrdiff_t next,
+                  const std::vector<float>& kernel) {
   const int reach = static_cast<int>(kernel.size()) - 1;
   std::vector<float> line(static_cast<std::size_t>(length) + 2 * static_cast<std::size_t>(reach), 0.0f);
   for (int l = 0; l < n_lines; ++l) {
@@ -99,8 +100,7 @@ void smooth(GreyImage& image, double deviation) {
 // Marching squares. Crossing points lie on the grid's edges; each has one successor, with bright to the left.
 class MarchingSquares {
  public:
-  explicit MarchingSquares(const GreyImage& image)
-      : image_(image), n_(image.values.size()), next_(2 * n_, no_edge) {
+  explicit MarchingSquares(const GreyImage& image) : image_(image), n_(image.values.size()), next_(2 * n_, no_edge) {
     for (int row = 0; row + 1 < image.height; ++row)
       for (int column = 0; column + 1 < image.width; ++column) march(column, row);
   }
@@ -122,9 +122,7 @@ class MarchingSquares {
  private:
   static constexpr std::size_t no_edge = static_cast<std::size_t>(-1);
 
-  std::size_t pixel(int column, int row) const {
-    return static_cast<std::size_t>(row) * image_.width + column;
-  }
+  std::size_t pixel(int column, int row) const { return static_cast<std::size_t>(row) * image_.width + column; }
 
   // Edge to the right of a pixel: its number; edge below it: n + its number.
   void march(int column, int row) {
@@ -132,8 +130,8 @@ class MarchingSquares {
     const std::array<float, 4> value = {image_.at(column, row + 1), image_.at(column + 1, row + 1),
                                         image_.at(column + 1, row), image_.at(column, row)};
     // Edge k runs from corner k to corner k + 1.
-    const std::array<std::size_t, 4> edge = {pixel(column, row + 1), n_ + pixel(column + 1, row),
-                                             pixel(column, row), n_ + pixel(column, row)};
+    const std::array<std::size_t, 4> edge = {pixel(column, row + 1), n_ + pixel(column + 1, row), pixel(column, row),
+                                             n_ + pixel(column, row)};
     const auto bright = [&](std::size_t k) { return value[k % 4] > level; };
     // Along the square's border, the contour leaves where bright turns dark and enters where dark turns
     // bright.
@@ -156,8 +154,7 @@ class MarchingSquares {
     const bool right = e < n_;
     const int column = static_cast<int>((right ? e : e - n_) % image_.width);
     const int row = static_cast<int>((right ? e : e - n_) / image_.width);
-    const double a = image_.at(column, row),
-                 b = right ? image_.at(column + 1, row) : image_.at(column, row + 1);
+    const double a = image_.at(column, row), b = right ? image_.at(column + 1, row) : image_.at(column, row + 1);
     const double t = (level - a) / (b - a);
     return right ? Vec<2>(column + t, -row) : Vec<2>(column, -row - t);
   }
@@ -175,8 +172,7 @@ double length(const std::vector<Vec<2>>& ring) {
 
 }  // namespace
 
-OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
-                            std::vector<std::string>& notes) {
+OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source, std::vector<std::string>& notes) {
   const Brightness brightness(image);
   check_foreground(image, brightness, source);
   constexpr int pad = 6;  // more than the smoothing reaches
@@ -209,8 +205,7 @@ OriginalShape<2> mask_rings(const GreyImage& image, const std::string& source,
                     "image would keep them",
                     100 * (area / bright - 1)));
   if (shape.polygons.empty())
-    throw_input_error("{}: the bright part is too small or too thin for an outline; enlarge the image",
-                      source);
+    throw_input_error("{}: the bright part is too small or too thin for an outline; enlarge the image", source);
   return shape;
 }
 

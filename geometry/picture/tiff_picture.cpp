@@ -24,7 +24,8 @@ struct Stream {
 
 tmsize_t read_stream(thandle_t handle, void* buffer, tmsize_t size) {
   Stream& s = *static_cast<Stream*>(handle);
-  const std::size_t n = std::min(static_cast<std::size_t>(std::max<tmsize_t>(size, 0)), s.bytes.size() - std::min(s.position, s.bytes.size()));
+  const std::size_t n = std::min(static_cast<std::size_t>(std::max<tmsize_t>(size, 0)),
+                                 s.bytes.size() - std::min(s.position, s.bytes.size()));
   if (n > 0) std::memcpy(buffer, s.bytes.data() + s.position, n);
   s.position += n;
   return static_cast<tmsize_t>(n);
@@ -65,7 +66,8 @@ float value_of(const unsigned char* bytes) {
 
 // Sample `i` of a line.
 float sample(const unsigned char* line, std::size_t i, const Layout& l) {
-  if (l.bits < 8) return static_cast<float>(line[i * l.bits / 8] >> (8 - l.bits - i * l.bits % 8) & ((1 << l.bits) - 1));
+  if (l.bits < 8)
+    return static_cast<float>(line[i * l.bits / 8] >> (8 - l.bits - i * l.bits % 8) & ((1 << l.bits) - 1));
   const unsigned char* const at = line + i * l.bits / 8;
   const bool is_signed = l.format == SAMPLEFORMAT_INT;
   if (l.format == SAMPLEFORMAT_IEEEFP) return l.bits == 32 ? value_of<float>(at) : value_of<double>(at);
@@ -76,10 +78,12 @@ float sample(const unsigned char* line, std::size_t i, const Layout& l) {
 
 bool is_single_valued(const Layout& l) {
   const bool is_float = l.format == SAMPLEFORMAT_IEEEFP && (l.bits == 32 || l.bits == 64);
-  const bool is_whole = (l.format == SAMPLEFORMAT_UINT || l.format == SAMPLEFORMAT_INT || l.format == SAMPLEFORMAT_VOID) &&
-                        (l.bits == 1 || l.bits == 2 || l.bits == 4 || l.bits == 8 || l.bits == 16 || l.bits == 32);
+  const bool is_whole =
+      (l.format == SAMPLEFORMAT_UINT || l.format == SAMPLEFORMAT_INT || l.format == SAMPLEFORMAT_VOID) &&
+      (l.bits == 1 || l.bits == 2 || l.bits == 4 || l.bits == 8 || l.bits == 16 || l.bits == 32);
   return l.samples == 1 && (is_float || is_whole) &&
-         (l.photometric == PHOTOMETRIC_MINISBLACK || l.photometric == PHOTOMETRIC_MINISWHITE || l.photometric == PHOTOMETRIC_PALETTE);
+         (l.photometric == PHOTOMETRIC_MINISBLACK || l.photometric == PHOTOMETRIC_MINISWHITE ||
+          l.photometric == PHOTOMETRIC_PALETTE);
 }
 
 class Reader {
@@ -89,8 +93,8 @@ class Reader {
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), tmsize_t{8} * max_pixels);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_complaint, &stream_);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &stream_);
-    tiff_.reset(TIFFClientOpenExt(path.c_str(), "rm", &stream_, read_stream, write_nothing, seek_stream, close_nothing, stream_size, nullptr, nullptr,
-                                  options.get()));
+    tiff_.reset(TIFFClientOpenExt(path.c_str(), "rm", &stream_, read_stream, write_nothing, seek_stream, close_nothing,
+                                  stream_size, nullptr, nullptr, options.get()));
     if (!tiff_) damaged();
   }
 
@@ -107,7 +111,8 @@ class Reader {
     TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &compression);
     Picture picture;
     picture.brightness = {static_cast<int>(layout_.width), static_cast<int>(layout_.height), {}};
-    picture.is_lossy = compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG || compression == COMPRESSION_LERC;
+    picture.is_lossy =
+        compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG || compression == COMPRESSION_LERC;
     if (is_single_valued(layout_)) read_values(picture);
     else read_colours(picture);
     if (TIFFReadDirectory(tiff) == 1) picture.notes.push_back("only the first page of the TIFF file is read");
@@ -128,7 +133,9 @@ class Reader {
     for (const float v : picture.values) {
       if (!std::isfinite(v)) throw_input_error("{}: a pixel of the TIFF image is not finite; replace it by 0", path_);
       if (layout_.bits == 32 && layout_.format != SAMPLEFORMAT_IEEEFP && std::abs(v) > largest_label)
-        throw_input_error("{}: a pixel of the TIFF image is {:.0f}; values up to {:.0f} can be told apart: number the labels anew", path_, v, largest_label);
+        throw_input_error(
+            "{}: a pixel of the TIFF image is {:.0f}; values up to {:.0f} can be told apart: number the labels anew",
+            path_, v, largest_label);
     }
     set_brightness(picture);
   }
@@ -139,7 +146,8 @@ class Reader {
     std::vector<unsigned char> line(static_cast<std::size_t>(size));
     for (uint32_t row = 0; row < layout_.height; ++row) {
       if (TIFFReadScanline(tiff_.get(), line.data(), row) != 1) damaged();
-      for (uint32_t i = 0; i < layout_.width; ++i) picture.values[std::size_t{row} * layout_.width + i] = sample(line.data(), i, layout_);
+      for (uint32_t i = 0; i < layout_.width; ++i)
+        picture.values[std::size_t{row} * layout_.width + i] = sample(line.data(), i, layout_);
     }
   }
 
@@ -148,17 +156,19 @@ class Reader {
     TIFFGetField(tiff_.get(), TIFFTAG_TILEWIDTH, &width);
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &height);
     const tmsize_t size = TIFFTileSize(tiff_.get()), row_size = TIFFTileRowSize(tiff_.get());
-    if (width == 0 || height == 0 || size <= 0 || size > tmsize_t{8} * max_pixels || row_size < tmsize_t{(std::int64_t{width} * layout_.bits + 7) / 8} ||
-        size / row_size < tmsize_t{height})
+    if (width == 0 || height == 0 || size <= 0 || size > tmsize_t{8} * max_pixels ||
+        row_size < tmsize_t{(std::int64_t{width} * layout_.bits + 7) / 8} || size / row_size < tmsize_t{height})
       damaged();
     std::vector<unsigned char> tile(static_cast<std::size_t>(size));
     for (uint32_t top = 0; top < layout_.height; top += height)
       for (uint32_t left = 0; left < layout_.width; left += width) {
         if (TIFFReadTile(tiff_.get(), tile.data(), left, top, 0, 0) < 0) damaged();
-        const uint32_t n_rows = std::min(height, layout_.height - top), n_columns = std::min(width, layout_.width - left);
+        const uint32_t n_rows = std::min(height, layout_.height - top),
+                       n_columns = std::min(width, layout_.width - left);
         for (uint32_t row = 0; row < n_rows; ++row)
           for (uint32_t i = 0; i < n_columns; ++i)
-            picture.values[std::size_t{top + row} * layout_.width + left + i] = sample(tile.data() + row * row_size, i, layout_);
+            picture.values[std::size_t{top + row} * layout_.width + left + i] =
+                sample(tile.data() + row * row_size, i, layout_);
         if (layout_.height - top <= height && layout_.width - left <= width) return;
       }
   }
@@ -172,7 +182,8 @@ class Reader {
       if (layout_.bits > 16 || TIFFGetField(tiff_.get(), TIFFTAG_COLORMAP, &red, &green, &blue) != 1) damaged();
       const auto part = [](uint16_t c) { return static_cast<unsigned char>(c >> 8); };
       for (std::size_t i = 0; i < brightness.size(); ++i) {
-        const auto k = static_cast<std::size_t>(std::clamp(picture.values[i], 0.0f, std::ldexp(1.0f, layout_.bits) - 1));
+        const auto k =
+            static_cast<std::size_t>(std::clamp(picture.values[i], 0.0f, std::ldexp(1.0f, layout_.bits) - 1));
         brightness[i] = luminance(part(red[k]), part(green[k]), part(blue[k]));
       }
       return;
@@ -188,7 +199,9 @@ class Reader {
   void read_colours(Picture& picture) {
     picture.kind = PictureKind::colour;
     std::vector<uint32_t> pixels(std::size_t{layout_.width} * layout_.height);
-    if (TIFFReadRGBAImageOriented(tiff_.get(), layout_.width, layout_.height, pixels.data(), ORIENTATION_TOPLEFT, 1) != 1) damaged();
+    if (TIFFReadRGBAImageOriented(tiff_.get(), layout_.width, layout_.height, pixels.data(), ORIENTATION_TOPLEFT, 1) !=
+        1)
+      damaged();
     const auto part = [](uint32_t c) { return static_cast<unsigned char>(c); };
     for (const uint32_t p : pixels) {  // libtiff has multiplied the colours by the opacity
       picture.brightness.values.push_back(luminance(part(TIFFGetR(p)), part(TIFFGetG(p)), part(TIFFGetB(p))));

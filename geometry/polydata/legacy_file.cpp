@@ -37,20 +37,24 @@ class LegacyFile {
   void read_head() {
     std::string_view first = in_.line();
     if (first.starts_with("\xEF\xBB\xBF")) first.remove_prefix(3);
-    if (!first.starts_with("# vtk DataFile Version")) throw_input_error("{}: a VTK file starts with '# vtk DataFile Version'", path_);
+    if (!first.starts_with("# vtk DataFile Version"))
+      throw_input_error("{}: a VTK file starts with '# vtk DataFile Version'", path_);
     data_.shape().space = space_in_comment(in_.line());
     const bool is_text = in_.take("ascii");
     if (!is_text && !in_.take("binary")) in_.fail("the third line should be ASCII or BINARY");
     if (!in_.take("dataset")) in_.fail("DATASET should stand here");
     if (in_.take("unstructured_grid")) is_grid_ = true;
     else if (!in_.take("polydata"))
-      in_.fail("the file holds a {}; a surface is POLYDATA, or an UNSTRUCTURED_GRID of polygons", printable(in_.word(), 40));
+      in_.fail("the file holds a {}; a surface is POLYDATA, or an UNSTRUCTURED_GRID of polygons",
+               printable(in_.word(), 40));
     in_.set_binary(!is_text);
   }
 
   // False at the end of the file.
   bool read_section() {
-    for (const auto& [name, kind] : {std::pair{"vertices", CellKind::vertices}, {"lines", CellKind::lines}, {"polygons", CellKind::polygons},
+    for (const auto& [name, kind] : {std::pair{"vertices", CellKind::vertices},
+                                     {"lines", CellKind::lines},
+                                     {"polygons", CellKind::polygons},
                                      {"triangle_strips", CellKind::strips}}) {
       if (!in_.take(name)) continue;
       if (is_grid_ || cells_.contains(kind)) in_.fail("the cells are there already, or belong to another kind of data");
@@ -79,7 +83,8 @@ class LegacyFile {
     if (std::exchange(has_points_, true)) in_.fail("a second list of points");
     const std::size_t n = in_.count("the number of points");
     const ValueType type = in_.type();
-    if (n > static_cast<std::size_t>(std::numeric_limits<Index>::max())) in_.fail("{} points are more than a file holds", n);
+    if (n > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+      in_.fail("{} points are more than a file holds", n);
     data_.add_points(in_.values(type, 3 * n, "coordinates"));
   }
 
@@ -103,7 +108,8 @@ class LegacyFile {
     std::size_t next = 0;
     for (std::size_t i = 0; i < a; ++i) {
       const double n = next < list.size() ? list[next] : -1;
-      if (!(n >= 0 && n <= static_cast<double>(list.size() - next - 1))) in_.fail("cell {} has {} corners, beyond the {} numbers of the list", i, n, list.size());
+      if (!(n >= 0 && n <= static_cast<double>(list.size() - next - 1)))
+        in_.fail("cell {} has {} corners, beyond the {} numbers of the list", i, n, list.size());
       cells.corners.insert(cells.corners.end(), list.begin() + static_cast<std::ptrdiff_t>(next + 1),
                            list.begin() + static_cast<std::ptrdiff_t>(next + 1 + static_cast<std::size_t>(n)));
       next += 1 + static_cast<std::size_t>(n);
@@ -125,11 +131,14 @@ class LegacyFile {
       else if (type == 3 || type == 4) kind = CellKind::lines;
       else if (type == 6) kind = CellKind::strips;
       else if (type != 5 && type != 7 && type != 8 && type != 9)
-        throw_input_error("{}: cell {} is of VTK's type {}, which is no polygon; extract the surface of the grid first (in ParaView: Extract Surface)",
-                          path_, i, grid_types_[i]);
+        throw_input_error(
+            "{}: cell {} is of VTK's type {}, which is no polygon; extract the surface of the grid first (in ParaView: "
+            "Extract Surface)",
+            path_, i, grid_types_[i]);
       const double end = grid_cells_.ends[i];
       if (!(end >= static_cast<double>(begin) && end <= static_cast<double>(grid_cells_.corners.size())))
-        throw_input_error("{}: cell {} ends at {} of {} corners; the file is damaged or was cut off", path_, i, end, grid_cells_.corners.size());
+        throw_input_error("{}: cell {} ends at {} of {} corners; the file is damaged or was cut off", path_, i, end,
+                          grid_cells_.corners.size());
       std::vector<double> corners(grid_cells_.corners.begin() + static_cast<std::ptrdiff_t>(begin),
                                   grid_cells_.corners.begin() + static_cast<std::ptrdiff_t>(end));
       if (type == 8 && corners.size() == 4) std::swap(corners[2], corners[3]);  // a pixel goes to and fro
@@ -143,16 +152,21 @@ class LegacyFile {
     is_point_data_ = of_points;
     has_data_ = true;
     if (of_points && !has_points_) in_.fail("POINT_DATA comes before the points");
-    if (of_points && n_tuples_ != data_.n_points()) in_.fail("POINT_DATA of {} points, but there are {}", n_tuples_, data_.n_points());
+    if (of_points && n_tuples_ != data_.n_points())
+      in_.fail("POINT_DATA of {} points, but there are {}", n_tuples_, data_.n_points());
   }
 
   // Values of point data become columns, those of cells and of the whole are left out.
-  void take_values(const std::string& name, ValueType type, std::size_t n_components, std::size_t n_tuples, bool is_column) {
-    if (n_components == 0 || n_components > max_columns) in_.fail("'{}' has {} components; up to {} can be used", printable(name), n_components, max_columns);
-    if (n_tuples > std::numeric_limits<std::size_t>::max() / max_columns / 8) in_.fail("'{}' has {} tuples", printable(name), n_tuples);
+  void take_values(const std::string& name, ValueType type, std::size_t n_components, std::size_t n_tuples,
+                   bool is_column) {
+    if (n_components == 0 || n_components > max_columns)
+      in_.fail("'{}' has {} components; up to {} can be used", printable(name), n_components, max_columns);
+    if (n_tuples > std::numeric_limits<std::size_t>::max() / max_columns / 8)
+      in_.fail("'{}' has {} tuples", printable(name), n_tuples);
     const std::vector<double> values = in_.values(type, n_tuples * n_components, "values");
     if (is_column) data_.add_point_array(name, column_type(type), n_components, values);
-    else if (has_data_ && !is_point_data_ && !std::exchange(has_cell_data_, true)) data_.add_dropped("cell data dropped");
+    else if (has_data_ && !is_point_data_ && !std::exchange(has_cell_data_, true))
+      data_.add_dropped("cell data dropped");
   }
 
   bool read_attribute() {
@@ -163,8 +177,13 @@ class LegacyFile {
       take_values(word == "normals" ? "Normals" : name, type, n_components, n_tuples_, is_point_data_);
       return true;
     };
-    for (const auto& [word, n] : {std::pair<std::string_view, std::size_t>{"vectors", 3}, {"normals", 3}, {"tensors", 9}, {"tensors6", 6},
-                                  {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}})
+    for (const auto& [word, n] : {std::pair<std::string_view, std::size_t>{"vectors", 3},
+                                  {"normals", 3},
+                                  {"tensors", 9},
+                                  {"tensors6", 6},
+                                  {"global_ids", 1},
+                                  {"pedigree_ids", 1},
+                                  {"edge_flags", 1}})
       if (simple(word, n)) return true;
     if (in_.take("scalars")) {
       const std::string name = in_.name();
@@ -203,11 +222,14 @@ class LegacyFile {
       const std::string name = in_.name();
       if (name == "NULL_ARRAY") continue;
       if (name.empty()) in_.fail("cut off: {} of {} arrays are there", i, n_arrays);
-      const std::size_t n_components = in_.count("the number of components"), n_tuples = in_.count("the number of tuples");
+      const std::size_t n_components = in_.count("the number of components"),
+                        n_tuples = in_.count("the number of tuples");
       const bool is_column = has_data_ && is_point_data_;
-      if (is_column && n_tuples != n_tuples_) in_.fail("'{}' has {} tuples, but there are {} points", printable(name), n_tuples, n_tuples_);
+      if (is_column && n_tuples != n_tuples_)
+        in_.fail("'{}' has {} tuples, but there are {} points", printable(name), n_tuples, n_tuples_);
       if (in_.take("string")) {
-        if (n_components != 0 && n_tuples > std::numeric_limits<std::size_t>::max() / n_components) in_.fail("'{}' has {} tuples", printable(name), n_tuples);
+        if (n_components != 0 && n_tuples > std::numeric_limits<std::size_t>::max() / n_components)
+          in_.fail("'{}' has {} tuples", printable(name), n_tuples);
         in_.skip_strings(n_components * n_tuples);
         if (is_column) data_.add_dropped(fmt::format("point data '{}' dropped: texts are not kept", printable(name)));
         continue;

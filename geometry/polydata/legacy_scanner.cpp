@@ -33,7 +33,8 @@ std::optional<double> number_in(std::string_view word) {
 
 std::string LegacyScanner::place() const {
   if (is_binary_) return fmt::format("byte {}", position_);
-  return fmt::format("line {}", 1 + std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(position_), '\n'));
+  return fmt::format("line {}",
+                     1 + std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(position_), '\n'));
 }
 
 std::string_view LegacyScanner::line() {
@@ -56,7 +57,8 @@ std::string LegacyScanner::name() {
   for (std::string_view rest = word(); !rest.empty();) {
     unsigned code = 0;
     const char* const end = rest.data() + 3;
-    const bool is_code = rest.size() >= 3 && rest[0] == '%' && std::from_chars(rest.data() + 1, end, code, 16).ptr == end;
+    const bool is_code =
+        rest.size() >= 3 && rest[0] == '%' && std::from_chars(rest.data() + 1, end, code, 16).ptr == end;
     text += is_code ? static_cast<char>(code) : rest[0];
     rest.remove_prefix(is_code ? 3 : 1);
   }
@@ -88,7 +90,8 @@ ValueType LegacyScanner::type() {
 
 void LegacyScanner::end_line() {
   const std::size_t end = left().find('\n');
-  if (end == std::string_view::npos || left().find_first_not_of(" \t\r") != end) fail("there is more in the line where binary values should follow");
+  if (end == std::string_view::npos || left().find_first_not_of(" \t\r") != end)
+    fail("there is more in the line where binary values should follow");
   position_ += end + 1;
 }
 
@@ -103,7 +106,8 @@ std::vector<double> LegacyScanner::values(ValueType type, std::size_t n, std::st
     position_ += bytes_of(type, n);
     return values;
   }
-  if (n > left().size() / 2 + 1) fail("cut off: {} {} do not fit into the {} bytes that are left", n, what, left().size());
+  if (n > left().size() / 2 + 1)
+    fail("cut off: {} {} do not fit into the {} bytes that are left", n, what, left().size());
   std::vector<double> values;
   values.reserve(n);
   StopCheck stop_check;

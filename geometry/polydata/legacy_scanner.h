@@ -29,7 +29,8 @@ class LegacyScanner {
   /// A count, which the rest of the file limits. \throws InputError
   std::size_t count(std::string_view what);
   ValueType type();
-  /// n numbers of the type, as text or, from the next line on, big-endian. \throws InputError where the file is too short
+  /// n numbers of the type, as text or, from the next line on, big-endian. \throws InputError where the file is too
+  /// short
   std::vector<double> values(ValueType type, std::size_t n, std::string_view what);
   /// Passes over n strings.
   void skip_strings(std::size_t n);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What VTK's files hold of polygons, on its way to a shape: every number is checked, because nobody else does. VTK's own
-/// readers take whatever memory a count asks for and follow indices wherever they lead.
+/// What VTK's files hold of polygons, on its way to a shape: every number is checked, because nobody else does. VTK's
+/// own readers take whatever memory a count asks for and follow indices wherever they lead.
 
 #include "geometry/surface/surface.h"
 
@@ -23,11 +23,14 @@ class PolyData {
 
   /// Cells: cell i has the corners from ends[i - 1] (0) to ends[i], points counted from `first_point`. Strips become
   /// triangles. Call it when all points of the cells are there. \throws InputError where a number is out of range
-  void add_cells(CellKind kind, const std::vector<double>& ends, const std::vector<double>& corners, std::size_t first_point);
+  void add_cells(CellKind kind, const std::vector<double>& ends, const std::vector<double>& corners,
+                 std::size_t first_point);
 
-  /// An array of point data as columns: one of n components is NAME_0, NAME_1, ...; "RGB" and "RGBA" of bytes are red, green,
-  /// blue, alpha. Normals are dropped. \param values one tuple after the other, of all points \throws InputError as add_points
-  void add_point_array(const std::string& name, std::string_view type, std::size_t n_components, const std::vector<double>& values);
+  /// An array of point data as columns: one of n components is NAME_0, NAME_1, ...; "RGB" and "RGBA" of bytes are red,
+  /// green, blue, alpha. Normals are dropped. \param values one tuple after the other, of all points \throws InputError
+  /// as add_points
+  void add_point_array(const std::string& name, std::string_view type, std::size_t n_components,
+                       const std::vector<double>& values);
 
   /// Says that something has been left out.
   void add_dropped(const std::string& what);

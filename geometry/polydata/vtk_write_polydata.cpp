@@ -24,9 +24,11 @@ namespace shellmatch {
 namespace {
 
 int vtk_type(const std::string& type) {
-  constexpr std::pair<const char*, int> types[] = {
-      {"char", VTK_SIGNED_CHAR}, {"uchar", VTK_UNSIGNED_CHAR}, {"short", VTK_SHORT},     {"ushort", VTK_UNSIGNED_SHORT}, {"int", VTK_INT},
-      {"uint", VTK_UNSIGNED_INT}, {"int64", VTK_LONG_LONG},    {"uint64", VTK_UNSIGNED_LONG_LONG}, {"float", VTK_FLOAT}};
+  constexpr std::pair<const char*, int> types[] = {{"char", VTK_SIGNED_CHAR}, {"uchar", VTK_UNSIGNED_CHAR},
+                                                   {"short", VTK_SHORT},      {"ushort", VTK_UNSIGNED_SHORT},
+                                                   {"int", VTK_INT},          {"uint", VTK_UNSIGNED_INT},
+                                                   {"int64", VTK_LONG_LONG},  {"uint64", VTK_UNSIGNED_LONG_LONG},
+                                                   {"float", VTK_FLOAT}};
   for (const auto& [name, number] : types)
     if (type == name) return number;
   return VTK_DOUBLE;
@@ -36,7 +38,9 @@ int vtk_type(const std::string& type) {
 double as_value_of(const vtkDataArray& array, double value) {
   const int type = const_cast<vtkDataArray&>(array).GetDataType();
   if (type == VTK_FLOAT || type == VTK_DOUBLE) return value;
-  return std::isnan(value) ? 0 : std::clamp(std::round(value), const_cast<vtkDataArray&>(array).GetDataTypeMin(), const_cast<vtkDataArray&>(array).GetDataTypeMax());
+  return std::isnan(value) ? 0
+                           : std::clamp(std::round(value), const_cast<vtkDataArray&>(array).GetDataTypeMin(),
+                                        const_cast<vtkDataArray&>(array).GetDataTypeMax());
 }
 
 // Columns that make up one array.
@@ -60,13 +64,15 @@ ArrayOfColumns array_at(const std::vector<VertexAttribute>& columns, std::size_t
 }
 
 vtkSmartPointer<vtkDataArray> data_array(const OriginalShape<3>& shape, const ArrayOfColumns& columns) {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(shape.attributes[columns.first].type)));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(vtk_type(shape.attributes[columns.first].type)));
   array->SetName(columns.name.c_str());
   array->SetNumberOfComponents(static_cast<int>(columns.n));
   array->SetNumberOfTuples(static_cast<vtkIdType>(shape.vertices.size()));
   for (std::size_t c = 0; c < columns.n; ++c)
     for (std::size_t v = 0; v < shape.vertices.size(); ++v)
-      array->SetComponent(static_cast<vtkIdType>(v), static_cast<int>(c), as_value_of(*array, shape.attributes[columns.first + c].values[v]));
+      array->SetComponent(static_cast<vtkIdType>(v), static_cast<int>(c),
+                          as_value_of(*array, shape.attributes[columns.first + c].values[v]));
   return array;
 }
 
@@ -75,7 +81,8 @@ vtkSmartPointer<vtkPolyData> polydata_of(const OriginalShape<3>& shape) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(shape.vertices.size()));
-  for (std::size_t v = 0; v < shape.vertices.size(); ++v) points->SetPoint(static_cast<vtkIdType>(v), shape.vertices[v].data());
+  for (std::size_t v = 0; v < shape.vertices.size(); ++v)
+    points->SetPoint(static_cast<vtkIdType>(v), shape.vertices[v].data());
   data->SetPoints(points);
   vtkNew<vtkCellArray> cells;
   const bool has_polygons = !shape.polygons.empty();

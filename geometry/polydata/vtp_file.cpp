@@ -14,7 +14,8 @@ namespace shellmatch {
 
 namespace {
 
-constexpr XmlExpectation polygonal{"PolyData", "polygonal data", "a surface is of type PolyData (in ParaView: Extract Surface, save as .vtp)"};
+constexpr XmlExpectation polygonal{"PolyData", "polygonal data",
+                                   "a surface is of type PolyData (in ParaView: Extract Surface, save as .vtp)"};
 
 class VtpFile {
  public:
@@ -46,21 +47,27 @@ class VtpFile {
       if (points.n_components != 3) file_.damaged("points have three components");
       data.add_points(file_.values(points, 3 * n));
     }
-    for (const auto& [section, kind] : {std::pair{"Verts", CellKind::vertices}, {"Lines", CellKind::lines}, {"Polys", CellKind::polygons},
+    for (const auto& [section, kind] : {std::pair{"Verts", CellKind::vertices},
+                                        {"Lines", CellKind::lines},
+                                        {"Polys", CellKind::polygons},
                                         {"Strips", CellKind::strips}}) {
       const std::size_t n_cells = file_.number(piece.tag, fmt::format("NumberOf{}", section), 0);
       if (n_cells == 0) continue;
       const std::vector<double> ends = file_.values(array_in(piece, section, "offsets"), n_cells);
       const double n_corners = ends.back();
-      if (!(n_corners >= 0 && n_corners < 1e12) || n_corners != std::floor(n_corners)) file_.damaged(fmt::format("the offsets of {}", section));
-      data.add_cells(kind, ends, file_.values(array_in(piece, section, "connectivity"), static_cast<std::size_t>(n_corners)), first);
+      if (!(n_corners >= 0 && n_corners < 1e12) || n_corners != std::floor(n_corners))
+        file_.damaged(fmt::format("the offsets of {}", section));
+      data.add_cells(kind, ends,
+                     file_.values(array_in(piece, section, "connectivity"), static_cast<std::size_t>(n_corners)),
+                     first);
     }
   }
 
   void add_notes(std::vector<std::string>& notes) const {
     const std::size_t shown = std::min<std::size_t>(file_.dropped().size(), 20);
     notes.insert(notes.end(), file_.dropped().begin(), file_.dropped().begin() + static_cast<std::ptrdiff_t>(shown));
-    if (std::ranges::any_of(file_.pieces(), [](const XmlPiece& p) { return VtkXmlFile::find(p, "CellData", "") != nullptr; }))
+    if (std::ranges::any_of(file_.pieces(),
+                            [](const XmlPiece& p) { return VtkXmlFile::find(p, "CellData", "") != nullptr; }))
       notes.emplace_back("cell data dropped");
   }
 
@@ -75,7 +82,9 @@ class VtpFile {
       for (const XmlPiece& piece : file_.pieces()) {
         if (n_points(piece) == 0) continue;
         const auto arrays = piece.sections.find("PointData");
-        const auto same = [&](const XmlArray& a) { return a.name == array.name && a.type == array.type && a.n_components == array.n_components; };
+        const auto same = [&](const XmlArray& a) {
+          return a.name == array.name && a.type == array.type && a.n_components == array.n_components;
+        };
         const XmlArray* own = nullptr;
         if (arrays != piece.sections.end())
           if (const auto at = std::ranges::find_if(arrays->second, same); at != arrays->second.end()) own = &*at;

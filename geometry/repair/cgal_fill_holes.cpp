@@ -32,8 +32,8 @@ namespace borders = CGAL;
 namespace borders = PMP;
 #endif
 
-// The search for the best triangles takes the third power of a hole's edges where the one among Delaunay triangles fails: that one alone is
-// used beyond `most_searched`. It takes seconds for some thousand edges.
+// The search for the best triangles takes the third power of a hole's edges where the one among Delaunay triangles
+// fails: that one alone is used beyond `most_searched`. It takes seconds for some thousand edges.
 constexpr std::size_t most_searched = 200, most_edges = 10'000, most_edges_of_all = 100'000;
 
 // Counts the edges of holes, and says whether they can be filled.
@@ -66,7 +66,9 @@ std::size_t length_of(CgalMesh::Halfedge_index begin, const CgalMesh& mesh) {
 std::vector<CgalMesh::Face_index> fill_hole(CgalMesh& mesh, CgalMesh::Halfedge_index hole, bool quickly) {
   std::vector<CgalMesh::Face_index> patch;
 #if CGAL_VERSION_NR >= 1050601000
-  PMP::triangulate_hole(mesh, hole, CGAL::parameters::do_not_use_cubic_algorithm(quickly).face_output_iterator(std::back_inserter(patch)));
+  PMP::triangulate_hole(
+      mesh, hole,
+      CGAL::parameters::do_not_use_cubic_algorithm(quickly).face_output_iterator(std::back_inserter(patch)));
 #else
   PMP::triangulate_hole(mesh, hole, std::back_inserter(patch), CGAL::parameters::do_not_use_cubic_algorithm(quickly));
 #endif
@@ -85,7 +87,8 @@ FilledHoles with_share(FilledHoles filled) {
   return filled;
 }
 
-// By the loops alone, without a mesh of CGAL's: patches may then have an edge that is there, so that the result is not closed.
+// By the loops alone, without a mesh of CGAL's: patches may then have an edge that is there, so that the result is not
+// closed.
 std::optional<FilledHoles> fill_loops(const Surface<3>& open) {
   const std::optional<std::vector<BorderLoop>> loops = border_loops(open);
   if (!loops || loops->empty()) return std::nullopt;
@@ -93,7 +96,8 @@ std::optional<FilledHoles> fill_loops(const Surface<3>& open) {
   EdgeBudget budget;
   const auto points = [&](const std::vector<Index>& vertices) {
     std::vector<CgalKernel::Point_3> result;
-    for (const Index v : vertices) result.emplace_back(open.vertices[v].x(), open.vertices[v].y(), open.vertices[v].z());
+    for (const Index v : vertices)
+      result.emplace_back(open.vertices[v].x(), open.vertices[v].y(), open.vertices[v].z());
     return result;
   };
   for (const BorderLoop& loop : *loops) {
@@ -104,7 +108,8 @@ std::optional<FilledHoles> fill_loops(const Surface<3>& open) {
     PMP::triangulate_hole_polyline(points(loop.vertices), points(loop.opposite), std::back_inserter(patch),
                                    CGAL::parameters::do_not_use_cubic_algorithm(length > most_searched));
     if (patch.empty()) return std::nullopt;
-    for (const auto& t : patch) filled.surface.facets.push_back({loop.vertices[t.first], loop.vertices[t.second], loop.vertices[t.third]});
+    for (const auto& t : patch)
+      filled.surface.facets.push_back({loop.vertices[t.first], loop.vertices[t.second], loop.vertices[t.third]});
   }
   filled.n_new = filled.surface.facets.size() - open.facets.size();
   if (!is_oriented_manifold(filled.surface.facets, filled.surface.vertices.size())) return std::nullopt;

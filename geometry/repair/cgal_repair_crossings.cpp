@@ -23,7 +23,8 @@ bool fold_back(const Point& a, const Point& b, const Point& c) {
 bool meet(const Surface<2>& outline, Index f, Index g) {
   const auto& [a, b] = outline.facets[f];
   const auto& [c, d] = outline.facets[g];
-  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c), pd = outline_point(outline, d);
+  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c),
+              pd = outline_point(outline, d);
   // A common end is no crossing, unless the segments run on top of each other from there.
   if (pb == pc) return fold_back(pa, pb, pd);
   if (pa == pd) return fold_back(pb, pa, pc);
@@ -36,7 +37,8 @@ bool meet(const Surface<2>& outline, Index f, Index g) {
 bool pass_through(const Surface<2>& outline, Index f, Index g) {
   const auto& [a, b] = outline.facets[f];
   const auto& [c, d] = outline.facets[g];
-  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c), pd = outline_point(outline, d);
+  const Point pa = outline_point(outline, a), pb = outline_point(outline, b), pc = outline_point(outline, c),
+              pd = outline_point(outline, d);
   return CGAL::orientation(pa, pb, pc) * CGAL::orientation(pa, pb, pd) == CGAL::NEGATIVE &&
          CGAL::orientation(pc, pd, pa) * CGAL::orientation(pc, pd, pb) == CGAL::NEGATIVE;
 }
@@ -49,10 +51,9 @@ void for_each_near_pair(const Surface<2>& outline, Visit&& visit) {
     const auto& [a, b] = outline.facets[f];
     boxes.emplace_back(outline_point(outline, a).bbox() + outline_point(outline, b).bbox(), static_cast<Index>(f));
   }
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-                                [&](const SegmentBox& one, const SegmentBox& two) {
-                                  visit(std::min(one.info(), two.info()), std::max(one.info(), two.info()));
-                                });
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const SegmentBox& one, const SegmentBox& two) {
+    visit(std::min(one.info(), two.info()), std::max(one.info(), two.info()));
+  });
 }
 
 }  // namespace
@@ -89,8 +90,7 @@ std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline
     const Vec<2> from_end = outline.vertices[one.second] - outline.vertices[outline.facets[one.first][0]];
     return std::make_tuple(one.first, from_end.squaredNorm(), one.second);
   };
-  std::sort(found.begin(), found.end(),
-            [&](const auto& one, const auto& two) { return order(one) < order(two); });
+  std::sort(found.begin(), found.end(), [&](const auto& one, const auto& two) { return order(one) < order(two); });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

@@ -50,11 +50,13 @@ struct CgalSoup {
 /// The surface of a mesh. \pre nothing was removed from it since its last collect_garbage()
 inline Surface<3> surface_of(const CgalMesh& mesh) {
   Surface<3> surface;
-  for (const CgalMesh::Vertex_index v : mesh.vertices()) surface.vertices.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  for (const CgalMesh::Vertex_index v : mesh.vertices())
+    surface.vertices.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
   for (const CgalMesh::Face_index f : mesh.faces()) {
     std::array<Index, 3>& facet = surface.facets.emplace_back();
     std::size_t k = 0;
-    for (const CgalMesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) facet[k++] = static_cast<Index>(v.idx());
+    for (const CgalMesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      facet[k++] = static_cast<Index>(v.idx());
   }
   return surface;
 }

@@ -31,8 +31,9 @@ bool within(const Box<3>& inner, const Box<3>& outer) {
   return (inner.min.array() >= outer.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
 }
 
-// The surface in the unit box, by a power of two, which rounds nothing. Where the vertical ray from a point meets an edge, CGAL
-// tries rays to the point plus a random vector of length 1 until one meets none: beyond 2^53 that is the point itself, for ever.
+// The surface in the unit box, by a power of two, which rounds nothing. Where the vertical ray from a point meets an
+// edge, CGAL tries rays to the point plus a random vector of length 1 until one meets none: beyond 2^53 that is the
+// point itself, for ever.
 Surface<3> scaled_to_unit(const Surface<3>& surface) {
   const Box<3> box = bounding_box(surface.vertices);
   const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff();
@@ -44,7 +45,8 @@ Surface<3> scaled_to_unit(const Surface<3>& surface) {
 
 using Side = CGAL::Side_of_triangle_mesh<CgalMesh, CgalKernel>;
 
-// Nothing of the part is outside. It may touch the other with vertices and edges, not with a facet: that is no cavity in it.
+// Nothing of the part is outside. It may touch the other with vertices and edges, not with a facet: that is no cavity
+// in it.
 bool is_inside(const Part& part, const Surface<3>& surface, const Side& side_of_other) {
   const auto side = [&](const Vec<3>& x) { return side_of_other({x.x(), x.y(), x.z()}); };
   std::vector<Index> free;  // vertices that do not touch
@@ -68,7 +70,9 @@ std::vector<int> nesting_depths(const Surface<3>& original, const std::vector<st
   std::vector<int> depths(parts.size(), 0);
   if (parts.size() == 1) return depths;
   const Surface<3> surface = scaled_to_unit(original);
-  const auto point = [&](Index v) { return CgalKernel::Point_3(surface.vertices[v].x(), surface.vertices[v].y(), surface.vertices[v].z()); };
+  const auto point = [&](Index v) {
+    return CgalKernel::Point_3(surface.vertices[v].x(), surface.vertices[v].y(), surface.vertices[v].z());
+  };
   std::vector<Part> all;
   for (const std::vector<Index>& facets : parts) all.push_back(part_of(surface, facets));
   for (std::size_t outer = 0; outer < all.size(); ++outer) {

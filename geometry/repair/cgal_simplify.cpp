@@ -29,10 +29,12 @@ using StopAtEdges = simplification::Edge_count_stop_predicate<CgalMesh>;
 using StopAtEdges = simplification::Count_stop_predicate<CgalMesh>;
 #endif
 
-// Tells how far the collapses are, and stops them on request: each edge is taken up once, then edges go until enough have gone.
+// Tells how far the collapses are, and stops them on request: each edge is taken up once, then edges go until enough
+// have gone.
 class CollapseVisitor : public simplification::Edge_collapse_visitor_base<CgalMesh> {
  public:
-  CollapseVisitor(Activity& activity, std::size_t n_edges, std::size_t n_left) : activity_(activity), n_edges_(n_edges), n_left_(n_left) {}
+  CollapseVisitor(Activity& activity, std::size_t n_edges, std::size_t n_left)
+      : activity_(activity), n_edges_(n_edges), n_left_(n_left) {}
   // The cost is optional, by Boost in CGAL 5 and by the standard library in CGAL 6.
   template <class Cost>
   void OnCollected(const Profile&, const Cost&) {
@@ -53,9 +55,9 @@ class CollapseVisitor : public simplification::Edge_collapse_visitor_base<CgalMe
   std::size_t n_edges_, n_left_, n_collected_ = 0, n_calls_ = 0;
 };
 
-// A queue of all edges of a large mesh takes most of the time. As long as there are `many` times the vertices that are wanted, edges shorter than a
-// length that grows from pass to pass go in the order of their numbers. Each vertex goes once in a pass, and no edge becomes much longer: one
-// would else walk through the mesh and draw its edges after it.
+// A queue of all edges of a large mesh takes most of the time. As long as there are `many` times the vertices that are
+// wanted, edges shorter than a length that grows from pass to pass go in the order of their numbers. Each vertex goes
+// once in a pass, and no edge becomes much longer: one would else walk through the mesh and draw its edges after it.
 class CollapsePasses {
  public:
   explicit CollapsePasses(CgalMesh& mesh) : mesh_(mesh) {}
@@ -84,16 +86,20 @@ class CollapsePasses {
   static constexpr int most_passes = 24;
   static constexpr double growth = 1.3, stretch = 1.5;
 
-  double squared_length(CgalMesh::Edge_index e) const { return CGAL::squared_distance(mesh_.point(mesh_.vertex(e, 0)), mesh_.point(mesh_.vertex(e, 1))); }
+  double squared_length(CgalMesh::Edge_index e) const {
+    return CGAL::squared_distance(mesh_.point(mesh_.vertex(e, 0)), mesh_.point(mesh_.vertex(e, 1)));
+  }
 
   // Would a facet at v, but for those at the other end, turn over, or have an edge that is longer than `most`?
-  bool spoils(CgalMesh::Vertex_index v, CgalMesh::Vertex_index other, const CgalKernel::Point_3& middle, double most) const {
+  bool spoils(CgalMesh::Vertex_index v, CgalMesh::Vertex_index other, const CgalKernel::Point_3& middle,
+              double most) const {
     for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v))) {
       if (mesh_.is_border(h)) continue;
       const auto a = mesh_.source(h), b = mesh_.target(mesh_.next(h));
       if (a == other || b == other) continue;
       const auto &p = mesh_.point(a), &q = mesh_.point(b), &x = mesh_.point(v);
-      if (CGAL::squared_distance(p, middle) > most * most || CGAL::squared_distance(q, middle) > most * most) return true;
+      if (CGAL::squared_distance(p, middle) > most * most || CGAL::squared_distance(q, middle) > most * most)
+        return true;
       if (CGAL::cross_product(p - x, q - x) * CGAL::cross_product(p - middle, q - middle) <= 0) return true;
     }
     return false;

@@ -48,10 +48,12 @@ NearBox box_around(const Vec<3>& a, const Vec<3>& b, double distance, Index info
 
 void weld_near(Surface<3>& surface, const std::vector<Index>& vertices, double distance) {
   std::vector<NearBox> boxes;
-  for (const Index v : vertices) boxes.push_back(box_around(surface.vertices[v], surface.vertices[v], 0.5 * distance, v));
+  for (const Index v : vertices)
+    boxes.push_back(box_around(surface.vertices[v], surface.vertices[v], 0.5 * distance, v));
   DisjointSets sets(surface.vertices.size());
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const NearBox& one, const NearBox& two) {
-    if ((surface.vertices[one.info()] - surface.vertices[two.info()]).norm() <= distance) sets.join(one.info(), two.info());
+    if ((surface.vertices[one.info()] - surface.vertices[two.info()]).norm() <= distance)
+      sets.join(one.info(), two.info());
   });
   for (Facet& facet : surface.facets)
     for (Index& v : facet) v = sets.find(v);
@@ -59,7 +61,8 @@ void weld_near(Surface<3>& surface, const std::vector<Index>& vertices, double d
 }
 
 // The border's vertices inside each of its edges, from the lower vertex to the higher.
-std::map<Edge, std::vector<Index>> vertices_on(const Surface<3>& surface, const std::vector<Edge>& edges, double distance) {
+std::map<Edge, std::vector<Index>> vertices_on(const Surface<3>& surface, const std::vector<Edge>& edges,
+                                               double distance) {
   const std::vector<Vec<3>>& x = surface.vertices;
   std::vector<NearBox> edge_boxes, vertex_boxes;
   for (std::size_t e = 0; e < edges.size(); ++e)

@@ -11,7 +11,9 @@ namespace shellmatch {
 Surface<3> wrapped(const Surface<3>& triangles, double alpha, double offset) try {
   CgalSoup soup(triangles);
   // CGAL leaves them out and does not expect that nothing is left.
-  std::erase_if(soup.triangles, [&](const auto& t) { return CGAL::collinear(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]); });
+  std::erase_if(soup.triangles, [&](const auto& t) {
+    return CGAL::collinear(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  });
   if (soup.triangles.empty()) return {};
   CgalMesh mesh;
   CGAL::alpha_wrap_3(soup.points, soup.triangles, alpha, offset, mesh);

@@ -18,11 +18,13 @@ namespace {
 
 // Of the area: where fillings are no more, nothing but them is tried. Half of what closes a flat sheet is filled.
 constexpr double most_filled = 0.45;
-// Of the diagonal of the bounding box: gaps up to a fiftieth are closed, wider ones where nothing else encloses anything.
+// Of the diagonal of the bounding box: gaps up to a fiftieth are closed, wider ones where nothing else encloses
+// anything.
 constexpr double gaps[] = {0.02, 0.04, 0.08, 0.16};
 // Of the gaps: how far outside the wrap lies.
 constexpr double distance = 0.02;
-// Of the diagonal: volume over area of what bounds something. A ball has a tenth, limbs a fiftieth, flat sheets nothing.
+// Of the diagonal: volume over area of what bounds something. A ball has a tenth, limbs a fiftieth, flat sheets
+// nothing.
 constexpr double least_thickness = 0.005;
 
 // What check_closed() says; empty for a closed surface.
@@ -37,7 +39,8 @@ std::string why_open(const Surface<3>& surface, const std::string& source) {
 
 double thickness(const Surface<3>& closed) { return std::abs(enclosed_measure(closed)) / surface_measure(closed); }
 
-// Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there is nothing else.
+// Triangles that share no vertex with another, beside parts that are more: nothing is lost with them. None where there
+// is nothing else.
 std::size_t drop_loose_triangles(Surface<3>& surface) {
   const std::vector<std::vector<Index>> parts = connected_parts(surface);
   Triangles kept;
@@ -50,7 +53,8 @@ std::size_t drop_loose_triangles(Surface<3>& surface) {
   return n_loose;
 }
 
-// The facets of the wrap that lie farther from the triangles than the wrap of a plane does: they bridge gaps and fill corners.
+// The facets of the wrap that lie farther from the triangles than the wrap of a plane does: they bridge gaps and fill
+// corners.
 Surface<3> bridges(const Surface<3>& wrap, const Surface<3>& triangles, double offset) {
   const FacetTree<3> tree(triangles);
   const auto is_away = [&](const Vec<3>& x) {
@@ -58,7 +62,8 @@ Surface<3> bridges(const Surface<3>& wrap, const Surface<3>& triangles, double o
     return f == no_index || (closest_point_on_facet(triangles, f, x).point - x).norm() > 3 * offset;
   };
   std::vector<char> vertex_is_away(wrap.vertices.size()), is_bridge(wrap.facets.size());
-  parallel_for(wrap.vertices.size(), [&](std::size_t v) { vertex_is_away[v] = is_away(wrap.vertices[v]); }, 256);
+  parallel_for(
+      wrap.vertices.size(), [&](std::size_t v) { vertex_is_away[v] = is_away(wrap.vertices[v]); }, 256);
   parallel_for(
       wrap.facets.size(),
       [&](std::size_t i) {
@@ -76,7 +81,9 @@ Surface<3> bridges(const Surface<3>& wrap, const Surface<3>& triangles, double o
 
 // The patches with which the holes of `observed` were filled.
 Closure closure_by(const FilledHoles& filled, Surface<3> observed) {
-  Surface<3> patches{filled.surface.vertices, {filled.surface.facets.end() - static_cast<std::ptrdiff_t>(filled.n_new), filled.surface.facets.end()}};
+  Surface<3> patches{
+      filled.surface.vertices,
+      {filled.surface.facets.end() - static_cast<std::ptrdiff_t>(filled.n_new), filled.surface.facets.end()}};
   remove_unused_vertices(patches);
   return {{std::move(observed), std::move(patches)}, filled.new_share};
 }
@@ -101,9 +108,10 @@ std::optional<Wrap> wrap_around(const Surface<3>& surface, double gap) {
 Closure put_wrap(Surface<3>& surface, Wrap wrap, std::string_view state, std::vector<std::string>& notes) {
   Closure closure{{surface, bridges(wrap.surface, surface, wrap.offset())}, 0};
   closure.invented_share = surface_measure(closure.evidence.unobserved) / surface_measure(wrap.surface);
-  notes.push_back(fmt::format("{}, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
-                              "{:.2g} % of its area is made up, and weighs nothing",
-                              state, wrap.offset(), wrap.gap, 100 * closure.invented_share));
+  notes.push_back(fmt::format(
+      "{}, and wrapped: the surface that is matched lies {:.3g} outside of the file's and bridges gaps up to {:.3g}; "
+      "{:.2g} % of its area is made up, and weighs nothing",
+      state, wrap.offset(), wrap.gap, 100 * closure.invented_share));
   if (closure.evidence.unobserved.facets.empty()) closure.evidence = {};
   surface = std::move(wrap.surface);
   return closure;
@@ -112,12 +120,14 @@ Closure put_wrap(Surface<3>& surface, Wrap wrap, std::string_view state, std::ve
 // Around what is open more widely than it bridges a wrap goes on both sides, so that it encloses less than fillings do.
 bool encloses_more(const Surface<3>& filled, const std::optional<Wrap>& wrap) {
   const double volume = std::abs(enclosed_measure(filled));
-  return thickness(filled) >= least_thickness * bounding_box(filled.vertices).diagonal() && (!wrap || enclosed_measure(wrap->surface) < 0.5 * volume);
+  return thickness(filled) >= least_thickness * bounding_box(filled.vertices).diagonal() &&
+         (!wrap || enclosed_measure(wrap->surface) < 0.5 * volume);
 }
 
 }  // namespace
 
-Closure wrap_surface(Surface<3>& surface, std::string_view state, const std::string& why, std::vector<std::string>& notes) {
+Closure wrap_surface(Surface<3>& surface, std::string_view state, const std::string& why,
+                     std::vector<std::string>& notes) {
   for (const double gap : gaps)
     if (std::optional<Wrap> wrap = wrap_around(surface, gap)) return put_wrap(surface, std::move(*wrap), state, notes);
   throw_input_error("{} (it encloses next to nothing even where gaps up to {:.3g} are bridged)", why,
@@ -156,13 +166,15 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
       notes.emplace_back("edges with more than two triangles taken apart");
     } else {
       notes.push_back(fmt::format("{} filled with {}, {:.2g} % of the area: that part is made up, and weighs nothing",
-                                  counted(filled->n_holes, "hole", "holes"), counted(filled->n_new, "triangle", "triangles"), 100 * filled->new_share));
+                                  counted(filled->n_holes, "hole", "holes"),
+                                  counted(filled->n_new, "triangle", "triangles"), 100 * filled->new_share));
       closure = closure_by(*filled, std::move(bodies));
     }
     surface = std::move(filled->surface);
     return closure;
   }
-  return wrap ? put_wrap(surface, std::move(*wrap), "not closed", notes) : wrap_surface(surface, "not closed", why, notes);
+  return wrap ? put_wrap(surface, std::move(*wrap), "not closed", notes)
+              : wrap_surface(surface, "not closed", why, notes);
 }
 
 }  // namespace shellmatch

@@ -41,13 +41,18 @@ bool is_flat(const Profile& p, double height) { return p.height <= std::max(heig
 class Dissolver {
  public:
   Dissolver(Surface<3>& surface, double height, const std::vector<Index>& flat)
-      : x_(surface.vertices), facets_(surface.facets), height_(height), alive_(surface.facets.size(), true), around_(surface.vertices.size()) {
+      : x_(surface.vertices),
+        facets_(surface.facets),
+        height_(height),
+        alive_(surface.facets.size(), true),
+        around_(surface.vertices.size()) {
     for (std::size_t f = 0; f < facets_.size(); ++f)
       for (const Index v : facets_[f]) around_[v].push_back(static_cast<Index>(f));
     for (const Index f : flat) look_at(f);
   }
 
-  // Longest edges first: each step leaves flat triangles with shorter ones, or fewer. The bound is for those that turn in a circle.
+  // Longest edges first: each step leaves flat triangles with shorter ones, or fewer. The bound is for those that turn
+  // in a circle.
   void run(std::size_t most_steps) {
     for (std::size_t step = 0; step < most_steps && !todo_.empty(); ++step) {
       const auto [length, f] = todo_.top();
@@ -174,7 +179,8 @@ std::size_t remove_folded_pairs(Surface<3>& surface) {
   for (std::size_t i = 0, j = 0; i < all.size(); i = j) {
     std::size_t middle = i;  // the first that is even
     for (j = i; j < all.size() && all[j].corners == all[i].corners; ++j) middle += all[j].even ? 0 : 1;
-    for (std::size_t k = 0; k < std::min(middle - i, j - middle); ++k) goes[all[i + k].facet] = goes[all[middle + k].facet] = true;
+    for (std::size_t k = 0; k < std::min(middle - i, j - middle); ++k)
+      goes[all[i + k].facet] = goes[all[middle + k].facet] = true;
   }
   std::vector<Facet> kept;
   for (std::size_t f = 0; f < goes.size(); ++f)

@@ -15,17 +15,21 @@ void check_size(const std::vector<Vec<Dim>>& vertices, std::string_view what, co
   constexpr double least = 1e-50, most = 1e50;
   if (vertices.empty()) return;
   const Box<Dim> box = bounding_box(vertices);
-  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff(), side = (box.max - box.min).maxCoeff();
+  const double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff(),
+               side = (box.max - box.min).maxCoeff();
   if (largest > most)
-    throw_input_error("{}: a coordinate is {:.3g}, and coordinates up to {:g} can be used; scale the shape", source, largest, most);
+    throw_input_error("{}: a coordinate is {:.3g}, and coordinates up to {:g} can be used; scale the shape", source,
+                      largest, most);
   if (side > 0 && side < least)
-    throw_input_error("{}: {} has a size of {:.3g}, and sizes from {:g} on can be used; scale the shape", source, what, side, least);
+    throw_input_error("{}: {} has a size of {:.3g}, and sizes from {:g} on can be used; scale the shape", source, what,
+                      side, least);
 }
 
 }  // namespace
 
 template <int Dim>
-Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes, Closing closing) {
+Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes,
+                      Closing closing) {
   check_size(original.vertices, "the shape", source);
   Shape<Dim> shape{std::move(source), std::move(original), {}, std::move(notes)};
   if constexpr (Dim == 2) shape.surface = mend_outline(shape.original, shape.source, shape.notes);

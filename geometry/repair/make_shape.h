@@ -16,6 +16,7 @@ namespace shellmatch {
 /// \param closing of surfaces in space
 /// \throws InputError where no closed surface can be made of it
 template <int Dim>
-Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes = {}, Closing closing = Closing::never);
+Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vector<std::string> notes = {},
+                      Closing closing = Closing::never);
 
 }  // namespace shellmatch

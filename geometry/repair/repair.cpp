@@ -49,9 +49,8 @@ PartMeasure measure(const Surface<3>& surface, const std::vector<Index>& part) {
   const Vec<3> centre = 0.5 * (box.min + box.max);
   for (const Index f : part) {
     const auto& [a, b, c] = surface.facets[f];
-    result.volume += (surface.vertices[a] - centre)
-                         .dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre)) /
-                     6;
+    result.volume +=
+        (surface.vertices[a] - centre).dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre)) / 6;
   }
   return result;
 }
@@ -89,7 +88,8 @@ void orient_outward(Surface<3>& surface, const std::string& source, Notes& notes
   notes.add(n_turned, "connected part", "connected parts", "turned inside out, to face outward");
 }
 
-// What to say of coordinates in single precision so far from the origin that its steps are about as long as the edges; empty otherwise.
+// What to say of coordinates in single precision so far from the origin that its steps are about as long as the edges;
+// empty otherwise.
 std::string used_up_precision(const OriginalShape<3>& original) {
   if (original.vertices.empty()) return "";
   const auto is_single = [](double a) { return static_cast<double>(static_cast<float>(a)) == a; };
@@ -102,14 +102,18 @@ std::string used_up_precision(const OriginalShape<3>& original) {
   for (const std::vector<Index>& polygon : original.polygons)
     for (std::size_t k = 0; k < polygon.size(); ++k, ++n)
       sum += (original.vertices[polygon[k]] - original.vertices[polygon[(k + 1) % polygon.size()]]).norm();
-  const double step = largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0, edge = n > 0 ? sum / static_cast<double>(n) : 0;
+  const double step = largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0,
+               edge = n > 0 ? sum / static_cast<double>(n) : 0;
   if (!(step > most_step * edge)) return "";
-  return fmt::format("single precision is used up: {:.3g} from the origin its steps are {:.3g} long, and the mean edge is {:.3g}; write the file in "
-                     "double precision, or move the shape to the origin before it is written",
-                     largest, step, edge);
+  return fmt::format(
+      "single precision is used up: {:.3g} from the origin its steps are {:.3g} long, and the mean edge is {:.3g}; "
+      "write the file in "
+      "double precision, or move the shape to the origin before it is written",
+      largest, step, edge);
 }
 
-MendedSurface mend(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& note_list, Closing closing) {
+MendedSurface mend(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& note_list,
+                   Closing closing) {
   if (original.polygons.empty())
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
@@ -120,15 +124,15 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   const auto n_split = std::count_if(original.polygons.begin(), original.polygons.end(),
                                      [](const std::vector<Index>& p) { return p.size() > 3; });
   notes.add(static_cast<std::size_t>(n_split), "polygon", "polygons", "split into triangles");
-  notes.add(n_given_up, "polygon", "polygons", "with too many crossings of the edges split into triangles that overlap");
+  notes.add(n_given_up, "polygon", "polygons",
+            "with too many crossings of the edges split into triangles that overlap");
   notes.add(remove_unused_vertices(surface), "unused vertex", "unused vertices", "left out");
   notes.add(weld_seams(surface), "duplicate vertex", "duplicate vertices", "welded");
   stop_if_wanted();
   const auto [n_collapsed, n_copies] = remove_repetitions(surface);
   notes.add(n_collapsed, "triangle", "triangles", "with a repeated corner removed");
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
-  if (surface.facets.empty())
-    throw_input_error("{}: the faces have no area; a closed surface is needed", source);
+  if (surface.facets.empty()) throw_input_error("{}: the faces have no area; a closed surface is needed", source);
   const double negligible = negligible_length(surface.vertices);
   const bool automatic = closing == Closing::automatic;
   if (!automatic) check_closed(surface, source);
@@ -146,7 +150,8 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   try {
     check_closed(surface, source);
   } catch (const InputError&) {
-    const std::string why = source + ": the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart";
+    const std::string why =
+        source + ": the surface is one-sided, as a Klein bottle is: inside and outside cannot be told apart";
     if (!automatic) throw InputError(why);
     closure = wrap_surface(surface, "one-sided", why, note_list);
   }
@@ -167,7 +172,8 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
 
 }  // namespace
 
-MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& notes, Closing closing) {
+MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& notes,
+                           Closing closing) {
   const std::string precision = used_up_precision(original);
   if (!precision.empty()) notes.push_back(precision);
   try {

@@ -26,8 +26,8 @@ struct MendedSurface {
 /// other parts. Describes the repairs in `notes`. \param source the name for messages. \throws InputError
 /// where there are no faces, where the surface remains open (with the numbers of boundary edges and loops,
 /// and a position), has an edge with more than two triangles (with the number, and a position), is one-sided
-/// or encloses no volume. With Closing::automatic holes that make up at most 45 % of the area are filled, and everything else
-/// that is not closed is wrapped; it is then refused only where the wrap encloses next to nothing.
+/// or encloses no volume. With Closing::automatic holes that make up at most 45 % of the area are filled, and
+/// everything else that is not closed is wrapped; it is then refused only where the wrap encloses next to nothing.
 MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& source, std::vector<std::string>& notes,
                            Closing closing = Closing::never);
 
@@ -35,7 +35,6 @@ MendedSurface mend_surface(const OriginalShape<3>& original, const std::string& 
 /// twice, and orients rings by their depth of nesting: outer ones counter-clockwise, holes clockwise. \throws
 /// InputError where a ring has fewer than three points or no area, or where segments meet elsewhere than at
 /// common points (with the numbers of their points, counted from 1, and the position) or rings cross at a common point.
-Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source,
-                        std::vector<std::string>& notes);
+Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source, std::vector<std::string>& notes);
 
 }  // namespace shellmatch

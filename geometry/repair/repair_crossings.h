@@ -17,8 +17,8 @@ std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline
 /// All pairs of a segment and a vertex in its interior (exact test), sorted by segment and along the segment.
 std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline);
 
-/// Whether the path a - p - b passes through the path c - p - d at p, from one side of it to the other. Exact test. \pre no two
-/// of the four ends lie in the same direction from p
+/// Whether the path a - p - b passes through the path c - p - d at p, from one side of it to the other. Exact test.
+/// \pre no two of the four ends lie in the same direction from p
 bool pass_through_at(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const Vec<2>& d);
 
 /// A common point of both segments, up to rounding.

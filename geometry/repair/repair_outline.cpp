@@ -29,10 +29,8 @@ std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& ring, con
   std::map<Coordinates, std::size_t> place_in_path;
   const auto key = [&](Index v) { return Coordinates(x[v].x(), x[v].y()); };
   const auto close = [&](std::size_t from) {
-    if (path.size() - from > 2)
-      loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(from), path.end());
-    else
-      ++n_spikes;
+    if (path.size() - from > 2) loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(from), path.end());
+    else ++n_spikes;
     for (std::size_t k = from; k < path.size(); ++k) place_in_path.erase(key(path[k]));
     path.resize(from);
   };
@@ -51,8 +49,8 @@ struct Repairs {
   std::size_t n_repeated = 0, n_spikes = 0, n_touches = 0;
 };
 
-std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::size_t number,
-                                       const std::string& source, Repairs& repairs) {
+std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::size_t number, const std::string& source,
+                                       Repairs& repairs) {
   const std::vector<Index>& polygon = original.polygons[number];
   const auto& x = original.vertices;
   std::vector<Index> points;
@@ -61,8 +59,8 @@ std::vector<Index> without_repetitions(const OriginalShape<2>& original, std::si
   while (points.size() > 1 && x[points.back()] == x[points.front()]) points.pop_back();
   repairs.n_repeated += polygon.size() - points.size();
   if (points.size() < 3)
-    throw_input_error("{}: ring {} has only {} (point {} on); a closed outline needs three or more", source,
-                      number + 1, counted(points.size(), "different point", "different points"),
+    throw_input_error("{}: ring {} has only {} (point {} on); a closed outline needs three or more", source, number + 1,
+                      counted(points.size(), "different point", "different points"),
                       polygon.empty() ? 0 : polygon[0] + 1);
   return points;
 }
@@ -75,27 +73,29 @@ void note_long_closing_edge(const std::vector<Index>& ring, const std::vector<Ve
   for (std::size_t k = 0; k + 1 < ring.size(); ++k) longest = std::max(longest, (x[ring[k + 1]] - x[ring[k]]).norm());
   const double closing = (x[ring.front()] - x[ring.back()]).norm();
   if (closing > much * longest)
-    notes.push_back(fmt::format("ring {} is closed by a segment of length {:.3g}, {:.3g} times the longest other one: is it cut off?",
-                                number + 1, closing, closing / longest));
+    notes.push_back(fmt::format(
+        "ring {} is closed by a segment of length {:.3g}, {:.3g} times the longest other one: is it cut off?",
+        number + 1, closing, closing / longest));
 }
 
 // All pairs of segments that end in one point are looked at, so that their number is limited.
-void check_number_of_visits(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x, const std::string& source) {
+void check_number_of_visits(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x,
+                            const std::string& source) {
   constexpr std::size_t most = 1000;
   std::map<Coordinates, std::size_t> n_visits;
   for (const std::vector<Index>& ring : rings)
     for (const Index v : ring)
       if (++n_visits[{x[v].x(), x[v].y()}] > most)
-        throw_input_error("{}: the outline passes through ({:.6g}, {:.6g}) more than {} times; move or remove points there", source,
-                          x[v].x(), x[v].y(), most);
+        throw_input_error(
+            "{}: the outline passes through ({:.6g}, {:.6g}) more than {} times; move or remove points there", source,
+            x[v].x(), x[v].y(), most);
 }
 
 // Segments of all rings, in their order.
 Surface<2> segments_of(const std::vector<Vec<2>>& vertices, const std::vector<std::vector<Index>>& rings) {
   Surface<2> all{vertices, {}};
   for (const std::vector<Index>& ring : rings)
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      all.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
+    for (std::size_t k = 0; k < ring.size(); ++k) all.facets.push_back({ring[k], ring[(k + 1) % ring.size()]});
   return all;
 }
 
@@ -120,8 +120,8 @@ void add_rings(const std::vector<Index>& points, const std::vector<Vec<2>>& x, s
                const std::string& source, std::vector<Ring>& rings, Repairs& repairs) {
   const std::vector<std::vector<Index>> loops = simple_loops(points, x, repairs.n_spikes);
   if (loops.empty())
-    throw_input_error("{}: ring {} (point {} on) has no area: it goes back the way it came", source,
-                      number + 1, points[0] + 1);
+    throw_input_error("{}: ring {} (point {} on) has no area: it goes back the way it came", source, number + 1,
+                      points[0] + 1);
   repairs.n_touches += loops.size() - 1;
   for (const std::vector<Index>& loop : loops) {
     Ring ring{loop, {}, 0};
@@ -145,31 +145,38 @@ void check_crossings(const Surface<2>& outline, const std::string& source, Conta
   for (std::size_t i = 0; i < n_shown; ++i) {
     const auto& [f, g] = found[i];
     const Vec<2> x = crossing_point(outline, f, g);
-    places += fmt::format("{}segments {}-{} and {}-{} at ({:.6g}, {:.6g})", i == 0 ? "" : ", ",
-                          outline.facets[f][0] + 1, outline.facets[f][1] + 1, outline.facets[g][0] + 1,
-                          outline.facets[g][1] + 1, x.x(), x.y());
+    places +=
+        fmt::format("{}segments {}-{} and {}-{} at ({:.6g}, {:.6g})", i == 0 ? "" : ", ", outline.facets[f][0] + 1,
+                    outline.facets[f][1] + 1, outline.facets[g][0] + 1, outline.facets[g][1] + 1, x.x(), x.y());
   }
   throw_input_error(
       "{}: the outline crosses or touches itself in {}: {}{} (points counted from 1); move or remove "
       "points there",
-      source, found.size() > max_crossings ? fmt::format("more than {} places", max_crossings) : counted(found.size(), "place", "places"), places, found.size() > n_shown ? ", ..." : "");
+      source,
+      found.size() > max_crossings ? fmt::format("more than {} places", max_crossings)
+                                   : counted(found.size(), "place", "places"),
+      places, found.size() > n_shown ? ", ..." : "");
 }
 
 // Rings may have points in common, but not pass through each other there. \pre they meet nowhere else
-void check_common_points(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x, const std::string& source) {
+void check_common_points(const std::vector<std::vector<Index>>& rings, const std::vector<Vec<2>>& x,
+                         const std::string& source) {
   struct Visit {
     Index before, after;
   };
   std::map<Coordinates, std::vector<Visit>> visits;
   for (const std::vector<Index>& ring : rings)
     for (std::size_t k = 0; k < ring.size(); ++k)
-      visits[{x[ring[k]].x(), x[ring[k]].y()}].push_back({ring[(k + ring.size() - 1) % ring.size()], ring[(k + 1) % ring.size()]});
+      visits[{x[ring[k]].x(), x[ring[k]].y()}].push_back(
+          {ring[(k + ring.size() - 1) % ring.size()], ring[(k + 1) % ring.size()]});
   for (const auto& [place, paths] : visits)
     for (std::size_t i = 0; i < paths.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (pass_through_at({place.first, place.second}, x[paths[i].before], x[paths[i].after], x[paths[j].before], x[paths[j].after]))
-          throw_input_error("{}: two rings cross at ({:.6g}, {:.6g}), which is a point of both; move or remove points there", source,
-                            place.first, place.second);
+        if (pass_through_at({place.first, place.second}, x[paths[i].before], x[paths[i].after], x[paths[j].before],
+                            x[paths[j].after]))
+          throw_input_error(
+              "{}: two rings cross at ({:.6g}, {:.6g}), which is a point of both; move or remove points there", source,
+              place.first, place.second);
 }
 
 // Crossing number of the ray to the right; x lies on no segment.
@@ -192,24 +199,24 @@ int nesting_depth(std::size_t number, const std::vector<Ring>& rings, const std:
   int depth = 0;
   for (std::size_t other = 0; other < rings.size(); ++other) {
     const Box<2>& box = rings[other].box;
-    if (other == number || (x.array() < box.min.array()).any() || (x.array() > box.max.array()).any())
-      continue;
+    if (other == number || (x.array() < box.min.array()).any() || (x.array() > box.max.array()).any()) continue;
     depth += is_inside(x, rings[other], points) ? 1 : 0;
   }
   return depth;
 }
 
-// Products of smaller numbers vanish, and with them the sides of points. Shapes are at least 1e-50 large (make_shape.cpp).
+// Products of smaller numbers vanish, and with them the sides of points. Shapes are at least 1e-50 large
+// (make_shape.cpp).
 constexpr double vanishing = 1e-100;
 
 bool is_vanishing(double x) { return x != 0 && std::abs(x) < vanishing; }
 
 }  // namespace
 
-Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source,
-                        std::vector<std::string>& notes) {
+Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& source, std::vector<std::string>& notes) {
   if (original.polygons.empty()) throw_input_error("{}: no outline in it", source);
-  if (std::ranges::any_of(original.vertices, [](const Vec<2>& x) { return is_vanishing(x.x()) || is_vanishing(x.y()); })) {
+  if (std::ranges::any_of(original.vertices,
+                          [](const Vec<2>& x) { return is_vanishing(x.x()) || is_vanishing(x.y()); })) {
     OriginalShape<2> rounded{original.vertices, original.polygons, {}};
     for (Vec<2>& x : rounded.vertices)
       for (double& coordinate : x)
@@ -256,8 +263,7 @@ Surface<2> mend_outline(const OriginalShape<2>& original, const std::string& sou
   }
   if (repairs.n_repeated > 0)
     notes.push_back(counted(repairs.n_repeated, "repeated point", "repeated points") + " left out");
-  if (repairs.n_spikes > 0)
-    notes.push_back(counted(repairs.n_spikes, "spike", "spikes") + " without width removed");
+  if (repairs.n_spikes > 0) notes.push_back(counted(repairs.n_spikes, "spike", "spikes") + " without width removed");
   if (repairs.n_touches > 0)
     notes.push_back(counted(repairs.n_touches, "loop", "loops") + " cut off where an outline touches itself");
   if (n_holes > 0) notes.push_back(counted(n_holes, "ring is a hole", "rings are holes"));

@@ -38,8 +38,7 @@ std::size_t weld_seams(Surface<3>& surface) {
     const Vec<3>& x = surface.vertices[v];
     return std::array<double, 3>{x.x(), x.y(), x.z()};
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index v, Index w) { return coordinates(v) < coordinates(w); });
+  std::stable_sort(order.begin(), order.end(), [&](Index v, Index w) { return coordinates(v) < coordinates(w); });
   std::vector<Index> target(surface.vertices.size());
   std::iota(target.begin(), target.end(), Index{0});
   std::size_t n_welded = 0;
@@ -96,10 +95,9 @@ void check_closed(const Surface<3>& surface, const std::string& source) {
     return position(surface.vertices[e.low], digits) + " to " + position(surface.vertices[e.high], digits);
   };
   const std::string boundary =
-      open.empty()
-          ? ""
-          : fmt::format("{} in {}, one from {}", counted(open.size(), "boundary edge", "boundary edges"),
-                        counted(loop_names.size(), "loop", "loops"), place(open[0]));
+      open.empty() ? ""
+                   : fmt::format("{} in {}, one from {}", counted(open.size(), "boundary edge", "boundary edges"),
+                                 counted(loop_names.size(), "loop", "loops"), place(open[0]));
   if (!crowded.empty())
     throw_input_error(
         "{}: the surface is not manifold: {} more than two faces, one from {}{}{}; remove inner walls and "

@@ -37,8 +37,8 @@ bool is_convex(const std::vector<Vec<2>>& x) {
   return true;
 }
 
-// The reflex corners of a polygon, in a tree of boxes. Of a polygon that does not cross itself only these can lie in the triangle of
-// a convex corner, and what has become convex stays so: the tree only loses corners.
+// The reflex corners of a polygon, in a tree of boxes. Of a polygon that does not cross itself only these can lie in
+// the triangle of a convex corner, and what has become convex stays so: the tree only loses corners.
 class ReflexCorners {
  public:
   ReflexCorners(const std::vector<Vec<2>>& x, std::vector<std::size_t> corners)
@@ -58,7 +58,8 @@ class ReflexCorners {
     }
   }
 
-  // Is there one in the triangle, or on its border, that does not lie where a corner of it does? Adds to n_tests what it looks at.
+  // Is there one in the triangle, or on its border, that does not lie where a corner of it does? Adds to n_tests what
+  // it looks at.
   bool any_in(const std::array<Vec<2>, 3>& triangle, std::size_t& n_tests) const {
     return any_in(triangle, 0, 0, corners_.size(), n_tests);
   }
@@ -78,26 +79,31 @@ class ReflexCorners {
     const int axis = box.max.x() - box.min.x() > box.max.y() - box.min.y() ? 0 : 1;
     const std::size_t middle = (begin + end) / 2;
     const auto at = [&](std::size_t k) { return corners_.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t a, std::size_t b) { return x_[a][axis] < x_[b][axis]; });
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](std::size_t a, std::size_t b) { return x_[a][axis] < x_[b][axis]; });
     build(2 * node + 1, begin, middle);
     build(2 * node + 2, middle, end);
   }
 
-  // Is the whole box to the right of one of the edges? A turn, in floating point as well, is greatest at a corner of the box.
+  // Is the whole box to the right of one of the edges? A turn, in floating point as well, is greatest at a corner of
+  // the box.
   static bool is_outside(const std::array<Vec<2>, 3>& triangle, const Box<2>& box) {
     for (std::size_t e = 0; e < 3; ++e) {
       const Vec<2>&a = triangle[e], &b = triangle[(e + 1) % 3];
-      if (turn(a, b, {b.y() > a.y() ? box.min.x() : box.max.x(), b.x() > a.x() ? box.max.y() : box.min.y()}) < 0) return true;
+      if (turn(a, b, {b.y() > a.y() ? box.min.x() : box.max.x(), b.x() > a.x() ? box.max.y() : box.min.y()}) < 0)
+        return true;
     }
     return false;
   }
 
-  bool any_in(const std::array<Vec<2>, 3>& triangle, std::size_t node, std::size_t begin, std::size_t end, std::size_t& n_tests) const {
+  bool any_in(const std::array<Vec<2>, 3>& triangle, std::size_t node, std::size_t begin, std::size_t end,
+              std::size_t& n_tests) const {
     ++n_tests;
     if (nodes_[node].n_left == 0 || is_outside(triangle, nodes_[node].box)) return false;
     if (end - begin > most_in_leaf) {
       const std::size_t middle = (begin + end) / 2;
-      return any_in(triangle, 2 * node + 1, begin, middle, n_tests) || any_in(triangle, 2 * node + 2, middle, end, n_tests);
+      return any_in(triangle, 2 * node + 1, begin, middle, n_tests) ||
+             any_in(triangle, 2 * node + 2, middle, end, n_tests);
     }
     const auto& [a, b, c] = triangle;
     for (std::size_t k = begin; k < end; ++k) {
@@ -144,7 +150,8 @@ bool clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, 
     }
     k = l;
   }
-  for (std::size_t m = after[first]; after[m] != first; m = after[m]) triangles.push_back({corners[first], corners[m], corners[after[m]]});
+  for (std::size_t m = after[first]; after[m] != first; m = after[m])
+    triangles.push_back({corners[first], corners[m], corners[after[m]]});
   return n_left <= 3;
 }
 
@@ -168,7 +175,8 @@ Triangles triangulate(const OriginalShape<3>& shape, std::vector<Index>* polygon
       const bool is_done = clip_ears(flat, corners, triangles);
       if (n_given_up && !is_done) ++*n_given_up;
     } else {
-      for (std::size_t k = 1; k + 1 < corners.size(); ++k) triangles.push_back({corners[0], corners[k], corners[k + 1]});
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+        triangles.push_back({corners[0], corners[k], corners[k + 1]});
     }
     if (polygon_of) polygon_of->resize(triangles.size(), static_cast<Index>(p));
   }

@@ -26,8 +26,9 @@ class Joints {
     sets_.join(corner(one.facet, one_end), corner(two.facet, opposite ? two.begin : two_end));
   }
 
-  // Around the edge, by angle: the inside lies counter-clockwise of a facet that runs backward and clockwise of one that runs forward. Like
-  // brackets, each that opens a wedge is joined to the one that closes it; going round twice finds those beyond the angle 0.
+  // Around the edge, by angle: the inside lies counter-clockwise of a facet that runs backward and clockwise of one
+  // that runs forward. Like brackets, each that opens a wedge is joined to the one that closes it; going round twice
+  // finds those beyond the angle 0.
   void join_wedges(const FacetEdge* begin, const FacetEdge* end) {
     const Vec<3>& origin = surface_.vertices[begin->low];
     const Vec<3> axis = surface_.vertices[begin->high] - origin;
@@ -96,12 +97,13 @@ class Joints {
 std::size_t take_apart(Surface<3>& surface) {
   Joints joints(surface);
   std::size_t n_crowded = 0;
-  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
-    if (end - begin == 2) joints.join(begin[0], begin[1]);
-    if (end - begin <= 2) return;
-    ++n_crowded;
-    joints.join_wedges(begin, end);
-  });
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()),
+                [&](const FacetEdge* begin, const FacetEdge* end) {
+                  if (end - begin == 2) joints.join(begin[0], begin[1]);
+                  if (end - begin <= 2) return;
+                  ++n_crowded;
+                  joints.join_wedges(begin, end);
+                });
   if (n_crowded > 0) joints.divide(surface);
   return n_crowded;
 }

@@ -1,5 +1,6 @@
-// COLLADA: "COLLADA - Digital Asset Schema Release 1.4.1", Khronos 2008, chapter 5 (geometry, scene), and 1.5.0. Read by pugixml and
-// not by assimp, which gives each corner of a face a vertex of its own and crashes on some damaged files.
+// COLLADA: "COLLADA - Digital Asset Schema Release 1.4.1", Khronos 2008, chapter 5 (geometry, scene), and 1.5.0. Read
+// by pugixml and not by assimp, which gives each corner of a face a vertex of its own and crashes on some damaged
+// files.
 #include "base/printable.h"
 #include "geometry/scene/pugixml_node.h"
 #include "geometry/scene/scene_shape.h"
@@ -40,17 +41,20 @@ class ColladaReader {
  private:
   // Elements are named by their attribute id.
   void remember(const pugi::xml_node& node, int depth) {
-    if (depth > 2 * deepest_node) throw_input_error("{}: elements within elements more than {} deep; flatten the scene", path_, 2 * deepest_node);
+    if (depth > 2 * deepest_node)
+      throw_input_error("{}: elements within elements more than {} deep; flatten the scene", path_, 2 * deepest_node);
     if (const std::string_view id = attribute_of(node, "id"); !id.empty()) by_id_.emplace(id, node);
     for (const pugi::xml_node& child : node.children())
       if (child.type() == pugi::node_element) remember(child, depth + 1);
   }
 
   pugi::xml_node find(std::string_view reference) const {
-    if (!reference.starts_with('#')) throw_input_error("{}: refers to '{}', which is another file; export all into one file", path_,
-        printable(reference, 60));
+    if (!reference.starts_with('#'))
+      throw_input_error("{}: refers to '{}', which is another file; export all into one file", path_,
+                        printable(reference, 60));
     const auto found = by_id_.find(reference.substr(1));
-    if (found == by_id_.end()) throw_input_error("{}: refers to '{}', which is not in it; the file is damaged", path_, printable(reference, 60));
+    if (found == by_id_.end())
+      throw_input_error("{}: refers to '{}', which is not in it; the file is damaged", path_, printable(reference, 60));
     return found->second;
   }
   pugi::xml_node target_of(const pugi::xml_node& instance) const { return find(attribute_of(instance, "url")); }
@@ -60,8 +64,8 @@ class ColladaReader {
     SceneFrame frame{1000, "metre", UpAxis::y};
     if (const std::string_view metres = attribute_of(unit, "meter"); !metres.empty()) {
       const std::optional<double> value = to_double(metres);
-      if (!value || !(*value > 1e-12 && *value < 1e12)) throw_input_error("{}: a unit of '{}' metres; give it a number above 0", path_,
-          printable(metres, 30));
+      if (!value || !(*value > 1e-12 && *value < 1e12))
+        throw_input_error("{}: a unit of '{}' metres; give it a number above 0", path_, printable(metres, 30));
       // 0.001 metres are a millimetre: without the rounding error of the product.
       frame.millimetres = std::abs(*value * 1000 - 1) < 1e-12 ? 1 : *value * 1000;
       const std::string_view name = attribute_of(unit, "name");
@@ -75,7 +79,8 @@ class ColladaReader {
 
   std::vector<double> numbers(const pugi::xml_node& node, std::size_t n) const {
     std::vector<double> values = numbers_in(path_, node.child_value(), fmt::format("<{}>", node.name()));
-    if (values.size() != n) throw_input_error("{}: <{}> has {} numbers, but {} belong there", path_, node.name(), values.size(), n);
+    if (values.size() != n)
+      throw_input_error("{}: <{}> has {} numbers, but {} belong there", path_, node.name(), values.size(), n);
     return values;
   }
 
@@ -83,7 +88,8 @@ class ColladaReader {
     const std::vector<double> m = numbers(node, 16);
     Affine result;
     for (Eigen::Index i = 0; i < 3; ++i)
-      for (Eigen::Index k = 0; k < 4; ++k) (k < 3 ? result.linear(i, k) : result.offset[i]) = m[static_cast<std::size_t>(4 * i + k)];
+      for (Eigen::Index k = 0; k < 4; ++k)
+        (k < 3 ? result.linear(i, k) : result.offset[i]) = m[static_cast<std::size_t>(4 * i + k)];
     return result;
   }
 
@@ -97,7 +103,8 @@ class ColladaReader {
       else if (name == "translate") next.offset = vec(numbers(child, 3));
       else if (name == "scale") next.linear = vec(numbers(child, 3)).asDiagonal();
       else if (name == "rotate") next.linear = rotation(numbers(child, 4));
-      else if (name == "lookat" || name == "skew") throw_input_error("{}: a mesh is placed by <{}>; export it with <matrix>", path_, name);
+      else if (name == "lookat" || name == "skew")
+        throw_input_error("{}: a mesh is placed by <{}>; export it with <matrix>", path_, name);
       else continue;
       place = place * next;
     }
@@ -111,7 +118,8 @@ class ColladaReader {
   }
 
   void add_children(const pugi::xml_node& parent, const Affine& place, int depth) {
-    if (depth > deepest_node) throw_input_error("{}: nodes within nodes more than {} deep; flatten the scene", path_, deepest_node);
+    if (depth > deepest_node)
+      throw_input_error("{}: nodes within nodes more than {} deep; flatten the scene", path_, deepest_node);
     for (const pugi::xml_node& child : parent.children()) {
       const std::string_view name = local_name(child);
       if (name == "node") add_children(child, place * place_of(child), depth + 1);
@@ -122,11 +130,13 @@ class ColladaReader {
   }
   void add_instance(const pugi::xml_node& node, const Affine& place, int depth) {
     // Instances of instances grow as powers, also where none of them has a mesh.
-    if (++n_instances_ > 100000) throw_input_error("{}: more than 100000 instances of nodes; export a part of the scene", path_);
+    if (++n_instances_ > 100000)
+      throw_input_error("{}: more than 100000 instances of nodes; export a part of the scene", path_);
     add_children(node, place * place_of(node), depth);
   }
   void add_skin(const pugi::xml_node& controller, const Affine& place, int depth) {
-    if (depth > deepest_node) throw_input_error("{}: controllers of controllers more than {} deep", path_, deepest_node);
+    if (depth > deepest_node)
+      throw_input_error("{}: controllers of controllers more than {} deep", path_, deepest_node);
     const pugi::xml_node skin = child_of(controller, "skin"), part = skin ? skin : child_of(controller, "morph");
     const pugi::xml_node source = find(attribute_of(part, "source")), bind = child_of(part, "bind_shape_matrix");
     shape_.note("taken in the pose of its mesh: that of its bones is not applied");
@@ -152,32 +162,40 @@ class ColladaReader {
   }
   std::vector<Vec<3>> positions_of(const pugi::xml_node& source) const {
     const pugi::xml_node accessor = child_of(child_of(source, "technique_common"), "accessor");
-    const std::vector<double> values = numbers_in(path_, child_of(source, "float_array").child_value(), "the positions of a mesh");
+    const std::vector<double> values =
+        numbers_in(path_, child_of(source, "float_array").child_value(), "the positions of a mesh");
     const auto count_of = [&](std::string_view name, std::int64_t otherwise) {
-      return static_cast<std::size_t>(std::max<std::int64_t>(0, to_integer(attribute_of(accessor, name)).value_or(otherwise)));
+      return static_cast<std::size_t>(
+          std::max<std::int64_t>(0, to_integer(attribute_of(accessor, name)).value_or(otherwise)));
     };
     const std::size_t stride = count_of("stride", 3), offset = count_of("offset", 0);
     const std::size_t n = count_of("count", static_cast<std::int64_t>(values.size() / 3));
     if (stride < 3 || offset > values.size() || n > (values.size() - offset) / stride)
-      throw_input_error("{}: {} positions are declared, which are not there; the file is damaged or was cut off", path_, n);
+      throw_input_error("{}: {} positions are declared, which are not there; the file is damaged or was cut off", path_,
+                        n);
     std::vector<Vec<3>> positions;
-    for (std::size_t i = 0; i < n; ++i) positions.emplace_back(values[offset + i * stride], values[offset + i * stride + 1], values[offset +
-        i * stride + 2]);
+    for (std::size_t i = 0; i < n; ++i)
+      positions.emplace_back(values[offset + i * stride], values[offset + i * stride + 1],
+                             values[offset + i * stride + 2]);
     return positions;
   }
 
-  void add_primitive(const pugi::xml_node& part, std::string_view& positions, std::vector<std::vector<Index>>& polygons) const {
+  void add_primitive(const pugi::xml_node& part, std::string_view& positions,
+                     std::vector<std::vector<Index>>& polygons) const {
     const std::string_view kind = local_name(part);
-    if (kind != "triangles" && kind != "polylist" && kind != "polygons" && kind != "tristrips" && kind != "trifans") return;
+    if (kind != "triangles" && kind != "polylist" && kind != "polygons" && kind != "tristrips" && kind != "trifans")
+      return;
     std::size_t stride = 0, offset = 0;
     for (const pugi::xml_node& input : children_of(part, "input")) {
-      const auto place = static_cast<std::size_t>(std::clamp<std::int64_t>(to_integer(attribute_of(input, "offset")).value_or(0), 0, 1000));
+      const auto place = static_cast<std::size_t>(
+          std::clamp<std::int64_t>(to_integer(attribute_of(input, "offset")).value_or(0), 0, 1000));
       stride = std::max(stride, place + 1);
       if (attribute_of(input, "semantic") != "VERTEX") continue;
       offset = place;
       positions = attribute_of(input, "source");
     }
-    if (stride == 0 || positions.empty()) throw_input_error("{}: <{}> names no vertices; the file is damaged", path_, kind);
+    if (stride == 0 || positions.empty())
+      throw_input_error("{}: <{}> names no vertices; the file is damaged", path_, kind);
     std::vector<pugi::xml_node> lists = children_of(part, "p");
     for (const pugi::xml_node& with_hole : children_of(part, "ph"))
       if (with_hole) throw_input_error("{}: a polygon with holes; triangulate the mesh before export", path_);
@@ -185,7 +203,8 @@ class ColladaReader {
     if (kind == "polylist") sizes = indices_in(path_, child_of(part, "vcount").child_value(), "<vcount>");
     for (const pugi::xml_node& list : lists) {
       const std::vector<Index> all = indices_in(path_, list.child_value(), "<p>");
-      if (all.size() % stride != 0) throw_input_error("{}: <p> of <{}> ends within a corner; the file is damaged or was cut off", path_, kind);
+      if (all.size() % stride != 0)
+        throw_input_error("{}: <p> of <{}> ends within a corner; the file is damaged or was cut off", path_, kind);
       std::vector<Index> corners;
       for (std::size_t i = offset; i < all.size(); i += stride) corners.push_back(all[i]);
       add_faces(kind, corners, sizes, polygons);
@@ -193,20 +212,25 @@ class ColladaReader {
   }
 
   void add_faces(std::string_view kind, const std::vector<Index>& c, const std::vector<Index>& sizes,
-      std::vector<std::vector<Index>>& polygons) const {
+                 std::vector<std::vector<Index>>& polygons) const {
     if (kind == "polygons") polygons.push_back(c);
     if (kind == "triangles") {
-      if (c.size() % 3 != 0) throw_input_error("{}: <triangles> have {} corners; the file is damaged or was cut off", path_, c.size());
+      if (c.size() % 3 != 0)
+        throw_input_error("{}: <triangles> have {} corners; the file is damaged or was cut off", path_, c.size());
       for (std::size_t i = 0; i < c.size(); i += 3) polygons.push_back({c[i], c[i + 1], c[i + 2]});
     }
     if (kind == "polylist") {
       std::size_t at = 0;
       for (const Index n : sizes) {
-        if (static_cast<std::size_t>(n) > c.size() - at) throw_input_error("{}: <polylist> has fewer corners than <vcount> declares; the file is damaged or was cut off", path_);
-        polygons.emplace_back(c.begin() + static_cast<std::ptrdiff_t>(at), c.begin() + static_cast<std::ptrdiff_t>(at) + n);
+        if (static_cast<std::size_t>(n) > c.size() - at)
+          throw_input_error(
+              "{}: <polylist> has fewer corners than <vcount> declares; the file is damaged or was cut off", path_);
+        polygons.emplace_back(c.begin() + static_cast<std::ptrdiff_t>(at),
+                              c.begin() + static_cast<std::ptrdiff_t>(at) + n);
         at += static_cast<std::size_t>(n);
       }
-      if (at != c.size()) throw_input_error("{}: <polylist> has {} corners, but <vcount> declares {}", path_, c.size(), at);
+      if (at != c.size())
+        throw_input_error("{}: <polylist> has {} corners, but <vcount> declares {}", path_, c.size(), at);
     }
     for (std::size_t i = 2; i < c.size() && kind == "trifans"; ++i) polygons.push_back({c[0], c[i - 1], c[i]});
     for (std::size_t i = 2; i < c.size() && kind == "tristrips"; ++i)

@@ -19,7 +19,8 @@ std::string_view next(std::string_view& rest) { return next_word(rest, blanks); 
 void parse_xml(const std::string& path, std::string_view bytes, pugi::xml_document& document) {
   const pugi::xml_parse_result result = document.load_buffer(bytes.data(), bytes.size());
   if (result) return;
-  throw_input_error("{}: no XML at byte {} ({}); the file is damaged or was cut off", path, result.offset, result.description());
+  throw_input_error("{}: no XML at byte {} ({}); the file is damaged or was cut off", path, result.offset,
+                    result.description());
 }
 
 std::string_view local_name(const char* name) {

@@ -1,6 +1,6 @@
-// 3D Manufacturing Format: "3MF Core Specification" 1.3, chapters 3 and 4, and "3MF Production Extension" 1.1 (parts in files of their
-// own). Read by pugixml and not by assimp, which ends the program on a damaged archive, nor by Debian's lib3mf, whose headers lack its
-// present interface.
+// 3D Manufacturing Format: "3MF Core Specification" 1.3, chapters 3 and 4, and "3MF Production Extension" 1.1 (parts in
+// files of their own). Read by pugixml and not by assimp, which ends the program on a damaged archive, nor by Debian's
+// lib3mf, whose headers lack its present interface.
 #include "base/printable.h"
 #include "geometry/scene/pugixml_node.h"
 #include "geometry/scene/scene_shape.h"
@@ -48,24 +48,26 @@ class ThreeMfReader {
     std::unique_ptr<ModelPart>& known = parts_[name];
     if (known) return *known;
     known = std::make_unique<ModelPart>();
-    const std::optional<std::string> bytes = archive_.part(name.starts_with('/') ? std::string_view(name).substr(1) : name);
+    const std::optional<std::string> bytes =
+        archive_.part(name.starts_with('/') ? std::string_view(name).substr(1) : name);
     if (!bytes) throw_input_error("{}: its part '{}' is missing; the file is damaged", path_, printable(name, 60));
     parse_xml(path_, *bytes, known->document);
     known->model = child_of(known->document, "model");
     if (!known->model) throw_input_error("{}: its part '{}' holds no model", path_, printable(name, 60));
-    for (const pugi::xml_node& object : children_of(child_of(known->model, "resources"), "object")) known->objects.emplace(attribute_of(object,
-        "id"), object);
+    for (const pugi::xml_node& object : children_of(child_of(known->model, "resources"), "object"))
+      known->objects.emplace(attribute_of(object, "id"), object);
     return *known;
   }
 
   SceneFrame frame(const pugi::xml_node& model) const {
-    constexpr std::pair<std::string_view, double> units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot",
-        304.8}, {"meter", 1000}};
+    constexpr std::pair<std::string_view, double> units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10},
+                                                             {"inch", 25.4},    {"foot", 304.8},   {"meter", 1000}};
     const std::string_view name = attribute_of(model, "unit");
     if (name.empty()) return {};
     for (const auto& [unit, millimetres] : units)
       if (unit == name) return {millimetres, std::string(name), UpAxis::z};
-    throw_input_error("{}: the unit '{}' is unknown; micron, millimeter, centimeter, inch, foot and meter are known", path_, printable(name, 30));
+    throw_input_error("{}: the unit '{}' is unknown; micron, millimeter, centimeter, inch, foot and meter are known",
+                      path_, printable(name, 30));
   }
 
   // Twelve numbers, row by row, for points as rows: x' = x M.
@@ -84,14 +86,14 @@ class ThreeMfReader {
 
   // The object that an item of the build or a component names.
   void add_object(const pugi::xml_node& reference, const std::string& own_part, const Affine& parent, int depth) {
-    if (depth > deepest_node || ++n_references_ > 1000000) throw_input_error("{}: components within components without end; the file is damaged",
-        path_);
+    if (depth > deepest_node || ++n_references_ > 1000000)
+      throw_input_error("{}: components within components without end; the file is damaged", path_);
     const std::string_view other = attribute_of(reference, "path"), id = attribute_of(reference, "objectid");
     const std::string name = other.empty() ? own_part : std::string(other);
     const ModelPart& there = part(name);
     const auto found = there.objects.find(id);
-    if (found == there.objects.end()) throw_input_error("{}: refers to object '{}', which is not in it; the file is damaged", path_, printable(id,
-        30));
+    if (found == there.objects.end())
+      throw_input_error("{}: refers to object '{}', which is not in it; the file is damaged", path_, printable(id, 30));
     const pugi::xml_node object = found->second;
     if (const std::string_view type = attribute_of(object, "type"); type == "support" || type == "solidsupport") {
       ++n_supports_;
@@ -99,7 +101,8 @@ class ThreeMfReader {
     }
     const Affine place = parent * transform_of(reference);
     if (const pugi::xml_node mesh = child_of(object, "mesh")) add_mesh(mesh, place);
-    for (const pugi::xml_node& component : children_of(child_of(object, "components"), "component")) add_object(component, name, place, depth + 1);
+    for (const pugi::xml_node& component : children_of(child_of(object, "components"), "component"))
+      add_object(component, name, place, depth + 1);
   }
 
   void add_mesh(const pugi::xml_node& mesh, const Affine& place) {
@@ -107,8 +110,9 @@ class ThreeMfReader {
     std::vector<std::vector<Index>> polygons;
     for (const pugi::xml_node& vertex : child_of(mesh, "vertices").children()) {
       Vec<3> x;
-      for (int k = 0; k < 3; ++k) x[k] = number(attribute_of(vertex, std::string_view("xyz").substr(static_cast<std::size_t>(k), 1)), "a vertex",
-          vertices.size());
+      for (int k = 0; k < 3; ++k)
+        x[k] = number(attribute_of(vertex, std::string_view("xyz").substr(static_cast<std::size_t>(k), 1)), "a vertex",
+                      vertices.size());
       vertices.push_back(x);
     }
     for (const pugi::xml_node& triangle : child_of(mesh, "triangles").children()) {
@@ -116,7 +120,8 @@ class ThreeMfReader {
       for (const std::string_view corner : {"v1", "v2", "v3"}) {
         const std::optional<std::int64_t> v = to_integer(attribute_of(triangle, corner));
         // What is no index of a vertex is refused where the mesh is added.
-        corners.push_back(v && *v >= 0 && *v < static_cast<std::int64_t>(vertices.size()) ? static_cast<Index>(*v) : no_index);
+        corners.push_back(v && *v >= 0 && *v < static_cast<std::int64_t>(vertices.size()) ? static_cast<Index>(*v)
+                                                                                          : no_index);
       }
       polygons.push_back(std::move(corners));
     }
@@ -125,7 +130,8 @@ class ThreeMfReader {
 
   double number(std::string_view text, std::string_view what, std::size_t i) const {
     const std::optional<double> value = to_double(text);
-    if (!value) throw_input_error("{}: '{}' is no coordinate of {} ({}, counted from 0)", path_, printable(text, 30), what, i);
+    if (!value)
+      throw_input_error("{}: '{}' is no coordinate of {} ({}, counted from 0)", path_, printable(text, 30), what, i);
     return *value;
   }
 

@@ -1,4 +1,5 @@
-// FreeSurfer's surfaces, big-endian (https://surfer.nmr.mgh.harvard.edu/fswiki/FileFormats), with what mris_convert --to-scanner does.
+// FreeSurfer's surfaces, big-endian (https://surfer.nmr.mgh.harvard.edu/fswiki/FileFormats), with what mris_convert
+// --to-scanner does.
 #include "geometry/scene/brain_surface.h"
 
 #include <Eigen/LU>
@@ -20,7 +21,8 @@ std::uint32_t word(std::string_view bytes, std::size_t at, std::size_t length = 
   return value;
 }
 
-// Of quadrilaterals: their numbers after the mark, coordinates as hundredths in 16 bits or as floats, corners, all numbers but these of three bytes.
+// Of quadrilaterals: their numbers after the mark, coordinates as hundredths in 16 bits or as floats, corners, all
+// numbers but these of three bytes.
 struct QuadHead {
   std::size_t n_vertices, n_faces, n_bytes;
   bool is_old;
@@ -72,14 +74,18 @@ std::optional<Vec<3>> vector_of(const Footer& footer, const std::string& name) {
   return x;
 }
 
-// tkRegister's axes are those of a volume cut as FreeSurfer cuts all of them, its centre the origin; the scanner's are said in the footer.
+// tkRegister's axes are those of a volume cut as FreeSurfer cuts all of them, its centre the origin; the scanner's are
+// said in the footer.
 void bring_to_scanner(const Footer& footer, MeshFile& mesh) {
-  const auto x = vector_of(footer, "xras"), y = vector_of(footer, "yras"), z = vector_of(footer, "zras"), centre = vector_of(footer, "cras");
+  const auto x = vector_of(footer, "xras"), y = vector_of(footer, "yras"), z = vector_of(footer, "zras"),
+             centre = vector_of(footer, "cras");
   const auto valid = footer.fields.find("valid");
   std::string_view is_valid = valid == footer.fields.end() ? std::string_view() : valid->second;
   if (footer.is_in_scanner) return;
   if (next_word(is_valid) != "1" || !x || !y || !z || !centre) {
-    mesh.notes.push_back("says nothing of its volume: coordinates taken as they stand, which are those of tkRegister (tkRAS), and not the scanner's");
+    mesh.notes.push_back(
+        "says nothing of its volume: coordinates taken as they stand, which are those of tkRegister (tkRAS), and not "
+        "the scanner's");
     return;
   }
   Mat<3> axes, own;
@@ -87,9 +93,9 @@ void bring_to_scanner(const Footer& footer, MeshFile& mesh) {
   own << -1, 0, 0, 0, 0, 1, 0, -1, 0;
   const Mat<3> turn = axes * own.transpose();
   for (Vec<3>& v : mesh.shape.vertices) v = (turn.isIdentity(1e-6) ? v : Vec<3>(turn * v)) + *centre;
-  mesh.notes.push_back(fmt::format("brought from tkRegister's frame to the scanner's: moved by c_ras ({:g}, {:g}, {:g}){}", centre->x(),
-      centre->y(), centre->z(),
-                                   turn.isIdentity(1e-6) ? "" : " and turned to the axes of its volume"));
+  mesh.notes.push_back(
+      fmt::format("brought from tkRegister's frame to the scanner's: moved by c_ras ({:g}, {:g}, {:g}){}", centre->x(),
+                  centre->y(), centre->z(), turn.isIdentity(1e-6) ? "" : " and turned to the axes of its volume"));
 }
 
 }  // namespace
@@ -106,8 +112,9 @@ namespace {
 MeshFile read_quads(const std::string& path, std::string_view bytes) {
   const QuadHead head(bytes);
   if (head.n_bytes > bytes.size())
-    throw_input_error("{}: cut off: it declares {} vertices and {} quadrilaterals, which take {} bytes; the file has {}", path, head.n_vertices,
-                      head.n_faces, head.n_bytes, bytes.size());
+    throw_input_error(
+        "{}: cut off: it declares {} vertices and {} quadrilaterals, which take {} bytes; the file has {}", path,
+        head.n_vertices, head.n_faces, head.n_bytes, bytes.size());
   MeshFile mesh;
   std::size_t at = freesurfer_head;
   const auto coordinate = [&] {
@@ -122,7 +129,8 @@ MeshFile read_quads(const std::string& path, std::string_view bytes) {
   }
   for (std::size_t f = 0; f < head.n_faces; ++f, at += 12) {
     std::vector<Index> q;
-    for (std::size_t k = 0; k < 4; ++k) add_corner({path, "quadrilateral", f}, static_cast<std::int32_t>(word(bytes, at + 3 * k, 3)), head.n_vertices, q);
+    for (std::size_t k = 0; k < 4; ++k)
+      add_corner({path, "quadrilateral", f}, static_cast<std::int32_t>(word(bytes, at + 3 * k, 3)), head.n_vertices, q);
     // Along the diagonal that FreeSurfer and nibabel take.
     if (q[0] % 2 == 0) mesh.shape.polygons.insert(mesh.shape.polygons.end(), {{q[0], q[1], q[3]}, {q[2], q[3], q[1]}});
     else mesh.shape.polygons.insert(mesh.shape.polygons.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
@@ -136,11 +144,13 @@ MeshFile read_quads(const std::string& path, std::string_view bytes) {
 }  // namespace
 
 MeshFile read_freesurfer(const std::string& path, std::string_view bytes) {
-  if (bytes.size() >= freesurfer_head && !bytes.starts_with(triangle_mark) && is_freesurfer(bytes.substr(0, freesurfer_head), bytes.size()))
+  if (bytes.size() >= freesurfer_head && !bytes.starts_with(triangle_mark) &&
+      is_freesurfer(bytes.substr(0, freesurfer_head), bytes.size()))
     return read_quads(path, bytes);
   const auto cut_off = [&] { throw_input_error("{}: cut off, or no surface of FreeSurfer's", path); };
   if (!bytes.starts_with(triangle_mark))
-    throw_input_error("{}: no surface of FreeSurfer's: it does not begin as their files of triangles or quadrilaterals do", path);
+    throw_input_error(
+        "{}: no surface of FreeSurfer's: it does not begin as their files of triangles or quadrilaterals do", path);
   // One line of comment and an empty one.
   std::size_t at = bytes.find("\n\n", triangle_mark.size());
   if (at == bytes.npos || bytes.size() - at < 10) cut_off();
@@ -148,15 +158,18 @@ MeshFile read_freesurfer(const std::string& path, std::string_view bytes) {
   const std::size_t n_vertices = word(bytes, at), n_faces = word(bytes, at + 4), n_left = (bytes.size() - at - 8) / 12;
   at += 8;
   if (n_vertices > n_left || n_faces > n_left - n_vertices)
-    throw_input_error("{}: cut off: it declares {} vertices and {} triangles, which take {} bytes; {} are there", path, n_vertices, n_faces,
-        12 * (n_vertices + n_faces), bytes.size() - at);
+    throw_input_error("{}: cut off: it declares {} vertices and {} triangles, which take {} bytes; {} are there", path,
+                      n_vertices, n_faces, 12 * (n_vertices + n_faces), bytes.size() - at);
   MeshFile mesh;
   for (std::size_t i = 0; i < n_vertices; ++i, at += 12)
-    add_vertex({path, "vertex", i}, Vec<3>(std::bit_cast<float>(word(bytes, at)), std::bit_cast<float>(word(bytes, at + 4)),
-        std::bit_cast<float>(word(bytes, at + 8))), mesh.shape);
+    add_vertex({path, "vertex", i},
+               Vec<3>(std::bit_cast<float>(word(bytes, at)), std::bit_cast<float>(word(bytes, at + 4)),
+                      std::bit_cast<float>(word(bytes, at + 8))),
+               mesh.shape);
   for (std::size_t f = 0; f < n_faces; ++f, at += 12) {
     std::vector<Index> corners;
-    for (std::size_t k = 0; k < 3; ++k) add_corner({path, "triangle", f}, static_cast<std::int32_t>(word(bytes, at + 4 * k)), n_vertices, corners);
+    for (std::size_t k = 0; k < 3; ++k)
+      add_corner({path, "triangle", f}, static_cast<std::int32_t>(word(bytes, at + 4 * k)), n_vertices, corners);
     mesh.shape.polygons.push_back(std::move(corners));
   }
   bring_to_scanner(read_footer(bytes.substr(at)), mesh);

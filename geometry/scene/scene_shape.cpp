@@ -23,11 +23,14 @@ constexpr std::size_t most_meshes = 1000000;
 
 }  // namespace
 
-void SceneShape::add(const Affine& place, const std::vector<Vec<3>>& vertices, const std::vector<std::vector<Index>>& polygons) {
-  if (++n_meshes_ > most_meshes) throw_input_error("{}: more than {} meshes in the scene; export a part of it", path_, most_meshes);
+void SceneShape::add(const Affine& place, const std::vector<Vec<3>>& vertices,
+                     const std::vector<std::vector<Index>>& polygons) {
+  if (++n_meshes_ > most_meshes)
+    throw_input_error("{}: more than {} meshes in the scene; export a part of it", path_, most_meshes);
   const std::size_t first = mesh_.shape.vertices.size();
   if (first + vertices.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
-    throw_input_error("{}: more than {} vertices in the scene; export a part of it", path_, std::numeric_limits<Index>::max());
+    throw_input_error("{}: more than {} vertices in the scene; export a part of it", path_,
+                      std::numeric_limits<Index>::max());
   if (!place.linear.isIdentity(0) || !place.offset.isZero(0)) ++n_moved_;
   stop_if_wanted();
   for (const Vec<3>& x : vertices) add_vertex({path_, "mesh", n_meshes_}, place(x), mesh_.shape);
@@ -43,21 +46,30 @@ void SceneShape::add(const Affine& place, const std::vector<Vec<3>>& vertices, c
 }
 
 void SceneShape::note(std::string text) {
-  if (std::find(mesh_.notes.begin(), mesh_.notes.end(), text) == mesh_.notes.end()) mesh_.notes.push_back(std::move(text));
+  if (std::find(mesh_.notes.begin(), mesh_.notes.end(), text) == mesh_.notes.end())
+    mesh_.notes.push_back(std::move(text));
 }
 
 MeshFile SceneShape::finish(const SceneFrame& frame) && {
-  if (mesh_.shape.polygons.empty()) throw_input_error("{}: no mesh with faces in its scene; export the shape as a mesh of triangles", path_);
+  if (mesh_.shape.polygons.empty())
+    throw_input_error("{}: no mesh with faces in its scene; export the shape as a mesh of triangles", path_);
   if (n_meshes_ > 1) mesh_.notes.push_back(fmt::format("{} meshes of the scene taken as one", n_meshes_));
-  if (n_moved_ > 0) mesh_.notes.push_back(counted(n_moved_, "mesh", "meshes") + " put where the scene places " + (n_moved_ == 1 ? "it" : "them"));
-  if (frame.up != UpAxis::z) mesh_.notes.push_back(fmt::format("turned so that z points up: in the file {} does",
-      frame.up == UpAxis::y ? "y" : "x"));
-  if (frame.millimetres != 1) mesh_.notes.push_back(fmt::format("coordinates multiplied by {:g}: the file's unit is the {}, the result's the millimetre", frame.millimetres, frame.unit));
+  if (n_moved_ > 0)
+    mesh_.notes.push_back(counted(n_moved_, "mesh", "meshes") + " put where the scene places " +
+                          (n_moved_ == 1 ? "it" : "them"));
+  if (frame.up != UpAxis::z)
+    mesh_.notes.push_back(
+        fmt::format("turned so that z points up: in the file {} does", frame.up == UpAxis::y ? "y" : "x"));
+  if (frame.millimetres != 1)
+    mesh_.notes.push_back(
+        fmt::format("coordinates multiplied by {:g}: the file's unit is the {}, the result's the millimetre",
+                    frame.millimetres, frame.unit));
   const Mat<3> change = frame.millimetres * turn_from(frame.up);
   if (!change.isIdentity(0))
     for (std::size_t i = 0; i < mesh_.shape.vertices.size(); ++i) {
       mesh_.shape.vertices[i] = change * mesh_.shape.vertices[i];
-      if (!mesh_.shape.vertices[i].allFinite()) throw_input_error("{}: vertex {} is too far away for the unit that the file names", path_, i);
+      if (!mesh_.shape.vertices[i].allFinite())
+        throw_input_error("{}: vertex {} is too far away for the unit that the file names", path_, i);
     }
   note_ignored_polygons(n_ignored_, mesh_.notes);
   mesh_.unit = "mm";

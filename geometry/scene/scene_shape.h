@@ -23,7 +23,7 @@ enum class UpAxis { x, y, z };
 
 /// What a format says of the coordinates of a scene.
 struct SceneFrame {
-  double millimetres = 1;        ///< that its unit has
+  double millimetres = 1;  ///< that its unit has
   std::string unit = "millimetre";
   UpAxis up = UpAxis::z;
 };
@@ -32,14 +32,15 @@ class SceneShape {
  public:
   explicit SceneShape(std::string path) : path_(std::move(path)) {}
 
-  /// Adds a mesh at its place in the scene, its vertices in their order. \throws InputError where a coordinate is not finite, a corner
-  /// is none of the vertices, or the scene grows beyond what can be counted.
+  /// Adds a mesh at its place in the scene, its vertices in their order. \throws InputError where a coordinate is not
+  /// finite, a corner is none of the vertices, or the scene grows beyond what can be counted.
   void add(const Affine& place, const std::vector<Vec<3>>& vertices, const std::vector<std::vector<Index>>& polygons);
 
   /// A remark, once.
   void note(std::string text);
 
-  /// The whole of it, with notes that say what became of unit, axis and places. \throws InputError where nothing was added
+  /// The whole of it, with notes that say what became of unit, axis and places. \throws InputError where nothing was
+  /// added
   MeshFile finish(const SceneFrame& frame) &&;
 
  private:

@@ -1,5 +1,5 @@
-// glTF: "glTF 2.0 Specification", Khronos 2021, chapters 3.5 to 3.7 (scenes, buffers, meshes). tinygltf reads the file, what its
-// accessors name is fetched here, with every place checked against the bytes that are there.
+// glTF: "glTF 2.0 Specification", Khronos 2021, chapters 3.5 to 3.7 (scenes, buffers, meshes). tinygltf reads the file,
+// what its accessors name is fetched here, with every place checked against the bytes that are there.
 #include "base/printable.h"
 #include "geometry/scene/scene_shape.h"
 
@@ -54,18 +54,22 @@ Callbacks files_beside(std::string* folder) {
 class GltfReader {
  public:
   GltfReader(const std::string& path, std::string_view bytes) : path_(path), shape_(path) {
-    if (bytes.size() > std::numeric_limits<unsigned>::max()) throw_input_error("{}: glTF of more than 4 GB; export a part of the scene", path);
+    if (bytes.size() > std::numeric_limits<unsigned>::max())
+      throw_input_error("{}: glTF of more than 4 GB; export a part of the scene", path);
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader([](auto...) { return true; }, nullptr);  // textures are not looked at
     std::string error, warning;
     std::string folder = std::filesystem::path(path).parent_path().string();
     loader.SetFsCallbacks(files_beside<tinygltf::FsCallbacks>(&folder));
     const auto n = static_cast<unsigned>(bytes.size());
-    const bool is_read = bytes.starts_with("glTF")
-        ? loader.LoadBinaryFromMemory(&model_, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), n, folder)
-        : loader.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), n, folder);
+    const bool is_read =
+        bytes.starts_with("glTF")
+            ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes.data()), n, folder)
+            : loader.LoadASCIIFromString(&model_, &error, &warning, bytes.data(), n, folder);
     while (error.ends_with('\n')) error.pop_back();
-    if (!is_read) throw_input_error("{}: cannot be read as glTF ({}); export it again as .glb", path, printable(error, 200));
+    if (!is_read)
+      throw_input_error("{}: cannot be read as glTF ({}); export it again as .glb", path, printable(error, 200));
     for (const std::string& name : model_.extensionsRequired)
       if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression")
         throw_input_error("{}: its meshes are compressed ({}); export it without compression", path, name);
@@ -79,7 +83,8 @@ class GltfReader {
  private:
   template <class T>
   const T& at(const std::vector<T>& list, int i, std::string_view what) const {
-    if (i < 0 || static_cast<std::size_t>(i) >= list.size()) throw_input_error("{}: refers to {} {}, which is not in it; the file is damaged", path_, what, i);
+    if (i < 0 || static_cast<std::size_t>(i) >= list.size())
+      throw_input_error("{}: refers to {} {}, which is not in it; the file is damaged", path_, what, i);
     return list[static_cast<std::size_t>(i)];
   }
 
@@ -111,7 +116,8 @@ class GltfReader {
   }
 
   void add_node(int index, const Affine& parent, int depth) {
-    if (depth > deepest_node) throw_input_error("{}: nodes within nodes more than {} deep; flatten the scene", path_, deepest_node);
+    if (depth > deepest_node)
+      throw_input_error("{}: nodes within nodes more than {} deep; flatten the scene", path_, deepest_node);
     // Children with several parents, which the specification forbids, grow as powers.
     if (++n_nodes_ > 100000) throw_input_error("{}: more than 100000 nodes; export a part of the scene", path_);
     const tinygltf::Node& node = at(model_.nodes, index, "node");
@@ -145,10 +151,12 @@ class GltfReader {
     const tinygltf::BufferView& view = at(model_.bufferViews, view_index, "buffer view");
     const std::vector<unsigned char>& bytes = at(model_.buffers, view.buffer, "buffer").data;
     const std::size_t stride = view.byteStride == 0 ? size : view.byteStride;
-    const bool is_inside = view.byteOffset <= bytes.size() && view.byteLength <= bytes.size() - view.byteOffset && offset <= view.byteLength;
+    const bool is_inside = view.byteOffset <= bytes.size() && view.byteLength <= bytes.size() - view.byteOffset &&
+                           offset <= view.byteLength;
     const std::size_t room = is_inside ? view.byteLength - offset : 0;
     if (!is_inside || (n > 0 && (room < size || (n - 1) > (room - size) / stride)))
-      throw_input_error("{}: {} numbers are declared, which are not there; the file is damaged or was cut off", path_, n);
+      throw_input_error("{}: {} numbers are declared, which are not there; the file is damaged or was cut off", path_,
+                        n);
     return {bytes.data() + view.byteOffset + offset, n, stride};
   }
 
@@ -168,7 +176,8 @@ class GltfReader {
   // Normalized integers: section 3.6.2.2.
   double component(const unsigned char* bytes, int type, bool normalized) const {
     const auto of = [&]<class T>(T value) {
-      return normalized ? std::max(-1.0, static_cast<double>(value) / std::numeric_limits<T>::max()) : static_cast<double>(value);
+      return normalized ? std::max(-1.0, static_cast<double>(value) / std::numeric_limits<T>::max())
+                        : static_cast<double>(value);
     };
     if (type == TINYGLTF_COMPONENT_TYPE_FLOAT) return load<float>(bytes);
     if (type == TINYGLTF_COMPONENT_TYPE_BYTE) return of(load<std::int8_t>(bytes));
@@ -186,11 +195,13 @@ class GltfReader {
   }
 
   std::vector<Vec<3>> vertices_of(const tinygltf::Accessor& accessor) const {
-    if (accessor.type != TINYGLTF_TYPE_VEC3) throw_input_error("{}: positions that have not three coordinates; the file is damaged", path_);
+    if (accessor.type != TINYGLTF_TYPE_VEC3)
+      throw_input_error("{}: positions that have not three coordinates; the file is damaged", path_);
     const std::size_t size = bytes_of(accessor.componentType);
     const auto vertex = [&](const unsigned char* bytes) {
       Vec<3> x;
-      for (std::size_t k = 0; k < 3; ++k) x[static_cast<Eigen::Index>(k)] = component(bytes + k * size, accessor.componentType, accessor.normalized);
+      for (std::size_t k = 0; k < 3; ++k)
+        x[static_cast<Eigen::Index>(k)] = component(bytes + k * size, accessor.componentType, accessor.normalized);
       return x;
     };
     std::vector<Vec<3>> vertices;
@@ -202,7 +213,9 @@ class GltfReader {
       // Zeros, of which a sparse list replaces some: bounded, since they take no bytes of the file.
       std::size_t most = 0;
       for (const tinygltf::Buffer& buffer : model_.buffers) most += buffer.data.size();
-      if (accessor.count > most) throw_input_error("{}: {} positions are declared, which are not there; the file is damaged", path_, accessor.count);
+      if (accessor.count > most)
+        throw_input_error("{}: {} positions are declared, which are not there; the file is damaged", path_,
+                          accessor.count);
       vertices.assign(accessor.count, Vec<3>::Zero());
     }
     if (accessor.sparse.isSparse) replace(accessor, vertex, 3 * size, vertices);
@@ -210,16 +223,21 @@ class GltfReader {
   }
 
   template <class Vertex>
-  void replace(const tinygltf::Accessor& accessor, Vertex&& vertex, std::size_t size, std::vector<Vec<3>>& vertices) const {
+  void replace(const tinygltf::Accessor& accessor, Vertex&& vertex, std::size_t size,
+               std::vector<Vec<3>>& vertices) const {
     const auto& sparse = accessor.sparse;
     if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
       throw_input_error("{}: a sparse list with a count below 0; the file is damaged", path_);
     const auto n = static_cast<std::size_t>(sparse.count);
-    const Entries places = entries(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), n, bytes_of(sparse.indices.componentType));
-    const Entries values = entries(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), n, size);
+    const Entries places = entries(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), n,
+                                   bytes_of(sparse.indices.componentType));
+    const Entries values =
+        entries(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), n, size);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t place = index_at(places[i], sparse.indices.componentType);
-      if (place >= vertices.size()) throw_input_error("{}: a sparse list replaces position {} of {}; the file is damaged", path_, place, vertices.size());
+      if (place >= vertices.size())
+        throw_input_error("{}: a sparse list replaces position {} of {}; the file is damaged", path_, place,
+                          vertices.size());
       vertices[place] = vertex(values[i]);
     }
   }
@@ -228,7 +246,8 @@ class GltfReader {
     std::vector<Index> corners;
     if (part.indices >= 0) {
       const tinygltf::Accessor& accessor = at(model_.accessors, part.indices, "accessor");
-      const Entries all = entries(accessor.bufferView, accessor.byteOffset, accessor.count, bytes_of(accessor.componentType));
+      const Entries all =
+          entries(accessor.bufferView, accessor.byteOffset, accessor.count, bytes_of(accessor.componentType));
       for (std::size_t i = 0; i < all.n; ++i) {
         const std::size_t v = index_at(all[i], accessor.componentType);
         corners.push_back(v < n_vertices ? static_cast<Index>(v) : no_index);

@@ -16,10 +16,12 @@ class ZipFile {
   /// Keeps both views. \throws InputError where the bytes are no archive
   ZipFile(const std::string& path, std::string_view bytes);
 
-  /// The names of its parts, in the order of its directory; parts that differ in upper and lower case alone are one, the first.
+  /// The names of its parts, in the order of its directory; parts that differ in upper and lower case alone are one,
+  /// the first.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// The part of that name, upper and lower case being the same; nothing where there is none. \throws InputError where it is damaged
+  /// The part of that name, upper and lower case being the same; nothing where there is none. \throws InputError where
+  /// it is damaged
   std::optional<std::string> part(std::string_view name) const;
 
  private:

@@ -15,13 +15,14 @@ std::optional<std::vector<BorderLoop>> border_loops(const Surface<3>& surface) {
   std::vector<Index> starts;
   bool is_simple = true;
   const auto corner = [&](const FacetEdge& e, int k) { return surface.facets[e.facet][(e.begin + k) % 3]; };
-  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
-    if (end - begin == 2 && corner(begin[0], 0) != corner(begin[1], 0)) return;
-    is_simple = is_simple && end - begin == 1 && ways[corner(*begin, 1)].next == no_index;
-    if (!is_simple) return;
-    ways[corner(*begin, 1)] = {corner(*begin, 0), corner(*begin, 2)};
-    starts.push_back(corner(*begin, 1));
-  });
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()),
+                [&](const FacetEdge* begin, const FacetEdge* end) {
+                  if (end - begin == 2 && corner(begin[0], 0) != corner(begin[1], 0)) return;
+                  is_simple = is_simple && end - begin == 1 && ways[corner(*begin, 1)].next == no_index;
+                  if (!is_simple) return;
+                  ways[corner(*begin, 1)] = {corner(*begin, 0), corner(*begin, 2)};
+                  starts.push_back(corner(*begin, 1));
+                });
   if (!is_simple) return std::nullopt;
   std::vector<BorderLoop> loops;
   for (const Index start : starts) {

@@ -15,8 +15,8 @@ struct BorderLoop {
   std::vector<Index> opposite;  ///< the third corner of the facet beside vertices k and k + 1
 };
 
-/// The holes of a surface in the order of their first edges. None where an edge has more than two facets or two that run through it in the same
-/// direction, or where two borders meet in a vertex.
+/// The holes of a surface in the order of their first edges. None where an edge has more than two facets or two that
+/// run through it in the same direction, or where two borders meet in a vertex.
 std::optional<std::vector<BorderLoop>> border_loops(const Surface<3>& surface);
 
 }  // namespace shellmatch

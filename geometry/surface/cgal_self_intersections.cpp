@@ -31,19 +31,14 @@ int align_shared_corners(std::array<Index, Dim>& f, std::array<Index, Dim>& g) {
   const auto holds = [](const std::array<Index, Dim>& facet, Index v) {
     return std::find(facet.begin(), facet.end(), v) != facet.end();
   };
-  for (int i = 0; i < Dim && !(holds(g, f[0]) && (n_shared == 1 || holds(g, f[1]))); ++i)
-    f = rotated<Dim>(f, 1);
-  for (int i = 0; i < Dim && !(holds(f, g[0]) && (n_shared == 1 || holds(f, g[1]))); ++i)
-    g = rotated<Dim>(g, 1);
+  for (int i = 0; i < Dim && !(holds(g, f[0]) && (n_shared == 1 || holds(g, f[1]))); ++i) f = rotated<Dim>(f, 1);
+  for (int i = 0; i < Dim && !(holds(f, g[0]) && (n_shared == 1 || holds(f, g[1]))); ++i) g = rotated<Dim>(g, 1);
   return n_shared;
 }
 
-bool is_flat(const Surface<2>& s, const std::array<Index, 2>& f) {
-  return s.vertices[f[0]] == s.vertices[f[1]];
-}
+bool is_flat(const Surface<2>& s, const std::array<Index, 2>& f) { return s.vertices[f[0]] == s.vertices[f[1]]; }
 bool is_flat(const Surface<3>& s, const std::array<Index, 3>& f) {
-  return CGAL::collinear(cgal_point(s.vertices[f[0]]), cgal_point(s.vertices[f[1]]),
-                         cgal_point(s.vertices[f[2]]));
+  return CGAL::collinear(cgal_point(s.vertices[f[0]]), cgal_point(s.vertices[f[1]]), cgal_point(s.vertices[f[2]]));
 }
 
 bool meet(const Surface<2>& s, std::array<Index, 2> f, std::array<Index, 2> g) {
@@ -54,8 +49,7 @@ bool meet(const Surface<2>& s, std::array<Index, 2> f, std::array<Index, 2> g) {
   if (n_shared == 1)
     return CGAL::collinear(point(f[0]), point(f[1]), point(g[1])) &&
            !CGAL::collinear_are_strictly_ordered_along_line(point(f[1]), point(f[0]), point(g[1]));
-  return CGAL::do_intersect(Kernel::Segment_2(point(f[0]), point(f[1])),
-                            Kernel::Segment_2(point(g[0]), point(g[1])));
+  return CGAL::do_intersect(Kernel::Segment_2(point(f[0]), point(f[1])), Kernel::Segment_2(point(g[0]), point(g[1])));
 }
 
 bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
@@ -64,9 +58,7 @@ bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
   const auto triangle = [&](const std::array<Index, 3>& t) {
     return Kernel::Triangle_3(point(t[0]), point(t[1]), point(t[2]));
   };
-  const auto opposite_edge = [&](const std::array<Index, 3>& t) {
-    return Kernel::Segment_3(point(t[1]), point(t[2]));
-  };
+  const auto opposite_edge = [&](const std::array<Index, 3>& t) { return Kernel::Segment_3(point(t[1]), point(t[2])); };
   if (n_shared == 3) return true;
   // Triangles with a common edge overlap where they lie in one plane on the same side of it.
   if (n_shared == 2)
@@ -74,8 +66,7 @@ bool meet(const Surface<3>& s, std::array<Index, 3> f, std::array<Index, 3> g) {
            CGAL::coplanar_orientation(point(f[0]), point(f[1]), point(f[2]), point(g[2])) == CGAL::POSITIVE;
   // Triangles with a common corner meet elsewhere only if the edge opposite to it of one of them does.
   if (n_shared == 1)
-    return CGAL::do_intersect(triangle(f), opposite_edge(g)) ||
-           CGAL::do_intersect(triangle(g), opposite_edge(f));
+    return CGAL::do_intersect(triangle(f), opposite_edge(g)) || CGAL::do_intersect(triangle(g), opposite_edge(f));
   return CGAL::do_intersect(triangle(f), triangle(g));
 }
 

@@ -35,10 +35,13 @@ std::vector<FacetEdge> sorted_edges(const Facets& facets, std::size_t n_vertices
   std::vector<FacetEdge> edges(end.back());
   for_each_side(facets, [&](const FacetEdge& e) { edges[end[static_cast<std::size_t>(e.low)]++] = e; });
   // Each place now ends where the next one began.
-  const auto before = [](const FacetEdge& e, const FacetEdge& f) { return std::tie(e.high, e.facet) < std::tie(f.high, f.facet); };
+  const auto before = [](const FacetEdge& e, const FacetEdge& f) {
+    return std::tie(e.high, e.facet) < std::tie(f.high, f.facet);
+  };
   for (std::size_t v = 0, begin = 0; v < n_vertices; begin = end[v++]) {
     if (v % between_questions == 0) stop_if_wanted();
-    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end[v]), before);
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end[v]),
+              before);
   }
   return edges;
 }

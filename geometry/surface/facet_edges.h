@@ -19,8 +19,8 @@ struct FacetEdge {
   bool same_ends(const FacetEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// The sides of all triangles by their ends and, at equal ends, by their triangles; sides between equal corners are left out. In linear
-/// time but for vertices with very many triangles. \param n_vertices all corners are below it
+/// The sides of all triangles by their ends and, at equal ends, by their triangles; sides between equal corners are
+/// left out. In linear time but for vertices with very many triangles. \param n_vertices all corners are below it
 std::vector<FacetEdge> sorted_edges(const std::vector<std::array<Index, 3>>& facets, std::size_t n_vertices);
 
 /// Calls visit(begin, end) for every edge with its sides [begin, end), in the order of sorted_edges().
@@ -32,8 +32,8 @@ void for_each_edge(const std::vector<FacetEdge>& sorted, Visit&& visit) {
   }
 }
 
-/// Does the surface bound, as it stands: every edge has two triangles that run through it in opposite directions, and the triangles at every
-/// vertex are one fan?
+/// Does the surface bound, as it stands: every edge has two triangles that run through it in opposite directions, and
+/// the triangles at every vertex are one fan?
 bool is_oriented_manifold(const std::vector<std::array<Index, 3>>& facets, std::size_t n_vertices);
 
 }  // namespace shellmatch

@@ -71,7 +71,8 @@ std::array<double, Dim> barycentric_coordinates(const Surface<Dim>& surface, Ind
     if (n == 3) {
       const Vec<3> e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), w = nearest.point - corner(0);
       const Vec<3> normal = e1.cross(e2), m = w.cross(normal) / normal.squaredNorm();
-      const double beta = std::max(0.0, -m.dot(e2)), gamma = std::max(0.0, m.dot(e1)), sum = std::max(1.0, beta + gamma);
+      const double beta = std::max(0.0, -m.dot(e2)), gamma = std::max(0.0, m.dot(e1)),
+                   sum = std::max(1.0, beta + gamma);
       return {1 - (beta + gamma) / sum, beta / sum, gamma / sum};
     }
   }

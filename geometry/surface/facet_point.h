@@ -30,7 +30,8 @@ bool is_degenerate(const Vec<3>& edge_1, const Vec<3>& edge_2);
 template <int Dim>
 FacetPoint<Dim> closest_point_on_facet(const Surface<Dim>& surface, Index f, const Vec<Dim>& x);
 
-/// Barycentric coordinates of such a point: >= 0, sum 1, and exactly 0 at the corners that do not belong to its feature.
+/// Barycentric coordinates of such a point: >= 0, sum 1, and exactly 0 at the corners that do not belong to its
+/// feature.
 template <int Dim>
 std::array<double, Dim> barycentric_coordinates(const Surface<Dim>& surface, Index f, const FacetPoint<Dim>& nearest);
 

@@ -13,8 +13,9 @@
 
 namespace shellmatch {
 
-/// Finds overlapping pairs by division of space. A box is in every part that it reaches; a pair is visited in the one part that holds the
-/// lower corner of what the two share. Parts are halved at a mean or median of the boxes' centres while that separates boxes.
+/// Finds overlapping pairs by division of space. A box is in every part that it reaches; a pair is visited in the one
+/// part that holds the lower corner of what the two share. Parts are halved at a mean or median of the boxes' centres
+/// while that separates boxes.
 template <int Dim, class Visit>
 class OverlappingBoxes {
  public:

@@ -71,8 +71,7 @@ Similarity<Dim> fit_placement(const Shape<Dim>& reference, const Shape<Dim>& tem
 }
 
 template <int Dim>
-Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape,
-                                double clearance) {
+Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& template_shape, double clearance) {
   require_inside(reference, clearance);
   require_inside(template_shape, clearance);
   return {};
@@ -87,7 +86,8 @@ void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface) {
 
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape) {
-  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.unobserved}) apply_similarity(placement, *surface);
+  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.unobserved})
+    apply_similarity(placement, *surface);
 }
 
 template Similarity<2> fit_placement(const Shape<2>&, const Shape<2>&, double);

@@ -8,8 +8,8 @@
 
 namespace shellmatch {
 
-/// The map x -> scale rotation x + offset; scale > 0. A placement, from the user's coordinates to the unit domain, does not
-/// rotate; a pose, which moves the reference before that, does.
+/// The map x -> scale rotation x + offset; scale > 0. A placement, from the user's coordinates to the unit domain, does
+/// not rotate; a pose, which moves the reference before that, does.
 template <int Dim>
 struct Similarity {
   double scale = 1;

@@ -35,10 +35,12 @@ double corner_angle(const Surface<3>& surface, Index f, int i) {
 std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index, 3>>& edges_of_facet) {
   edges_of_facet.assign(surface.facets.size(), {no_index, no_index, no_index});
   std::size_t n_edges = 0;
-  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()), [&](const FacetEdge* begin, const FacetEdge* end) {
-    for (const FacetEdge* e = begin; e != end; ++e) edges_of_facet[e->facet][e->begin] = static_cast<Index>(n_edges);
-    ++n_edges;
-  });
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()),
+                [&](const FacetEdge* begin, const FacetEdge* end) {
+                  for (const FacetEdge* e = begin; e != end; ++e)
+                    edges_of_facet[e->facet][e->begin] = static_cast<Index>(n_edges);
+                  ++n_edges;
+                });
   // Sides between equal corners belong together by these.
   std::map<Index, Index> loops;
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
@@ -55,15 +57,14 @@ std::size_t number_edges(const Surface<3>& surface, std::vector<std::array<Index
 int longest_edge(const Surface<3>& surface, Index f) {
   const auto& facet = surface.facets[f];
   Vec<3> lengths;
-  for (int e = 0; e < 3; ++e)
-    lengths[e] = (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm();
+  for (int e = 0; e < 3; ++e) lengths[e] = (surface.vertices[facet[(e + 1) % 3]] - surface.vertices[facet[e]]).norm();
   int longest;
   lengths.maxCoeff(&longest);
   return longest;
 }
 
-std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges_of_facet,
-                                  std::size_t n_edges, const std::vector<Vec<3>>& normals) {
+std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges_of_facet, std::size_t n_edges,
+                                  const std::vector<Vec<3>>& normals) {
   std::vector<Vec<3>> sums(n_edges, Vec<3>::Zero());
   for (std::size_t f = 0; f < normals.size(); ++f)
     for (const Index e : edges_of_facet[f]) sums[e] += normals[f];
@@ -75,8 +76,7 @@ std::vector<Vec<3>> sums_at_edges(const std::vector<std::array<Index, 3>>& edges
 /// Connected sets of such facets are filled ring by ring; facets without a normal after `max_rings` keep the
 /// zero normal.
 void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
-                     std::size_t n_edges, const std::vector<Index>& degenerate,
-                     std::vector<Vec<3>>& normals) {
+                     std::size_t n_edges, const std::vector<Index>& degenerate, std::vector<Vec<3>>& normals) {
   constexpr int max_rings = 16;
   std::vector<Index> missing = degenerate;
   bool any_edge = false;  // set where the longest edges lead to no normal: then all edges are tried
@@ -96,9 +96,9 @@ void fill_degenerate(const Surface<3>& surface, const std::vector<std::array<Ind
 
 /// Sums of the normals on both sides of every edge. At its longest edge, a facet without area contributes the
 /// mean of the normals beyond its two other edges.
-std::vector<Vec<3>> edge_normals(const Surface<3>& surface,
-                                 const std::vector<std::array<Index, 3>>& edges_of_facet, std::size_t n_edges,
-                                 const std::vector<Index>& degenerate, const std::vector<Vec<3>>& normals) {
+std::vector<Vec<3>> edge_normals(const Surface<3>& surface, const std::vector<std::array<Index, 3>>& edges_of_facet,
+                                 std::size_t n_edges, const std::vector<Index>& degenerate,
+                                 const std::vector<Vec<3>>& normals) {
   const std::vector<Vec<3>> sums = sums_at_edges(edges_of_facet, n_edges, normals);
   std::vector<Vec<3>> result = sums;
   for (const Index f : degenerate) {
@@ -125,8 +125,7 @@ Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
     std::vector<Index> degenerate;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       const auto& [a, b, c] = surface.facets[f];
-      if (!is_degenerate(surface.vertices[b] - surface.vertices[a],
-                         surface.vertices[c] - surface.vertices[a]))
+      if (!is_degenerate(surface.vertices[b] - surface.vertices[a], surface.vertices[c] - surface.vertices[a]))
         continue;
       facets_[f].setZero();
       degenerate.push_back(static_cast<Index>(f));
@@ -143,8 +142,7 @@ Pseudonormals<Dim>::Pseudonormals(const Surface<Dim>& surface)
 }
 
 template <int Dim>
-const Vec<Dim>& Pseudonormals<Dim>::operator()(const Surface<Dim>& surface, Index f,
-                                               FeatureMask feature) const {
+const Vec<Dim>& Pseudonormals<Dim>::operator()(const Surface<Dim>& surface, Index f, FeatureMask feature) const {
   if (feature == inside_facet<Dim>) return facets_[f];
   if (std::has_single_bit(feature)) return vertices_[surface.facets[f][std::countr_zero(feature)]];
   // Edges (0, 1), (1, 2), (2, 0) have the masks 3, 6 and 5.

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The anatomical frame of coordinates. RAS: x to the patient's right, y to the front, z upward; LPS: x to the left, y to
-/// the back, z upward. 3D Slicer names the frame of what it saves, ITK's formats are LPS.
+/// The anatomical frame of coordinates. RAS: x to the patient's right, y to the front, z upward; LPS: x to the left, y
+/// to the back, z upward. 3D Slicer names the frame of what it saves, ITK's formats are LPS.
 
 #include "base/types.h"
 
@@ -24,8 +24,8 @@ Space space_in_comment(std::string_view text);
 /// "RAS" or "LPS"; empty where it is unsaid.
 std::string_view space_name(Space space);
 
-/// Coordinates of `from` in `to`: x and y change their sign between RAS and LPS. Where either is unsaid nothing changes.
-/// The conversion is exact and its own inverse.
+/// Coordinates of `from` in `to`: x and y change their sign between RAS and LPS. Where either is unsaid nothing
+/// changes. The conversion is exact and its own inverse.
 Vec<3> in_space(const Vec<3>& x, Space from, Space to);
 
 /// The same of many; true where they have changed.

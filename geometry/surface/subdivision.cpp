@@ -25,14 +25,17 @@ class Bisection {
   }
 
  private:
-  double squared_distance(Index a, Index b) const { return (surface_.vertices[a] - surface_.vertices[b]).squaredNorm(); }
+  double squared_distance(Index a, Index b) const {
+    return (surface_.vertices[a] - surface_.vertices[b]).squaredNorm();
+  }
 
   // The vertex at the middle of an edge, or no_index where the edge is short.
   Index middle(Index a, Index b) {
     if (!(squared_distance(a, b) > square_)) return no_index;
     const auto [low, high] = std::minmax(a, b);
-    const auto [at, is_new] = middles_.try_emplace(static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high),
-                                                   static_cast<Index>(surface_.vertices.size()));
+    const auto [at, is_new] =
+        middles_.try_emplace(static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high),
+                             static_cast<Index>(surface_.vertices.size()));
     if (is_new) surface_.vertices.push_back(0.5 * (surface_.vertices[low] + surface_.vertices[high]));
     return at->second;
   }
@@ -85,7 +88,8 @@ Surface<2> subdivided(const Surface<2>& surface, double length) {
 template <>
 Surface<3> subdivided(const Surface<3>& surface, double length) {
   Surface<3> fine = surface;
-  while (cut_long_edges(fine, length)) {}
+  while (cut_long_edges(fine, length)) {
+  }
   return fine;
 }
 

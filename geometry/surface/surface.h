@@ -26,9 +26,9 @@ struct Surface {
 
 /// Values at the vertices of a shape as read from the file: colours, texture coordinates, labels.
 struct VertexAttribute {
-  std::string name;              ///< as in the file, "red" or "quality"
-  std::string type = "float";    ///< PLY type of the values in the output: "uchar", "int", "double"
-  std::vector<double> values;    ///< one for each original vertex
+  std::string name;                     ///< as in the file, "red" or "quality"
+  std::string type = "float";           ///< PLY type of the values in the output: "uchar", "int", "double"
+  std::vector<double> values;           ///< one for each original vertex
   std::vector<std::string> texts = {};  ///< in place of values, where the type is "text"
 };
 
@@ -41,15 +41,15 @@ struct OriginalShape {
   std::vector<std::vector<Index>> polygons;  ///< in the plane: the rings, without repeating the first point
   std::vector<VertexAttribute> attributes;
   std::shared_ptr<const MeshDetails> details = {};  ///< what else is in the file (geometry/surface/mesh_details.h)
-  Space space = Space::unsaid;  ///< the frame of the coordinates, where the file names it
-  PlaneFrame frame = {};        ///< in the plane: how the file's coordinates became these
+  Space space = Space::unsaid;                      ///< the frame of the coordinates, where the file names it
+  PlaneFrame frame = {};                            ///< in the plane: how the file's coordinates became these
 };
 
 /// What of a closed surface is known to bound the body, and what is not.
 template <int Dim>
 struct Evidence {
-  /// The file's own facets, and others: those that were made up to fill or bridge gaps, and the file's own that lie inside other parts of the
-  /// body (geometry/distance/buried_parts.h). Both are empty where all are observed.
+  /// The file's own facets, and others: those that were made up to fill or bridge gaps, and the file's own that lie
+  /// inside other parts of the body (geometry/distance/buried_parts.h). Both are empty where all are observed.
   Surface<Dim> observed, unobserved;
   bool is_complete() const { return unobserved.facets.empty(); }
 };
@@ -57,7 +57,7 @@ struct Evidence {
 /// A shape ready for matching. `surface` is closed, welded and oriented outward.
 template <int Dim>
 struct Shape {
-  std::string source;             ///< the file it came from, for messages
+  std::string source;  ///< the file it came from, for messages
   OriginalShape<Dim> original;
   Surface<Dim> surface;
   std::vector<std::string> notes;  ///< repairs in words: "12 duplicate vertices welded"
@@ -65,7 +65,8 @@ struct Shape {
   double invented_share = 0;       ///< of the surface's area: what was made up to close it, in [0, 1]
   double buried_share = 0;         ///< of the surface's area: what the evidence leaves out as buried, in [0, 1]
   std::string unit = {};           ///< of the coordinates, where the file names it: "mm"
-  /// Facets of `surface` that cross or touch others (geometry/surface/self_intersections.h); not searched beyond self_intersection_limit.
+  /// Facets of `surface` that cross or touch others (geometry/surface/self_intersections.h); not searched beyond
+  /// self_intersection_limit.
   std::vector<Index> crossing = {};
 };
 
@@ -106,11 +107,13 @@ double facet_measure(const Surface<Dim>& s, Index f) {
 template <int Dim>
 double surface_measure(const Surface<Dim>& s);
 
-/// For each vertex the area (length) that it stands for: its share of the facets around it, which adds up to surface_measure.
+/// For each vertex the area (length) that it stands for: its share of the facets around it, which adds up to
+/// surface_measure.
 template <int Dim>
 std::vector<double> vertex_measures(const Surface<Dim>& s);
 
-/// Unit normals at the vertices, the mean over the facets around by their length (plane) or area (space); zero where there is none.
+/// Unit normals at the vertices, the mean over the facets around by their length (plane) or area (space); zero where
+/// there is none.
 template <int Dim>
 std::vector<Vec<Dim>> vertex_normals(const Surface<Dim>& s);
 

@@ -33,14 +33,17 @@ bool split_field(std::string_view line, char separator, std::string_view& name, 
 
 std::vector<double> numbers_of(const LineReader& lines, std::string_view name, std::string_view value, std::size_t n) {
   std::vector<double> numbers;
-  for (std::string_view rest = value; rest.find_first_not_of(" \t") != rest.npos;) numbers.push_back(lines.number_of(rest, name));
-  if (n > 0 && numbers.size() != n) lines.fail("{}: {} numbers are wanted, and there are {}", printable(name), n, numbers.size());
+  for (std::string_view rest = value; rest.find_first_not_of(" \t") != rest.npos;)
+    numbers.push_back(lines.number_of(rest, name));
+  if (n > 0 && numbers.size() != n)
+    lines.fail("{}: {} numbers are wanted, and there are {}", printable(name), n, numbers.size());
   return numbers;
 }
 
 std::vector<std::int64_t> counts_of(const LineReader& lines, std::string_view name, std::string_view value) {
   std::vector<std::int64_t> numbers;
-  for (std::string_view rest = value; rest.find_first_not_of(" \t") != rest.npos;) numbers.push_back(lines.integer_of(rest, name));
+  for (std::string_view rest = value; rest.find_first_not_of(" \t") != rest.npos;)
+    numbers.push_back(lines.integer_of(rest, name));
   return numbers;
 }
 

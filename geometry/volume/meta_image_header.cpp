@@ -15,12 +15,14 @@ namespace {
 
 VoxelType type_of(const std::string& path, std::string_view name) {
   static constexpr std::pair<std::string_view, VoxelType> table[] = {
-      {"MET_CHAR", VoxelType::int8},     {"MET_UCHAR", VoxelType::uint8},       {"MET_SHORT", VoxelType::int16},       {"MET_USHORT", VoxelType::uint16},
-      {"MET_INT", VoxelType::int32},     {"MET_UINT", VoxelType::uint32},       {"MET_LONG", VoxelType::int32},        {"MET_ULONG", VoxelType::uint32},
-      {"MET_LONG_LONG", VoxelType::int64}, {"MET_ULONG_LONG", VoxelType::uint64}, {"MET_FLOAT", VoxelType::float32}, {"MET_DOUBLE", VoxelType::float64}};
+      {"MET_CHAR", VoxelType::int8},         {"MET_UCHAR", VoxelType::uint8},   {"MET_SHORT", VoxelType::int16},
+      {"MET_USHORT", VoxelType::uint16},     {"MET_INT", VoxelType::int32},     {"MET_UINT", VoxelType::uint32},
+      {"MET_LONG", VoxelType::int32},        {"MET_ULONG", VoxelType::uint32},  {"MET_LONG_LONG", VoxelType::int64},
+      {"MET_ULONG_LONG", VoxelType::uint64}, {"MET_FLOAT", VoxelType::float32}, {"MET_DOUBLE", VoxelType::float64}};
   for (const auto& [text, type] : table)
     if (text == name) return type;
-  throw_input_error("{}: its type of values ('{}') is not supported; save it with integers or floating point numbers", path, printable(name));
+  throw_input_error("{}: its type of values ('{}') is not supported; save it with integers or floating point numbers",
+                    path, printable(name));
 }
 
 }  // namespace
@@ -44,7 +46,9 @@ VolumeHeader read_meta_image_header(const std::string& path) {
     const auto is = [&](std::string_view field) { return equals_ignoring_case(name, field); };
     const auto three = [&] { return numbers_of(lines, name, value, 3); };
     const bool is_true = equals_ignoring_case(value, "true") || value == "1";
-    if (is("ndims") && value != "3") throw_input_error("{}: has {} dimensions; a volume has three: save one as a file of its own", path, printable(value, 20));
+    if (is("ndims") && value != "3")
+      throw_input_error("{}: has {} dimensions; a volume has three: save one as a file of its own", path,
+                        printable(value, 20));
     else if (is("dimsize")) size = counts_of(lines, name, value);
     else if (is("elementspacing")) spacing = three();
     else if (is("elementsize") && spacing.empty()) spacing = three();
@@ -61,12 +65,16 @@ VolumeHeader read_meta_image_header(const std::string& path) {
       std::string_view rest = value;
       header_size = lines.integer_of(rest, name);
       if (header_size < 0) lines.fail("a negative HeaderSize is not supported; export the volume again");
-    } else if (is("elementnumberofchannels") && value != "1") throw_input_error("{}: has {} numbers for each voxel; a volume with one is wanted", path, printable(value, 20));
+    } else if (is("elementnumberofchannels") && value != "1")
+      throw_input_error("{}: has {} numbers for each voxel; a volume with one is wanted", path, printable(value, 20));
     else if (is("elementtype")) type = type_of(path, value);
     else if (is("elementdatafile")) data_file = value;
   }
   if (!data_file || size.empty() || !type)
-    throw_input_error("{}: no MetaImage that can be read: its header does not say DimSize, ElementType and ElementDataFile; export the volume again", path);
+    throw_input_error(
+        "{}: no MetaImage that can be read: its header does not say DimSize, ElementType and ElementDataFile; export "
+        "the volume again",
+        path);
   set_size(path, size, grid);
   if (!spacing.empty()) grid.axes = grid.axes * Vec<3>(spacing[0], spacing[1], spacing[2]).asDiagonal();
   if (std::ranges::any_of(spacing, [](double s) { return !(s > 0); }))

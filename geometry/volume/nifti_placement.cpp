@@ -14,7 +14,8 @@ namespace shellmatch {
 namespace {
 
 // The largest distance between the places that two frames give a corner of the volume.
-double distance_between(const Mat<3>& axes, const Vec<3>& origin, const Mat<3>& other_axes, const Vec<3>& other_origin, const std::array<int, 3>& size) {
+double distance_between(const Mat<3>& axes, const Vec<3>& origin, const Mat<3>& other_axes, const Vec<3>& other_origin,
+                        const std::array<int, 3>& size) {
   double largest = 0;
   for (int c = 0; c < 8; ++c) {
     Vec<3> corner;
@@ -51,7 +52,9 @@ ItkChoice itk_choice(const NiftiPlacement& p, const std::array<int, 3>& size) {
   if (has_sform && is_rotation_of_pixdim(p)) {
     if (!has_qform || p.sform_code == 1) return ItkChoice::sform;
     // A difference in rounding places nothing elsewhere.
-    if (distance_between(srow_of_pixdim(p), p.srow_offset, p.qform_axes(), p.qform_origin(), size) < 1e-3 * p.pixdim.minCoeff()) return ItkChoice::sform;
+    if (distance_between(srow_of_pixdim(p), p.srow_offset, p.qform_axes(), p.qform_origin(), size) <
+        1e-3 * p.pixdim.minCoeff())
+      return ItkChoice::sform;
   }
   return has_qform ? ItkChoice::qform : ItkChoice::refused;
 }
@@ -71,8 +74,10 @@ void place_by_nifti(const std::string& path, const NiftiPlacement& p, VoxelGrid&
     grid.axes = p.pixdim.asDiagonal();
     grid.origin = Vec<3>::Zero();
     file.placed_by = "the size of its voxels alone";
-    file.notes.emplace_back("its header does not say where it lies (the codes of qform and sform are 0): taken to begin at 0 along the axes of RAS; "
-                            "ITK, ANTs and 3D Slicer take it to begin at 0 along those of LPS, nibabel to lie around 0 with x turned");
+    file.notes.emplace_back(
+        "its header does not say where it lies (the codes of qform and sform are 0): taken to begin at 0 along the "
+        "axes of RAS; "
+        "ITK, ANTs and 3D Slicer take it to begin at 0 along those of LPS, nibabel to lie around 0 with x turned");
   }
   if (!grid.origin.allFinite() || !grid.axes.allFinite())
     throw_input_error("{}: its position in space is not finite (quatern or srow of the header)", path);
@@ -80,18 +85,25 @@ void place_by_nifti(const std::string& path, const NiftiPlacement& p, VoxelGrid&
   if (p.sform_code > 0) {
     const Vec<3> lengths = p.srow.colwise().norm();
     if (((lengths - p.pixdim).cwiseAbs().array() > 1e-3 * p.pixdim.array()).any())
-      file.notes.push_back(fmt::format("its voxels are {} by the sform and {} by pixdim: the sform is used; ITK, ANTs and 3D Slicer use pixdim", three(lengths),
-                                       three(p.pixdim)));
+      file.notes.push_back(fmt::format(
+          "its voxels are {} by the sform and {} by pixdim: the sform is used; ITK, ANTs and 3D Slicer use pixdim",
+          three(lengths), three(p.pixdim)));
     if (p.qform_code > 0) {
-      const double apart = distance_between(srow_of_pixdim(p), p.srow_offset, p.qform_axes(), p.qform_origin(), grid.size);
+      const double apart =
+          distance_between(srow_of_pixdim(p), p.srow_offset, p.qform_axes(), p.qform_origin(), grid.size);
       if (apart > tolerance)
-        file.notes.push_back(fmt::format("its sform (code {}) and its qform (code {}) place voxels up to {:.3g} apart: the sform is used, as by nibabel; ITK, ANTs "
-                                         "and 3D Slicer use the {}", p.sform_code, p.qform_code, apart, by_itk == ItkChoice::sform ? "sform, too" : "qform"));
+        file.notes.push_back(
+            fmt::format("its sform (code {}) and its qform (code {}) place voxels up to {:.3g} apart: the sform is "
+                        "used, as by nibabel; ITK, ANTs "
+                        "and 3D Slicer use the {}",
+                        p.sform_code, p.qform_code, apart, by_itk == ItkChoice::sform ? "sform, too" : "qform"));
     }
   }
   if (by_itk == ItkChoice::refused)
-    file.notes.emplace_back("the axes of its sform are not at right angles or not as long as pixdim says, and there is no qform: ITK 5.2, and ANTs and "
-                            "3D Slicer with it, do not read such a NIfTI; they read an .nrrd of it");
+    file.notes.emplace_back(
+        "the axes of its sform are not at right angles or not as long as pixdim says, and there is no qform: ITK 5.2, "
+        "and ANTs and "
+        "3D Slicer with it, do not read such a NIfTI; they read an .nrrd of it");
 }
 
 }  // namespace shellmatch

@@ -31,7 +31,8 @@ struct NrrdFields {
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
@@ -40,19 +41,22 @@ VoxelType type_of(const LineReader& lines, const std::string& name) {
     VoxelType type;
     std::initializer_list<std::string_view> names;
   };
-  static const Name table[] = {{VoxelType::int8, {"signed char", "int8", "int8_t"}},
-                               {VoxelType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
-                               {VoxelType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
-                               {VoxelType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
-                               {VoxelType::int32, {"int", "signed int", "int32", "int32_t"}},
-                               {VoxelType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
-                               {VoxelType::int64, {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
-                               {VoxelType::uint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
-                               {VoxelType::float32, {"float"}},
-                               {VoxelType::float64, {"double"}}};
+  static const Name table[] = {
+      {VoxelType::int8, {"signed char", "int8", "int8_t"}},
+      {VoxelType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {VoxelType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {VoxelType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {VoxelType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {VoxelType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {VoxelType::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+      {VoxelType::uint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {VoxelType::float32, {"float"}},
+      {VoxelType::float64, {"double"}}};
   for (const auto& [type, names] : table)
     if (std::ranges::find(names, name) != names.end()) return type;
-  throw_input_error("{}: its type of values ('{}') is not supported; save it with integers or floating point numbers", lines.path(), printable(name));
+  throw_input_error("{}: its type of values ('{}') is not supported; save it with integers or floating point numbers",
+                    lines.path(), printable(name));
 }
 
 // 3D Slicer's keys, "Segment0_Name:=Femur"; other keys and values are of no concern.
@@ -80,7 +84,8 @@ NrrdFields fields_of(LineReader& lines) {
       add_segment_key(lines.line(), f.segments);
       continue;
     }
-    if (!split_field(lines.line(), ':', name, value)) lines.fail("is neither a field ('name: value') nor a comment; export the volume again");
+    if (!split_field(lines.line(), ':', name, value))
+      lines.fail("is neither a field ('name: value') nor a comment; export the volume again");
     const std::string field = lower(name);
     if (field == "dimension") {
       std::string_view rest = value;
@@ -114,14 +119,16 @@ std::vector<double> vectors_of(const LineReader& lines, std::string_view name, s
   return numbers_of(lines, name, text, 3 * n);
 }
 
-// Where the axes have no directions. What lies between an axis' minimum and maximum are the voxels or, where it is centred on nodes,
-// their centres. As Teem, ITK and VTK do, an axis that does not say is taken to be centred on cells.
+// Where the axes have no directions. What lies between an axis' minimum and maximum are the voxels or, where it is
+// centred on nodes, their centres. As Teem, ITK and VTK do, an axis that does not say is taken to be centred on cells.
 void set_axes(const std::string& path, const NrrdFields& f, VoxelGrid& grid, GridFile& file) {
   std::vector<std::string_view> centres;
-  for (std::string_view rest = f.centres, word = next_word(rest); !word.empty(); word = next_word(rest)) centres.push_back(word);
+  for (std::string_view rest = f.centres, word = next_word(rest); !word.empty(); word = next_word(rest))
+    centres.push_back(word);
   const auto check_count = [&](std::string_view name, std::size_t n) {
     if (n != 0 && n != f.size.size())
-      throw_input_error("{}: {} has {} entries for {} dimensions; export the volume again", path, name, n, f.size.size());
+      throw_input_error("{}: {} has {} entries for {} dimensions; export the volume again", path, name, n,
+                        f.size.size());
   };
   check_count("spacings", f.spacings.size());
   check_count("axis mins", f.minima.size());
@@ -135,8 +142,9 @@ void set_axes(const std::string& path, const NrrdFields& f, VoxelGrid& grid, Gri
     double spacing = at(f.spacings);
     if (std::isnan(spacing) && !std::isnan(maximum)) {
       if (std::isnan(minimum))
-        throw_input_error("{}: axis {} has a maximum (axis maxs), but neither a minimum nor a spacing; export the volume again", path,
-                          k + 1);
+        throw_input_error(
+            "{}: axis {} has a maximum (axis maxs), but neither a minimum nor a spacing; export the volume again", path,
+            k + 1);
       spacing = (maximum - minimum) / (grid.size[k] - (is_node ? 1 : 0));
     }
     if (std::isnan(spacing)) {
@@ -144,7 +152,8 @@ void set_axes(const std::string& path, const NrrdFields& f, VoxelGrid& grid, Gri
       spacing = 1;
     }
     if (!(spacing > 0 && std::isfinite(spacing)))
-      throw_input_error("{}: the spacing of its voxels along axis {} is {:g}, and must be positive", path, k + 1, spacing);
+      throw_input_error("{}: the spacing of its voxels along axis {} is {:g}, and must be positive", path, k + 1,
+                        spacing);
     grid.axes.col(k) = spacing * Vec<3>::Unit(k);
     if (!std::isnan(minimum)) grid.origin[k] = minimum + (is_node ? 0 : spacing / 2);
   }
@@ -162,9 +171,12 @@ void set_frame(const LineReader& lines, const NrrdFields& f, VoxelGrid& grid, Gr
     grid.origin = Vec<3>(v[0], v[1], v[2]);
   }
   // What says nothing of a patient is taken for LPS, as by ITK.
-  const std::string frame = f.space == "ras" || f.space.starts_with("right-anterior-superior") ? "ras"
-                            : f.space == "las" || f.space.starts_with("left-anterior-superior") ? "las" : "lps";
-  file.placed_by = fmt::format("the axes of its header, in {}", frame == "ras" ? "RAS" : frame == "las" ? "LAS" : "LPS");
+  const std::string frame = f.space == "ras" || f.space.starts_with("right-anterior-superior")  ? "ras"
+                            : f.space == "las" || f.space.starts_with("left-anterior-superior") ? "las"
+                                                                                                : "lps";
+  file.placed_by = fmt::format("the axes of its header, in {}", frame == "ras"   ? "RAS"
+                                                                : frame == "las" ? "LAS"
+                                                                                 : "LPS");
   if (f.space.empty()) file.placed_by += ", as it names no space";
   if (frame == "lps") grid = exchange_space(grid);
   if (frame == "las") {
@@ -183,7 +195,8 @@ std::string without_list_axis(std::string directions) {
 void take_list_axis(const std::string& path, NrrdFields& f, VolumeHeader& header) {
   if (f.size.size() == 4 && !f.directions.empty()) {
     std::vector<std::string_view> kinds;
-    for (std::string_view rest = f.kinds, word = next_word(rest); !word.empty(); word = next_word(rest)) kinds.push_back(word);
+    for (std::string_view rest = f.kinds, word = next_word(rest); !word.empty(); word = next_word(rest))
+      kinds.push_back(word);
     const bool is_first = kinds.size() == 4 && kinds[0] == "list", is_last = kinds.size() == 4 && kinds[3] == "list";
     const std::int64_t n = is_last && !is_first ? f.size[3] : f.size[0];
     if ((is_first || is_last) && n > 0 && n <= most_layers) {
@@ -193,7 +206,8 @@ void take_list_axis(const std::string& path, NrrdFields& f, VolumeHeader& header
       f.directions = without_list_axis(f.directions);
     }
   }
-  if (f.size.size() > 3) throw_input_error("{}: has {} dimensions; save one of its volumes as a file of three", path, f.size.size());
+  if (f.size.size() > 3)
+    throw_input_error("{}: has {} dimensions; save one of its volumes as a file of three", path, f.size.size());
 }
 
 // Before 3D Slicer kept several segments in a layer, each had one of its own, with the value 1.
@@ -230,12 +244,17 @@ VolumeHeader read_nrrd_header(const std::string& path) {
     throw_input_error("{}: no NRRD file: it does not begin with the word NRRD; export the volume again", path);
   NrrdFields f = fields_of(lines);
   const auto does_not_end = [&] {
-    throw_input_error("{}: its header does not end: no blank line in the first {} bytes; copy or export the volume again", path,
-                      text.size());
+    throw_input_error(
+        "{}: its header does not end: no blank line in the first {} bytes; copy or export the volume again", path,
+        text.size());
   };
   if (!f.is_ended && text.size() >= longest_header) does_not_end();
-  if (f.type.empty() || f.encoding.empty() || f.size.empty() || f.n_dimensions != static_cast<std::int64_t>(f.size.size()))
-    throw_input_error("{}: its header does not say type, dimension, sizes and encoding, one size for each dimension; export the volume again", path);
+  if (f.type.empty() || f.encoding.empty() || f.size.empty() ||
+      f.n_dimensions != static_cast<std::int64_t>(f.size.size()))
+    throw_input_error(
+        "{}: its header does not say type, dimension, sizes and encoding, one size for each dimension; export the "
+        "volume again",
+        path);
   // A header whose values are in another file may end with its own.
   if (!f.is_ended && f.data_file.empty()) does_not_end();
   VolumeHeader header;
@@ -250,7 +269,11 @@ VolumeHeader read_nrrd_header(const std::string& path) {
     file.unit = std::exchange(header.grid.unit, "mm");
     header.grid.axes *= *millimetres;
     header.grid.origin *= *millimetres;
-    if (*millimetres != 1) file.notes.push_back(fmt::format("its numbers are in {}, as it says, and turned into millimetres; ITK, ANTs and 3D Slicer leave them as they are", file.unit));
+    if (*millimetres != 1)
+      file.notes.push_back(
+          fmt::format("its numbers are in {}, as it says, and turned into millimetres; ITK, ANTs and 3D Slicer leave "
+                      "them as they are",
+                      file.unit));
   } else if (header.grid.unit.empty() && !f.units.empty()) {
     file.notes.emplace_back("its axes name no unit, or not all the same: nothing is converted");
   }
@@ -260,7 +283,8 @@ VolumeHeader read_nrrd_header(const std::string& path) {
   header.offset = f.data_file.empty() ? text.size() - lines.n_left() : 0;
   if (f.encoding == "gzip" || f.encoding == "gz") header.encoding = VolumeHeader::deflated;
   else if (f.encoding == "ascii" || f.encoding == "text" || f.encoding == "txt") header.encoding = VolumeHeader::text;
-  else if (f.encoding != "raw") throw_input_error("{}: the encoding '{}' is not supported; save it as raw or gzip", path, printable(f.encoding));
+  else if (f.encoding != "raw")
+    throw_input_error("{}: the encoding '{}' is not supported; save it as raw or gzip", path, printable(f.encoding));
   return header;
 }
 

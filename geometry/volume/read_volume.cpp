@@ -29,16 +29,20 @@ class ValueList {
 
   void add(double number) {
     const auto& size = volume_.grid.size;
-    const std::size_t n = volume_.grid.n_voxels(), n_layers = static_cast<std::size_t>(header_.n_layers), at = n_seen_++;
-    const std::size_t i = header_.has_layers_first ? at / n_layers : at % n, layer = header_.has_layers_first ? at % n_layers : at / n;
+    const std::size_t n = volume_.grid.n_voxels(), n_layers = static_cast<std::size_t>(header_.n_layers),
+                      at = n_seen_++;
+    const std::size_t i = header_.has_layers_first ? at / n_layers : at % n,
+                      layer = header_.has_layers_first ? at % n_layers : at / n;
     if (layer_ && *layer_ != layer) return;
     const double value = header_.slope * number + header_.intercept;
     if (!std::isfinite(value) || std::abs(value) > 1e30)
-      throw_input_error("{}: voxel {} {} {} (counted from 0) is {}, no number that can be used; replace such voxels, by the background say", path_, i % size[0],
-                        i / size[0] % size[1], i / size[0] / size[1], value);
+      throw_input_error(
+          "{}: voxel {} {} {} (counted from 0) is {}, no number that can be used; replace such voxels, by the "
+          "background say",
+          path_, i % size[0], i / size[0] % size[1], i / size[0] / size[1], value);
     if (is_integer(header_.type) && std::abs(number) > largest_label)
-      throw_input_error("{}: voxel {} {} {} (counted from 0) is {:.0f}; whole numbers up to {:.0f} can be told apart", path_, i % size[0], i / size[0] % size[1],
-                        i / size[0] / size[1], number, largest_label);
+      throw_input_error("{}: voxel {} {} {} (counted from 0) is {:.0f}; whole numbers up to {:.0f} can be told apart",
+                        path_, i % size[0], i / size[0] % size[1], i / size[0] / size[1], number, largest_label);
     const auto kept = static_cast<float>(value);
     if (i < volume_.values.size()) volume_.values[i] = std::max(volume_.values[i], kept);
     else volume_.values.push_back(kept);
@@ -121,25 +125,28 @@ Volume read_vti_volume(const std::string& path) {
 
 Volume read_volume(const std::string& path, const VolumeHeader& header, std::optional<std::size_t> layer) {
   Volume volume{header.grid, header.slope == 1 && header.intercept == 0 ? header.type : VoxelType::float32, {}};
-  const std::size_t n = volume.grid.n_voxels(), n_bytes = n * bytes_of(header.type) * static_cast<std::size_t>(header.n_layers);
+  const std::size_t n = volume.grid.n_voxels(),
+                    n_bytes = n * bytes_of(header.type) * static_cast<std::size_t>(header.n_layers);
   std::error_code error;
   const std::uintmax_t in_file = std::filesystem::file_size(header.file, error);
   // Deflate's best: a file that is not cut off holds no more. Nothing is allocated before that is known.
   constexpr std::uintmax_t best_compression = 1032;
   const auto cut_off = [&] {
-    throw_input_error("{}: cut off, or damaged: {} x {} x {} voxels take {} bytes, which the file, of {} bytes, does not hold", path, volume.grid.size[0],
-                      volume.grid.size[1], volume.grid.size[2], n_bytes, in_file);
+    throw_input_error(
+        "{}: cut off, or damaged: {} x {} x {} voxels take {} bytes, which the file, of {} bytes, does not hold", path,
+        volume.grid.size[0], volume.grid.size[1], volume.grid.size[2], n_bytes, in_file);
   };
   if (error || n_bytes > (header.encoding == VolumeHeader::raw ? in_file : in_file * best_compression)) cut_off();
   volume.values.reserve(n);
   ValueList values(path, header, layer, volume);
   if (header.encoding == VolumeHeader::text) {
-    for_each_piece(header.file, header.offset, false, 0, in_file, [&](std::string_view piece) { values.add_text(piece); });
+    for_each_piece(header.file, header.offset, false, 0, in_file,
+                   [&](std::string_view piece) { values.add_text(piece); });
     values.end_text();
   } else {
     const bool is_whole = header.encoding == VolumeHeader::whole_file_deflated;
-    for_each_piece(header.file, is_whole ? 0 : header.offset, header.encoding != VolumeHeader::raw, is_whole ? header.offset : 0, n_bytes,
-                   [&](std::string_view piece) { values.add_bytes(piece); });
+    for_each_piece(header.file, is_whole ? 0 : header.offset, header.encoding != VolumeHeader::raw,
+                   is_whole ? header.offset : 0, n_bytes, [&](std::string_view piece) { values.add_bytes(piece); });
   }
   if (!values.is_complete()) cut_off();
   return volume;
@@ -159,12 +166,13 @@ const Segment& find_segment(const VolumeName& name, const VolumeHeader& header) 
   const auto found = std::ranges::find(header.segments, wanted, &Segment::name);
   if (found == header.segments.end())
     throw_input_error("{}: has no segment '{}'; {}", name.file, printable(wanted, 60),
-                      header.segments.empty() ? "it names no segments: choose labels, as in scan.nrrd:1,2" : "there are " + list_text(header.segments));
+                      header.segments.empty() ? "it names no segments: choose labels, as in scan.nrrd:1,2"
+                                              : "there are " + list_text(header.segments));
   if (std::ranges::count(header.segments, wanted, &Segment::name) > 1)
     throw_input_error("{}: has several segments '{}'; give each a name of its own", name.file, printable(wanted, 60));
   if (*found->layer < 0 || *found->layer >= header.n_layers)
-    throw_input_error("{}: the segment '{}' is in layer {}, and there are {}; export the segmentation again", name.file, printable(wanted, 60), *found->layer,
-                      header.n_layers);
+    throw_input_error("{}: the segment '{}' is in layer {}, and there are {}; export the segmentation again", name.file,
+                      printable(wanted, 60), *found->layer, header.n_layers);
   return *found;
 }
 
@@ -174,7 +182,9 @@ Volume read_volume(const std::string& path) {
   if (volume_format(path) == VolumeFormat::vti) return read_vti_volume(path);
   const VolumeHeader header = read_volume_header(path);
   if (header.n_layers > 1)
-    throw_input_error("{}: a segmentation in {} layers, which overlap; save the segments that are meant as a volume of labels", path, header.n_layers);
+    throw_input_error(
+        "{}: a segmentation in {} layers, which overlap; save the segments that are meant as a volume of labels", path,
+        header.n_layers);
   return read_volume(path, header, {});
 }
 
@@ -188,8 +198,9 @@ VolumePart read_volume_part(const VolumeName& name) {
     part.choice.labels = {static_cast<double>(*segment.label)};
     layer = static_cast<std::size_t>(*segment.layer);
   } else if (header.n_layers > 1 && !name.choice.labels.empty()) {
-    throw_input_error("{}: has {} layers, each with labels of its own; name the segment, as in scan.seg.nrrd:Femur: there are {}", name.file, header.n_layers,
-                      list_text(header.segments));
+    throw_input_error(
+        "{}: has {} layers, each with labels of its own; name the segment, as in scan.seg.nrrd:Femur: there are {}",
+        name.file, header.n_layers, list_text(header.segments));
   }
   part.volume = read_volume(name.file, header, layer);
   return part;

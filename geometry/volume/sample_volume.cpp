@@ -21,7 +21,8 @@ bool is_label_volume(const Volume& volume) {
   return true;
 }
 
-VolumeSampler::VolumeSampler(const Volume& volume, Sampling sampling) : volume_(&volume), sampling_(sampling), to_index_(volume.grid.axes.inverse()) {}
+VolumeSampler::VolumeSampler(const Volume& volume, Sampling sampling)
+    : volume_(&volume), sampling_(sampling), to_index_(volume.grid.axes.inverse()) {}
 
 float VolumeSampler::operator()(const Vec<3>& x, float background) const {
   const VoxelGrid& grid = volume_->grid;
@@ -34,7 +35,10 @@ float VolumeSampler::operator()(const Vec<3>& x, float background) const {
   switch (sampling_) {
     case Sampling::label: return label_at(index);
     case Sampling::linear: return linear_at(index);
-    default: return volume_->values[grid.number(static_cast<int>(std::lround(index[0])), static_cast<int>(std::lround(index[1])), static_cast<int>(std::lround(index[2])))];
+    default:
+      return volume_
+          ->values[grid.number(static_cast<int>(std::lround(index[0])), static_cast<int>(std::lround(index[1])),
+                               static_cast<int>(std::lround(index[2])))];
   }
 }
 
@@ -44,7 +48,8 @@ float VolumeSampler::label_at(const Vec<3>& index) const {
   std::array<std::array<double, 4>, 3> weight;
   for (int a = 0; a < 3; ++a) {
     const double below = std::floor(index[a]), t = index[a] - below, s = 1 - t;
-    weight[a] = {s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * s * s + 3 * s * s * s) / 6, t * t * t / 6};
+    weight[a] = {s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * s * s + 3 * s * s * s) / 6,
+                 t * t * t / 6};
     for (int n = 0; n < 4; ++n) at[a][n] = std::clamp(static_cast<int>(below) - 1 + n, 0, grid.size[a] - 1);
   }
   // At most 64 values, of which few differ.
@@ -65,7 +70,8 @@ float VolumeSampler::label_at(const Vec<3>& index) const {
           shares[n] += share;
         }
       }
-  return values[static_cast<std::size_t>(std::max_element(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(n_values)) - shares.begin())];
+  return values[static_cast<std::size_t>(
+      std::max_element(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(n_values)) - shares.begin())];
 }
 
 float VolumeSampler::linear_at(const Vec<3>& index) const {

@@ -8,8 +8,9 @@
 
 namespace shellmatch {
 
-/// nearest: of the voxel that holds the point. label: the value that has the greatest share around the point, by a cubic B-spline for
-/// each, as the surfaces of labels are made (smoothed_label.h): borders between labels get no stairs. linear: between eight voxels.
+/// nearest: of the voxel that holds the point. label: the value that has the greatest share around the point, by a
+/// cubic B-spline for each, as the surfaces of labels are made (smoothed_label.h): borders between labels get no
+/// stairs. linear: between eight voxels.
 enum class Sampling { nearest, label, linear };
 
 /// Whether the values are those of labels: whole numbers, at most 100 different ones and none negative.

@@ -52,7 +52,8 @@ Volume canonical(Volume volume) {
     int best_row = -1, best_column = -1;
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column)
-        if (axis_along[row] < 0 && !is_taken[column] && (best_row < 0 || cosines(row, column) > cosines(best_row, best_column)))
+        if (axis_along[row] < 0 && !is_taken[column] &&
+            (best_row < 0 || cosines(row, column) > cosines(best_row, best_column)))
           best_row = row, best_column = column;
     axis_along[best_row] = best_column;
     is_taken[best_column] = true;
@@ -83,7 +84,9 @@ Volume canonical(Volume volume) {
   result.values.reserve(volume.values.size());
   for (int k = 0; k < to.size[2]; ++k)
     for (int j = 0; j < to.size[1]; ++j)
-      for (int i = 0; i < to.size[0]; ++i) result.values.push_back(volume.values[static_cast<std::size_t>(first + i * step[0] + j * step[1] + k * step[2])]);
+      for (int i = 0; i < to.size[0]; ++i)
+        result.values.push_back(
+            volume.values[static_cast<std::size_t>(first + i * step[0] + j * step[1] + k * step[2])]);
   return result;
 }
 

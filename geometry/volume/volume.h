@@ -2,8 +2,9 @@
 /// \file
 /// Volumes: values on a regular lattice of voxels that lies anywhere in space.
 ///
-/// A volume is in the coordinates of its patient. Files say where their voxels are in one of two frames, whose first two axes are
-/// opposite: RAS (x to the right, y to the front, z upward: NIfTI) and LPS (left, back, upward: DICOM, ITK, NRRD, MetaImage).
+/// A volume is in the coordinates of its patient. Files say where their voxels are in one of two frames, whose first
+/// two axes are opposite: RAS (x to the right, y to the front, z upward: NIfTI) and LPS (left, back, upward: DICOM,
+/// ITK, NRRD, MetaImage).
 
 #include "base/types.h"
 #include "geometry/picture/label_choice.h"
@@ -30,7 +31,8 @@ struct VoxelGrid {
   Vec<3> origin = Vec<3>::Zero();    ///< centre of the first voxel; in the unit of the file, millimetres as a rule
   Mat<3> axes = Mat<3>::Identity();  ///< column k leads from a voxel to the next one along axis k
   std::string unit = {};             ///< of these coordinates, where the file names it: "mm"
-  std::shared_ptr<const GridFile> file = {};  ///< what else its file says, to be written again (geometry/volume/grid_file.h)
+  std::shared_ptr<const GridFile> file =
+      {};  ///< what else its file says, to be written again (geometry/volume/grid_file.h)
 
   std::size_t n_voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
   /// The linear number of a voxel: the first index runs fastest.
@@ -59,8 +61,8 @@ struct Volume {
   std::vector<float> values;
 };
 
-/// The same volume with its axes in another order, and turned, so that each points along the coordinate axis that is closest to
-/// it: however a file orders its voxels, the result is the same to the bit.
+/// The same volume with its axes in another order, and turned, so that each points along the coordinate axis that is
+/// closest to it: however a file orders its voxels, the result is the same to the bit.
 Volume canonical(Volume volume);
 
 /// "1 x 1 x 2.5"

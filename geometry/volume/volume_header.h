@@ -2,8 +2,8 @@
 /// \file
 /// Headers of volumes' files, checked.
 ///
-/// ITK's readers are not used: they take missing values for zeros (NIfTI, MetaImage), and on damaged input leak memory and print on the
-/// terminal. Tests compare ours with them.
+/// ITK's readers are not used: they take missing values for zeros (NIfTI, MetaImage), and on damaged input leak memory
+/// and print on the terminal. Tests compare ours with them.
 
 #include "geometry/volume/volume.h"
 
@@ -30,8 +30,9 @@ struct VolumeHeader {
   VoxelType type = VoxelType::uint8;
   double slope = 1, intercept = 0;  ///< of a value in the file
 
-  std::string file;            ///< of the values
-  std::uintmax_t offset = 0;   ///< of the first: in the file, or in what a file that is compressed as a whole inflates to
+  std::string file;  ///< of the values
+  std::uintmax_t offset =
+      0;  ///< of the first: in the file, or in what a file that is compressed as a whole inflates to
   enum { raw, deflated, whole_file_deflated, text } encoding = raw;
   bool is_big_endian = false;
 
@@ -49,7 +50,8 @@ VolumeHeader read_meta_image_header(const std::string& path);
 /// With its values, in the order of the voxels, where they are asked for. VTK's files name no frame: taken to be RAS.
 std::pair<VolumeHeader, std::vector<double>> read_vti(const std::string& path, bool with_values);
 
-/// Sets the size of the grid. \throws InputError unless there are three dimensions of 2 or more voxels, and max_voxels at most
+/// Sets the size of the grid. \throws InputError unless there are three dimensions of 2 or more voxels, and max_voxels
+/// at most
 void set_size(const std::string& path, std::span<const std::int64_t> size, VoxelGrid& grid);
 
 /// \throws InputError unless position and spacing are finite, positive and in proportion, and the axes span space

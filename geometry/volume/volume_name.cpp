@@ -17,14 +17,16 @@ bool has_ending(std::string_view path, std::string_view ending) {
 
 // What is no list of whole numbers and no threshold is the name of a segment, which an NRRD may have.
 bool is_segment(std::string_view text, const std::string& file) {
-  return volume_format(file) == VolumeFormat::nrrd && !text.starts_with('>') && text.find_first_not_of("+-0123456789,") != text.npos;
+  return volume_format(file) == VolumeFormat::nrrd && !text.starts_with('>') &&
+         text.find_first_not_of("+-0123456789,") != text.npos;
 }
 
 }  // namespace
 
 bool is_volume_file(const std::string& path) {
-  return std::ranges::any_of(std::initializer_list<std::string_view>{".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti"},
-                             [&](std::string_view ending) { return has_ending(path, ending); });
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti"},
+      [&](std::string_view ending) { return has_ending(path, ending); });
 }
 
 VolumeFormat volume_format(const std::string& path) {

@@ -33,8 +33,9 @@ VolumeFormat volume_format(const std::string& path);
 /// The endings, for messages.
 inline constexpr const char* volume_endings = ".nii .nii.gz .nrrd .nhdr .mha .mhd .vti";
 
-/// Splits the name of a file from what is chosen in it, at the last colon. None where the name, without what is chosen, has not
-/// the ending of a volume: a colon elsewhere belongs to the name. \throws InputError where what is chosen cannot be understood
+/// Splits the name of a file from what is chosen in it, at the last colon. None where the name, without what is chosen,
+/// has not the ending of a volume: a colon elsewhere belongs to the name. \throws InputError where what is chosen
+/// cannot be understood
 std::optional<VolumeName> parse_volume_name(const std::string& source);
 
 /// The file of a shape's name: without what is chosen of a volume.

@@ -18,7 +18,8 @@ namespace shellmatch {
 
 namespace {
 
-constexpr XmlExpectation image{"ImageData", "images", "a volume is of type ImageData (in ParaView: Resample To Image, save as .vti)"};
+constexpr XmlExpectation image{"ImageData", "images",
+                               "a volume is of type ImageData (in ParaView: Resample To Image, save as .vti)"};
 
 VoxelType voxel_type(const std::string& path, ValueType type) {
   switch (type) {
@@ -39,7 +40,8 @@ VoxelType voxel_type(const std::string& path, ValueType type) {
 class VtiFile {
  public:
   VtiFile(const std::string& path, std::string_view bytes) : path_(path), file_(path, bytes, image) {
-    if (file_.pieces().size() != 1 || extent(file_.pieces()[0].tag, "Extent") != extent(file_.data_set(), "WholeExtent"))
+    if (file_.pieces().size() != 1 ||
+        extent(file_.pieces()[0].tag, "Extent") != extent(file_.data_set(), "WholeExtent"))
       throw_input_error("{}: an image in {} pieces, or of a part; save it as one whole", path_, file_.pieces().size());
     find_values();
     set_grid();
@@ -83,7 +85,8 @@ class VtiFile {
       for (const XmlArray& array : arrays->second) {
         if (array.n_components != 1 || array.name.starts_with("vtk")) continue;  // ghosts and masks of VTK's own
         if (values_ != nullptr)
-          throw_input_error("{}: several arrays of numbers ('{}', '{}'); save the one that is meant", path_, printable(values_->name, 60), printable(array.name, 60));
+          throw_input_error("{}: several arrays of numbers ('{}', '{}'); save the one that is meant", path_,
+                            printable(values_->name, 60), printable(array.name, 60));
         values_ = &array;
       }
       if (values_ == nullptr) continue;
@@ -101,15 +104,20 @@ class VtiFile {
     set_size(path_, size, grid);
     const auto spacing = numbers<3>(file_.data_set(), "Spacing").value_or(std::array<double, 3>{1, 1, 1});
     for (const double s : spacing)
-      if (!(s > 0)) throw_input_error("{}: the spacing of its voxels is {:g} along an axis, and must be positive", path_, s);
+      if (!(s > 0))
+        throw_input_error("{}: the spacing of its voxels is {:g} along an axis, and must be positive", path_, s);
     const auto origin = numbers<3>(file_.data_set(), "Origin").value_or(std::array<double, 3>{0, 0, 0});
-    const auto direction = numbers<9>(file_.data_set(), "Direction").value_or(std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+    const auto direction =
+        numbers<9>(file_.data_set(), "Direction").value_or(std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) grid.axes(i, k) = direction[static_cast<std::size_t>(3 * i + k)] * spacing[static_cast<std::size_t>(k)];
+      for (int k = 0; k < 3; ++k)
+        grid.axes(i, k) = direction[static_cast<std::size_t>(3 * i + k)] * spacing[static_cast<std::size_t>(k)];
     Vec<3> first;  // indices of the first value: of a point, or of the middle of a cell
-    for (int k = 0; k < 3; ++k) first[k] = static_cast<double>(range[static_cast<std::size_t>(2 * k)]) + (is_of_cells_ ? 0.5 : 0);
+    for (int k = 0; k < 3; ++k)
+      first[k] = static_cast<double>(range[static_cast<std::size_t>(2 * k)]) + (is_of_cells_ ? 0.5 : 0);
     grid.origin = Vec<3>(origin[0], origin[1], origin[2]) + grid.axes * first;
-    grid.file = std::make_shared<const GridFile>(GridFile{"its origin and spacing, taken to be in RAS, as it names no frame", {}, {}, {}});
+    grid.file = std::make_shared<const GridFile>(
+        GridFile{"its origin and spacing, taken to be in RAS, as it names no frame", {}, {}, {}});
   }
 
   const std::string& path_;

@@ -20,7 +20,8 @@ constexpr std::size_t piece_size = 1 << 18;
 // Collects what is passed on in whole pieces.
 class Pieces {
  public:
-  Pieces(std::uintmax_t skipped, std::uintmax_t n_bytes, const std::function<void(std::string_view)>& take) : skipped_(skipped), left_(n_bytes), take_(take) {
+  Pieces(std::uintmax_t skipped, std::uintmax_t n_bytes, const std::function<void(std::string_view)>& take)
+      : skipped_(skipped), left_(n_bytes), take_(take) {
     buffer_.reserve(piece_size);
   }
   bool is_full() const { return left_ == 0; }
@@ -74,7 +75,8 @@ std::string inflated_beginning(const std::string& path, std::size_t n_bytes) {
   const int n = gzread(file.get(), bytes.data(), static_cast<unsigned>(n_bytes));
   int status = Z_OK;
   gzerror(file.get(), &status);
-  if (status == Z_DATA_ERROR) throw_input_error("{}: its compressed data are damaged; copy or export the file again", path);
+  if (status == Z_DATA_ERROR)
+    throw_input_error("{}: its compressed data are damaged; copy or export the file again", path);
   bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
   return bytes;
 }
@@ -84,8 +86,8 @@ bool is_gzip_file(const std::string& path) {
   return file.get() == 0x1f && file.get() == 0x8b;
 }
 
-std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bool deflated, std::uintmax_t skipped, std::uintmax_t n_bytes,
-                              const std::function<void(std::string_view)>& take) {
+std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bool deflated, std::uintmax_t skipped,
+                              std::uintmax_t n_bytes, const std::function<void(std::string_view)>& take) {
   std::ifstream file(path, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(offset));
   Pieces pieces(skipped, n_bytes, take);
@@ -108,7 +110,8 @@ std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bo
       const int status = inflate(&stream, Z_NO_FLUSH);
       pieces.add(std::string_view(out).substr(0, out.size() - stream.avail_out));
       // A file may be several streams one after another.
-      if (status == Z_STREAM_END ? inflateReset(&stream) != Z_OK : status != Z_OK && status != Z_BUF_ERROR) return pieces.end();
+      if (status == Z_STREAM_END ? inflateReset(&stream) != Z_OK : status != Z_OK && status != Z_BUF_ERROR)
+        return pieces.end();
     } while (!pieces.is_full() && (stream.avail_in > 0 || stream.avail_out == 0));
   }
   return pieces.end();
@@ -116,7 +119,9 @@ std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bo
 
 std::string deflated(std::string_view bytes, Deflated form) {
   z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, form == Deflated::gzip ? 15 + 16 : 15, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, form == Deflated::gzip ? 15 + 16 : 15, 8, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
+    throw std::bad_alloc();
   const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
   std::string result, out(piece_size, '\0');
   while (true) {

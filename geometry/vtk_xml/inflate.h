@@ -7,8 +7,8 @@
 
 namespace shellmatch {
 
-/// Expands one zlib stream, which must fill `n` bytes at `out` exactly and end with `compressed`. Returns false where it
-/// is damaged or has another length; never writes beyond.
+/// Expands one zlib stream, which must fill `n` bytes at `out` exactly and end with `compressed`. Returns false where
+/// it is damaged or has another length; never writes beyond.
 bool inflate_exactly(std::string_view compressed, char* out, std::size_t n);
 
 /// The largest factor by which zlib expands (https://zlib.net/zlib_tech.html).

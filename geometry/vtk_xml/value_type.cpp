@@ -16,12 +16,17 @@ struct ValueTypeFacts {
   std::string_view legacy, xml, column;
   std::size_t size;
 };
-constexpr ValueTypeFacts value_types[] = {
-    {"bit", "", "uchar", 0},           {"char", "Int8", "char", 1},       {"unsigned_char", "UInt8", "uchar", 1},
-    {"short", "Int16", "short", 2},    {"unsigned_short", "UInt16", "ushort", 2},
-    {"int", "Int32", "int", 4},        {"unsigned_int", "UInt32", "uint", 4},
-    {"vtktypeint64", "Int64", "int64", 8}, {"vtktypeuint64", "UInt64", "uint64", 8},
-    {"float", "Float32", "float", 4},  {"double", "Float64", "double", 8}};
+constexpr ValueTypeFacts value_types[] = {{"bit", "", "uchar", 0},
+                                          {"char", "Int8", "char", 1},
+                                          {"unsigned_char", "UInt8", "uchar", 1},
+                                          {"short", "Int16", "short", 2},
+                                          {"unsigned_short", "UInt16", "ushort", 2},
+                                          {"int", "Int32", "int", 4},
+                                          {"unsigned_int", "UInt32", "uint", 4},
+                                          {"vtktypeint64", "Int64", "int64", 8},
+                                          {"vtktypeuint64", "UInt64", "uint64", 8},
+                                          {"float", "Float32", "float", 4},
+                                          {"double", "Float64", "double", 8}};
 
 const ValueTypeFacts& facts_of(ValueType type) { return value_types[static_cast<std::size_t>(type)]; }
 
@@ -55,14 +60,17 @@ std::optional<ValueType> legacy_type(std::string_view name) {
 
 std::optional<ValueType> xml_type(std::string_view name) { return type_named(name, &ValueTypeFacts::xml); }
 std::string_view column_type(ValueType type) { return facts_of(type).column; }
-std::size_t bytes_of(ValueType type, std::size_t n) { return type == ValueType::bit ? (n + 7) / 8 : n * facts_of(type).size; }
+std::size_t bytes_of(ValueType type, std::size_t n) {
+  return type == ValueType::bit ? (n + 7) / 8 : n * facts_of(type).size;
+}
 
 std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_t n, bool is_big_endian) {
   std::vector<double> values;
   values.reserve(n);
   switch (type) {
     case ValueType::bit:
-      for (std::size_t i = 0; i < n; ++i) values.push_back((static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8)) & 1);
+      for (std::size_t i = 0; i < n; ++i)
+        values.push_back((static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8)) & 1);
       break;
     case ValueType::int8: append_values<std::int8_t>(bytes, n, is_big_endian, values); break;
     case ValueType::uint8: append_values<std::uint8_t>(bytes, n, is_big_endian, values); break;

@@ -48,7 +48,8 @@ class XmlValues {
   bool is_base64() const { return array_.format == XmlFormat::binary || encoding_.is_appended_base64; }
 
   [[noreturn]] void damaged(std::string_view why) const {
-    throw_input_error("{}: the array '{}' is damaged, or the file was cut off ({})", path_, printable(array_.name, 60), why);
+    throw_input_error("{}: the array '{}' is damaged, or the file was cut off ({})", path_, printable(array_.name, 60),
+                      why);
   }
 
   std::vector<double> text_values() const {
@@ -109,7 +110,8 @@ class XmlValues {
     return value;
   }
 
-  // Before the blocks stand their number, the bytes of a full one and of the last (0 if that is full), and their packed sizes.
+  // Before the blocks stand their number, the bytes of a full one and of the last (0 if that is full), and their packed
+  // sizes.
   std::string expanded(std::string_view bytes, std::size_t n_bytes) const {
     const std::size_t n_blocks = word(bytes, 0);
     if (n_blocks == 0) {
@@ -117,7 +119,8 @@ class XmlValues {
       return {};
     }
     const std::size_t full = word(bytes, 1), last = word(bytes, 2), n_words = bytes.size() / encoding_.header_bytes;
-    if (n_blocks > n_words - 3 || last > full || full > std::numeric_limits<std::size_t>::max() / n_blocks) damaged("its blocks");
+    if (n_blocks > n_words - 3 || last > full || full > std::numeric_limits<std::size_t>::max() / n_blocks)
+      damaged("its blocks");
     if (n_blocks * full - (last > 0 ? full - last : 0) != n_bytes) damaged("the size of its blocks");
     std::string_view packed = bytes.substr((3 + n_blocks) * encoding_.header_bytes);
     // Memory is taken only for what the packed bytes can hold.
@@ -142,7 +145,8 @@ class XmlValues {
 
 }  // namespace
 
-std::vector<double> xml_values(const std::string& path, const XmlArray& array, const XmlEncoding& encoding, std::size_t n) {
+std::vector<double> xml_values(const std::string& path, const XmlArray& array, const XmlEncoding& encoding,
+                               std::size_t n) {
   return XmlValues(path, array, encoding, n).read();
 }
 

@@ -31,7 +31,8 @@ struct XmlArray {
 };
 
 /// The values. \param n how many there must be \throws InputError that names the file and the array
-std::vector<double> xml_values(const std::string& path, const XmlArray& array, const XmlEncoding& encoding, std::size_t n);
+std::vector<double> xml_values(const std::string& path, const XmlArray& array, const XmlEncoding& encoding,
+                               std::size_t n);
 
 /// The bytes of an array whose length nobody has said; nothing where they are more than `most`. \throws as xml_values
 std::string xml_bytes(const std::string& path, const XmlArray& array, const XmlEncoding& encoding, std::size_t most);

@@ -27,7 +27,8 @@ void VtkXmlFile::damaged(std::string_view why) const {
 const XmlArray* VtkXmlFile::find(const XmlPiece& piece, std::string_view section, std::string_view name) {
   const auto arrays = piece.sections.find(section);
   if (arrays == piece.sections.end()) return nullptr;
-  const auto found = std::ranges::find_if(arrays->second, [&](const XmlArray& a) { return name.empty() || a.name == name; });
+  const auto found =
+      std::ranges::find_if(arrays->second, [&](const XmlArray& a) { return name.empty() || a.name == name; });
   return found == arrays->second.end() ? nullptr : &*found;
 }
 
@@ -38,7 +39,8 @@ std::size_t VtkXmlFile::number(const XmlTag& tag, std::string_view key, std::siz
   std::size_t value = 0;
   constexpr std::size_t most = std::size_t{1} << 40;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (text->empty() || error != std::errc() || end != text->data() + text->size() || value > most) damaged(fmt::format("the attribute {}", key));
+  if (text->empty() || error != std::errc() || end != text->data() + text->size() || value > most)
+    damaged(fmt::format("the attribute {}", key));
   return value;
 }
 
@@ -50,7 +52,8 @@ void VtkXmlFile::read_root(const XmlTag& tag) {
   const std::string_view compressor = tag.find("compressor").value_or("");
   encoding_.is_compressed = !compressor.empty();
   if (encoding_.is_compressed && compressor != "vtkZLibDataCompressor")
-    throw_input_error("{}: compressed by {}; save it without compression or with zlib", path_, printable(compressor, 40));
+    throw_input_error("{}: compressed by {}; save it without compression or with zlib", path_,
+                      printable(compressor, 40));
 }
 
 // The text of an element that is open, before or after elements within.
@@ -70,14 +73,16 @@ void VtkXmlFile::read_array(const XmlTag& tag, std::string_view section) {
   else if (format == "binary") array.format = XmlFormat::binary;
   else if (format != "ascii") damaged(fmt::format("the format {}", format));
   array.n_components = number(tag, "NumberOfComponents", 1);
-  if (array.n_components == 0 || array.n_components > max_components) damaged(fmt::format("the components of '{}'", array.name));
+  if (array.n_components == 0 || array.n_components > max_components)
+    damaged(fmt::format("the components of '{}'", array.name));
   if (++n_arrays_ > max_xml_arrays) damaged("more arrays than can be used");
   array.content = tag.is_complete ? std::string_view() : text_within(tag.name);
   if (section == "FieldData") return read_fact(array, type, tag);
   const std::optional<ValueType> known = xml_type(type);
   if (!known) {
     if (section != "PointData" && section != "CellData") damaged(fmt::format("an array of type {}", type));
-    if (section == "PointData") dropped_.push_back(fmt::format("point data '{}' of type {} dropped", printable(array.name), printable(type, 40)));
+    if (section == "PointData")
+      dropped_.push_back(fmt::format("point data '{}' of type {} dropped", printable(array.name), printable(type, 40)));
     return;
   }
   array.type = *known;
@@ -85,7 +90,8 @@ void VtkXmlFile::read_array(const XmlTag& tag, std::string_view section) {
   std::vector<XmlArray>& arrays = pieces_.back().sections[std::string(section)];
   if (array.format == XmlFormat::appended) {
     array.content = {};
-    appended_.push_back({pieces_.size() - 1, number(tag, "offset", std::size_t{1} << 40), std::string(section), arrays.size()});
+    appended_.push_back(
+        {pieces_.size() - 1, number(tag, "offset", std::size_t{1} << 40), std::string(section), arrays.size()});
   }
   arrays.push_back(std::move(array));
 }

@@ -18,7 +18,8 @@ namespace shellmatch {
 
 struct XmlPiece {
   XmlTag tag;  ///< <Piece ...>
-  std::map<std::string, std::vector<XmlArray>, std::less<>> sections;  ///< "Points", "PointData", ...; "" for those in no section
+  std::map<std::string, std::vector<XmlArray>, std::less<>>
+      sections;  ///< "Points", "PointData", ...; "" for those in no section
 };
 
 /// What a reader wants of a file.
@@ -45,7 +46,9 @@ class VtkXmlFile {
   /// The array of that name, or the first for ""; null where there is none.
   static const XmlArray* find(const XmlPiece& piece, std::string_view section, std::string_view name);
   /// n numbers. \throws InputError as xml_values
-  std::vector<double> values(const XmlArray& array, std::size_t n) const { return xml_values(path_, array, encoding_, n); }
+  std::vector<double> values(const XmlArray& array, std::size_t n) const {
+    return xml_values(path_, array, encoding_, n);
+  }
 
   /// Arrays of points whose type has no numbers: "point data 'name' of type String dropped".
   const std::vector<std::string>& dropped() const { return dropped_; }

@@ -28,7 +28,9 @@ bool take(std::string_view& text, std::string_view part) {
   return true;
 }
 
-void skip_blanks(std::string_view& text) { text.remove_prefix(std::min(text.find_first_not_of(xml_blanks), text.size())); }
+void skip_blanks(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(xml_blanks), text.size()));
+}
 
 // Takes KEY="VALUE"; false where there is none.
 bool take_attribute(std::string_view& text, XmlTag& tag) {

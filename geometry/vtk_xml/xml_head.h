@@ -20,7 +20,8 @@ struct XmlTag {
 };
 
 /// Takes the next tag off the front of `text`. Text between tags, comments and declarations are passed over; attributes
-/// with references (&amp;) are not understood. Nothing at the end, and where the tag is no XML: `text` is then not empty.
+/// with references (&amp;) are not understood. Nothing at the end, and where the tag is no XML: `text` is then not
+/// empty.
 std::optional<XmlTag> next_tag(std::string_view& text);
 
 }  // namespace shellmatch

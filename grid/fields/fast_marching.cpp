@@ -44,8 +44,7 @@ double solve_upwind(std::array<Leg, Dim>& legs) {
 
 // The leaves that may meet the surface, found from the root through the cells that may meet it.
 template <int Dim>
-std::vector<Index> leaves_at_surface(const Octree<Dim>& grid,
-                                     const std::function<double(const Vec<Dim>&)>& distance) {
+std::vector<Index> leaves_at_surface(const Octree<Dim>& grid, const std::function<double(const Vec<Dim>&)>& distance) {
   std::vector<Index> found, level{0};
   while (!level.empty()) {
     std::vector<char> is_met(level.size());
@@ -199,8 +198,7 @@ class March {
 }  // namespace
 
 template <int Dim>
-std::vector<double> march_distance(const Octree<Dim>& grid,
-                                   const std::function<double(const Vec<Dim>&)>& distance) {
+std::vector<double> march_distance(const Octree<Dim>& grid, const std::function<double(const Vec<Dim>&)>& distance) {
   March<Dim> march(grid, distance);
   parallel_for(
       2, [&](std::size_t side) { march.run(side == 0 ? 1 : -1); }, 1);

@@ -29,7 +29,6 @@ namespace shellmatch {
 /// \param distance exact signed distance, negative inside, of a surface that meets the domain (checked). It
 ///   is called near the surface only, in parallel.
 template <int Dim>
-std::vector<double> march_distance(const Octree<Dim>& grid,
-                                   const std::function<double(const Vec<Dim>&)>& distance);
+std::vector<double> march_distance(const Octree<Dim>& grid, const std::function<double(const Vec<Dim>&)>& distance);
 
 }  // namespace shellmatch

@@ -88,8 +88,7 @@ std::array<double, Components> evaluate_components(const Octree<Dim>& grid, std:
 
 /// Gradient with respect to x of a scalar field at p; on a face of p.cell, its limit from inside the cell.
 template <int Dim>
-Vec<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<double>& nodal,
-                           const LocalPoint<Dim>& p) {
+Vec<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<double>& nodal, const LocalPoint<Dim>& p) {
   const auto g = shape_gradients<Dim>(p.xi);
   const auto& cell = grid.cell(p.cell);
   Vec<Dim> sum = Vec<Dim>::Zero();
@@ -99,8 +98,7 @@ Vec<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<double>& n
 
 /// Derivative with respect to x of a vector field: entry (i, j) is that of component i along axis j.
 template <int Dim>
-Mat<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& nodal,
-                           const LocalPoint<Dim>& p) {
+Mat<Dim> evaluate_gradient(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& nodal, const LocalPoint<Dim>& p) {
   const auto g = shape_gradients<Dim>(p.xi);
   const auto& cell = grid.cell(p.cell);
   Mat<Dim> sum = Mat<Dim>::Zero();

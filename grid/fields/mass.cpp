@@ -35,8 +35,8 @@ MassOperator<Dim>::MassOperator(const Octree<Dim>& grid)
     : grid_(&grid), constraints_(grid), incidence_(grid), lumped_(lumped_mass(grid)) {}
 
 template <int Dim>
-void MassOperator<Dim>::sum_elements(std::span<const double> elements, std::span<double> free,
-                                     int n_components, std::vector<double>& nodal) const {
+void MassOperator<Dim>::sum_elements(std::span<const double> elements, std::span<double> free, int n_components,
+                                     std::vector<double>& nodal) const {
   nodal.assign(static_cast<std::size_t>(grid_->n_nodes()) * n_components, 0.0);
   parallel_for(grid_->n_nodes(), [&](std::size_t node) {
     for (const auto& e : incidence_.leaves_at(static_cast<Index>(node)))
@@ -67,8 +67,7 @@ void MassOperator<Dim>::apply(std::span<const double> x, std::span<double> y, in
     double* element = &elements[l * n_corners<Dim> * n_components];
     for (int k = 0; k < n_components; ++k) {
       std::array<double, n_corners<Dim>> m;
-      for (int c = 0; c < n_corners<Dim>; ++c)
-        m[c] = v * nodal[static_cast<std::size_t>(nodes[c]) * n_components + k];
+      for (int c = 0; c < n_corners<Dim>; ++c) m[c] = v * nodal[static_cast<std::size_t>(nodes[c]) * n_components + k];
       // The mass matrix of a cell is the tensor power of [1/3 1/6; 1/6 1/3].
       for (int axis = 0; axis < Dim; ++axis)
         for (int c = 0; c < n_corners<Dim>; ++c)
@@ -84,8 +83,7 @@ void MassOperator<Dim>::apply(std::span<const double> x, std::span<double> y, in
 }
 
 template <int Dim>
-int MassOperator<Dim>::solve(std::span<const double> b, std::span<double> x, int n_components,
-                             double tolerance) const {
+int MassOperator<Dim>::solve(std::span<const double> b, std::span<double> x, int n_components, double tolerance) const {
   const std::size_t n = b.size();
   SHELLMATCH_CHECK(x.size() == n && n == lumped_.size() * n_components, "size of a vector of free values");
   const auto preconditioned = [&](std::size_t i, double value) { return value / lumped_[i / n_components]; };
@@ -96,8 +94,7 @@ int MassOperator<Dim>::solve(std::span<const double> b, std::span<double> x, int
       return sum;
     });
   };
-  const double goal =
-      tolerance * tolerance * product([&](std::size_t i) { return b[i] * preconditioned(i, b[i]); });
+  const double goal = tolerance * tolerance * product([&](std::size_t i) { return b[i] * preconditioned(i, b[i]); });
 
   std::vector<double> r(n), p(n), q(n);
   Scratch scratch;

@@ -41,8 +41,10 @@ class MassOperator {
     std::vector<double> nodal, elements;
   };
   void apply(std::span<const double> x, std::span<double> y, int n_components, Scratch& scratch) const;
-  /// Assembles element vectors, given leaf by leaf in the order of grid.leaves() and corner by corner, at the free nodes.
-  void sum_elements(std::span<const double> elements, std::span<double> free, int n_components, std::vector<double>& nodal) const;
+  /// Assembles element vectors, given leaf by leaf in the order of grid.leaves() and corner by corner, at the free
+  /// nodes.
+  void sum_elements(std::span<const double> elements, std::span<double> free, int n_components,
+                    std::vector<double>& nodal) const;
 
   const Octree<Dim>* grid_;
   Constraints<Dim> constraints_;

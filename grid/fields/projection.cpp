@@ -15,9 +15,9 @@ namespace {
 // Relative residual; well below the discretisation error of the gradient.
 constexpr double solver_tolerance = 1e-6;
 
-/// Integrals of grad d times each node's shape function, as if hanging nodes were free. In the leaves around it: 1/2 [-1 1] along
-/// the axis of the derivative and [1/3 1/6] along the others, from the node's own corner. Each node sums over its leaves, so that
-/// no vectors of all elements are stored.
+/// Integrals of grad d times each node's shape function, as if hanging nodes were free. In the leaves around it: 1/2
+/// [-1 1] along the axis of the derivative and [1/3 1/6] along the others, from the node's own corner. Each node sums
+/// over its leaves, so that no vectors of all elements are stored.
 template <int Dim>
 std::vector<double> gradient_moments(const Octree<Dim>& grid, const std::vector<double>& nodal_distance) {
   const NodalIncidence<Dim> incidence(grid);
@@ -50,8 +50,7 @@ std::vector<double> gradient_moments(const Octree<Dim>& grid, const std::vector<
 template <int Dim>
 std::vector<Vec<Dim>> project_gradient(const Octree<Dim>& grid, const std::vector<double>& nodal_distance,
                                        MassKind mass) {
-  SHELLMATCH_CHECK(nodal_distance.size() == static_cast<std::size_t>(grid.n_nodes()),
-                   "size of a nodal field");
+  SHELLMATCH_CHECK(nodal_distance.size() == static_cast<std::size_t>(grid.n_nodes()), "size of a nodal field");
   const Constraints<Dim> constraints(grid);
   std::vector<double> b(constraints.n_free() * Dim);
   constraints.condense(gradient_moments(grid, nodal_distance), b, Dim);
@@ -74,8 +73,7 @@ void normalise(std::vector<Vec<Dim>>& nodal, double smallest) {
 }
 
 template <int Dim>
-std::vector<Vec<Dim>> nodal_normals(const Octree<Dim>& grid, const std::vector<double>& nodal_distance,
-                                    MassKind mass) {
+std::vector<Vec<Dim>> nodal_normals(const Octree<Dim>& grid, const std::vector<double>& nodal_distance, MassKind mass) {
   auto normals = project_gradient(grid, nodal_distance, mass);
   normalise(normals);
   distribute(grid, normals);

@@ -25,7 +25,6 @@ void normalise(std::vector<Vec<Dim>>& nodal, double smallest = 1e-6);
 /// Normals at all nodes: project_gradient(), normalised at the free nodes. Normals at hanging nodes are the
 /// means of their parents, so that the field is continuous, and may be shorter than 1.
 template <int Dim>
-std::vector<Vec<Dim>> nodal_normals(const Octree<Dim>& grid, const std::vector<double>& nodal_distance,
-                                    MassKind mass);
+std::vector<Vec<Dim>> nodal_normals(const Octree<Dim>& grid, const std::vector<double>& nodal_distance, MassKind mass);
 
 }  // namespace shellmatch

@@ -6,8 +6,7 @@
 namespace shellmatch {
 
 template <int Dim>
-std::vector<double> sample_nodes(const Octree<Dim>& grid,
-                                 const std::function<double(const Vec<Dim>&)>& function,
+std::vector<double> sample_nodes(const Octree<Dim>& grid, const std::function<double(const Vec<Dim>&)>& function,
                                  HangingValues hanging) {
   std::vector<double> nodal(grid.n_nodes(), 0.0);
   const bool interpolate = hanging == HangingValues::interpolated;

@@ -16,8 +16,7 @@ enum class HangingValues {
 
 /// Values of `function` at all nodes. `function` is called in parallel.
 template <int Dim>
-std::vector<double> sample_nodes(const Octree<Dim>& grid,
-                                 const std::function<double(const Vec<Dim>&)>& function,
+std::vector<double> sample_nodes(const Octree<Dim>& grid, const std::function<double(const Vec<Dim>&)>& function,
                                  HangingValues hanging = HangingValues::interpolated);
 
 }  // namespace shellmatch

@@ -49,7 +49,8 @@ void SplineSpace<Dim>::coefficients(const Nodal& nodal, const At& at) const {
   // Four components at a time limit the memory of the means of all cells.
   [&]<std::size_t... part>(std::index_sequence<part...>) {
     (quasi_interpolate<4 * part, std::min<std::size_t>(4, n_quasi_interpolated - 4 * part)>(nodal, at), ...);
-  }(std::make_index_sequence<(n_quasi_interpolated + 3) / 4>());
+  }
+  (std::make_index_sequence<(n_quasi_interpolated + 3) / 4>());
   if constexpr (n > n_quasi_interpolated)
     parallel_for(static_cast<std::size_t>(grid_->n_cells()), [&](std::size_t cell) {
       const Index c = number_of(static_cast<Index>(cell));

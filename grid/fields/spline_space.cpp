@@ -86,8 +86,7 @@ void SplineSpace<Dim>::ask_for_neighbours(Index leaf) {
     }
     const Index c = coefficient_at(level, there);
     int group = 0;  // among the 3^Dim around
-    for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3)
-      group += stride * ((there[k] >> 1) - (corner[k] >> 1) + 1);
+    for (int k = 0, stride = 1; k < Dim; ++k, stride *= 3) group += stride * ((there[k] >> 1) - (corner[k] >> 1) + 1);
     siblings_[leaf / n_siblings].first[group] = c - c % n_siblings;
   }
 }
@@ -142,8 +141,7 @@ void SplineSpace<Dim>::derive(Index coefficient, int level, const Coord& corner)
     d.outside = true;
     Coord inside = corner;
     for (int i = 0; i < 2; ++i) {
-      inside[k] =
-          std::clamp(inside[k] + (corner[k] < 0 ? 1 : -1), 0, last);  // clamped for a domain of one cell
+      inside[k] = std::clamp(inside[k] + (corner[k] < 0 ? 1 : -1), 0, last);  // clamped for a domain of one cell
       d.source[i] = coefficient_at(level, inside);
     }
   }

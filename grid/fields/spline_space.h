@@ -129,7 +129,8 @@ class SplineSpace {
   Index n_of_cells_, n_coefficients_;
   std::vector<Made> made_;        ///< by coefficient
   std::vector<Derived> derived_;  ///< ordered such that sources precede their dependents
-  std::unordered_map<std::uint64_t, Index> others_;  ///< by key_of(): first coefficients of the groups that are not cells of the grid
+  std::unordered_map<std::uint64_t, Index>
+      others_;  ///< by key_of(): first coefficients of the groups that are not cells of the grid
 };
 
 /// For each neighbour of each sibling: the group that contains the neighbour, and its number in that group.
@@ -196,7 +197,8 @@ inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index 
   for (int r = 0; r < n_registers; ++r) {
     Numbers at;
     std::memcpy(&at, group.data() + 16 * r, sizeof at);
-    const Numbers found = n_registers == 1 ? __builtin_shuffle(first[0], at) : __builtin_shuffle(first[0], first[n_registers - 1], at);
+    const Numbers found =
+        n_registers == 1 ? __builtin_shuffle(first[0], at) : __builtin_shuffle(first[0], first[n_registers - 1], at);
     Numbers add;
     std::memcpy(&add, child.data() + 16 * r, sizeof add);
     const Numbers sum = found + add;

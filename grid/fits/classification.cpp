@@ -29,8 +29,8 @@ double power(const Classifier& classifier, double curvature, double exponent) {
   return exponent == 0.5 ? std::sqrt(c) : exponent == -0.5 ? 1 / std::sqrt(c) : std::pow(c, exponent);
 }
 
-/// Unit vectors perpendicular to a unit vector and to each other (T. Duff et al.: Building an orthonormal basis, revisited.
-/// Journal of Computer Graphics Techniques 6, 2017).
+/// Unit vectors perpendicular to a unit vector and to each other (T. Duff et al.: Building an orthonormal basis,
+/// revisited. Journal of Computer Graphics Techniques 6, 2017).
 Eigen::Matrix<double, 2, 1> tangents(const Vec<2>& n) { return {-n[1], n[0]}; }
 Eigen::Matrix<double, 3, 2> tangents(const Vec<3>& n) {
   const double sign = std::copysign(1.0, n[2]), a = -1 / (sign + n[2]), b = n[0] * n[1] * a;
@@ -42,7 +42,8 @@ Eigen::Matrix<double, 3, 2> tangents(const Vec<3>& n) {
 }  // namespace
 
 template <int Dim>
-Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Vec<Dim>& normal, const Classifier& classifier, double exponent) {
+Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Vec<Dim>& normal, const Classifier& classifier,
+                          double exponent) {
   const auto t = tangents(normal);
   const Mat<Dim - 1> tangential = t.transpose() * extended_shape * t;
   Mat<Dim - 1> result;

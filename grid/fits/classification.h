@@ -30,9 +30,10 @@ Mat<Dim> extended_shape_operator(const Mat<Dim>& hessian, const Vec<Dim>& normal
 template <int Dim>
 Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& classifier, double exponent);
 
-/// The same for an extended shape operator, which has the unit vector `normal` as eigenvector with eigenvalue 1, from its
-/// tangential part, by the eigendecomposition whatever classifier.root: a fraction of the time.
+/// The same for an extended shape operator, which has the unit vector `normal` as eigenvector with eigenvalue 1, from
+/// its tangential part, by the eigendecomposition whatever classifier.root: a fraction of the time.
 template <int Dim>
-Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Vec<Dim>& normal, const Classifier& classifier, double exponent);
+Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Vec<Dim>& normal, const Classifier& classifier,
+                          double exponent);
 
 }  // namespace shellmatch

@@ -13,9 +13,8 @@ namespace {
 
 /// hessian(i) is the Hessian of the distance at nodes[i].
 template <int Dim>
-NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distance,
-                            const CoefficientOptions& options, const auto& hessian,
-                            std::span<const Index> nodes) {
+NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distance, const CoefficientOptions& options,
+                            const auto& hessian, std::span<const Index> nodes) {
   NodalGeometry<Dim> g;
   g.distance = std::move(distance);
   g.normal = nodal_normals(grid, g.distance, options.normal_mass);
@@ -25,8 +24,8 @@ NodalGeometry<Dim> assemble(const Octree<Dim>& grid, std::vector<double> distanc
     g.extended_shape[free[i]] = pack_symmetric<Dim>(g.normal[free[i]] * g.normal[free[i]].transpose());
   });
   parallel_for(nodes.size(), [&](std::size_t i) {
-    g.extended_shape[nodes[i]] = pack_symmetric<Dim>(
-        extended_shape_operator<Dim>(unpack_symmetric<Dim>(hessian(i)), g.normal[nodes[i]]));
+    g.extended_shape[nodes[i]] =
+        pack_symmetric<Dim>(extended_shape_operator<Dim>(unpack_symmetric<Dim>(hessian(i)), g.normal[nodes[i]]));
   });
   distribute(grid, g.extended_shape);
   return g;
@@ -54,8 +53,7 @@ NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> n
 template <int Dim>
 std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
                                                  std::array<std::vector<double>, 2> nodal_distances,
-                                                 const CoefficientOptions& options,
-                                                 std::span<const Index> nodes) {
+                                                 const CoefficientOptions& options, std::span<const Index> nodes) {
   if (nodes.empty()) nodes = grid.free_nodes();
   const auto hessians = fit_hessians(grid, nodal_distances, options, nodes);
   const auto of = [&](int s) {
@@ -93,8 +91,8 @@ Classifier make_classifier(const GridPair<Dim>& grids, const CoefficientOptions&
 }
 
 template <int Dim>
-CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geometry,
-                                const Classifier& classifier, bool inverse_root) {
+CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geometry, const Classifier& classifier,
+                                bool inverse_root) {
   CoefficientFields<Dim> fields{std::move(geometry.distance), std::move(geometry.normal),
                                 std::move(geometry.extended_shape)};
   const auto free = grid.free_nodes();
@@ -151,24 +149,22 @@ CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<
   return {operators(*grids[0], geometry[0]), operators(*grids[1], geometry[1])};
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                        \
-  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
-                                                  const CoefficientOptions&, std::span<const Index>);      \
-  template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                          \
-      const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&,                   \
-      std::span<const Index>);                                                                             \
-  template Classifier make_classifier<Dim>(const GridPair<Dim>&, const CoefficientOptions&,                \
-                                           const NodalGeometry<Dim>&, const NodalGeometry<Dim>&);          \
-  template CoefficientFields<Dim> classify<Dim>(const Octree<Dim>&, NodalGeometry<Dim>, const Classifier&, \
-                                                bool);                                                     \
-  template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,       \
-                                                            const CoefficientOptions&, bool);              \
-  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>,                 \
-                                                  const CoefficientOptions&, const HierarchicalFit<Dim>&);        \
-  template CoefficientPair<Dim> coefficient_pair<Dim>(                                                     \
-      const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>, const CoefficientOptions&);                 \
-  template CoefficientPair<Dim> shape_operator_pair<Dim>(                                                  \
-      const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>, const CoefficientOptions&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                    \
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&,  \
+                                                  std::span<const Index>);                                             \
+  template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                                      \
+      const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&, std::span<const Index>);      \
+  template Classifier make_classifier<Dim>(const GridPair<Dim>&, const CoefficientOptions&, const NodalGeometry<Dim>&, \
+                                           const NodalGeometry<Dim>&);                                                 \
+  template CoefficientFields<Dim> classify<Dim>(const Octree<Dim>&, NodalGeometry<Dim>, const Classifier&, bool);      \
+  template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,                   \
+                                                            const CoefficientOptions&, bool);                          \
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&,  \
+                                                  const HierarchicalFit<Dim>&);                                        \
+  template CoefficientPair<Dim> coefficient_pair<Dim>(const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>,         \
+                                                      const CoefficientOptions&);                                      \
+  template CoefficientPair<Dim> shape_operator_pair<Dim>(const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>,      \
+                                                         const CoefficientOptions&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

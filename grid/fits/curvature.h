@@ -21,7 +21,7 @@ namespace shellmatch {
 template <int Dim>
 struct NodalGeometry {
   std::vector<double> distance;
-  std::vector<Vec<Dim>> normal;  ///< unit vectors at free nodes, zero where undefined
+  std::vector<Vec<Dim>> normal;                          ///< unit vectors at free nodes, zero where undefined
   std::vector<SymmetricComponents<Dim>> extended_shape;  ///< S^ext at free nodes
 };
 
@@ -35,8 +35,7 @@ NodalGeometry<Dim> nodal_geometry(const Octree<Dim>& grid, std::vector<double> n
 template <int Dim>
 std::array<NodalGeometry<Dim>, 2> nodal_geometry(const Octree<Dim>& grid,
                                                  std::array<std::vector<double>, 2> nodal_distances,
-                                                 const CoefficientOptions& options,
-                                                 std::span<const Index> nodes = {});
+                                                 const CoefficientOptions& options, std::span<const Index> nodes = {});
 
 /// The same with given second derivatives of the distance at all nodes.
 template <int Dim>
@@ -62,8 +61,8 @@ struct CoefficientFields {
 };
 
 template <int Dim>
-CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geometry,
-                                const Classifier& classifier, bool inverse_root);
+CoefficientFields<Dim> classify(const Octree<Dim>& grid, NodalGeometry<Dim> geometry, const Classifier& classifier,
+                                bool inverse_root);
 
 /// The coefficients of a single surface. With Classification::shift the shift is that of this surface alone.
 template <int Dim>

@@ -51,8 +51,7 @@ LatticeFit<Dim>::LatticeFit(const Octree<Dim>& grid, std::size_t n_others, doubl
   none.fill(no_index);
   around_.assign(static_cast<std::size_t>(grid.n_nodes()), none);
   for (const Index leaf : grid.leaves())
-    for (int c = 0; c < n_corners<Dim>; ++c)
-      around_[grid.cell(leaf).nodes[c]][n_corners<Dim> - 1 - c] = leaf;
+    for (int c = 0; c < n_corners<Dim>; ++c) around_[grid.cell(leaf).nodes[c]][n_corners<Dim> - 1 - c] = leaf;
   parallel_for(around_.size(), [&](std::size_t node) {
     Around& leaves = around_[node];
     for (const Index leaf : leaves)

@@ -50,9 +50,9 @@ class LatticeFit {
   Index neighbour(Index node, const Offset& step) const;
 
   const Octree<Dim>* grid_;
-  std::vector<Around> around_;      ///< by node
-  std::vector<Term> terms_;         ///< empty if the fit is not possible
-  bool is_ball_wide_ = false;       ///< the leaves around the node do not cover it; with those around the next nodes they do
+  std::vector<Around> around_;  ///< by node
+  std::vector<Term> terms_;     ///< empty if the fit is not possible
+  bool is_ball_wide_ = false;  ///< the leaves around the node do not cover it; with those around the next nodes they do
 };
 
 }  // namespace shellmatch

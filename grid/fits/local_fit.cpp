@@ -39,14 +39,12 @@ std::array<SymmetricComponents<Dim>, Fields> fit_at(const Octree<Dim>& grid, con
     for (const auto& [position, square] : scratch.ball) {
       const Index other = free[position];
       Vec<Dim> x;
-      for (int k = 0; k < Dim; ++k)
-        x[k] = (grid.node_coord(other)[k] - grid.node_coord(node)[k]) * per_radius;
+      for (int k = 0; k < Dim; ++k) x[k] = (grid.node_coord(other)[k] - grid.node_coord(node)[k]) * per_radius;
       // Differences avoid cancellation where the values are large.
       std::array<double, Fields> values;
       for (int f = 0; f < Fields; ++f) values[f] = fields[f][other] - fields[f][node];
       // The node itself has the weight of its nearest neighbour.
-      const double weight =
-          exponent == 0 ? 1.0 : std::pow(std::max(square, nearest) / farthest, -0.5 * exponent);
+      const double weight = exponent == 0 ? 1.0 : std::pow(std::max(square, nearest) / farthest, -0.5 * exponent);
       fit.add(x, values, weight);
     }
     if (fit.factorise()) {
@@ -78,8 +76,8 @@ std::array<Hessians<Dim>, Fields> fit_all(const Octree<Dim>& grid, const FieldPo
       SHELLMATCH_CHECK(grid.free_index(nodes[i]) != no_index, "quadratics are fitted at free nodes");
       if (const double side = lattice.find_neighbours(nodes[i], lattice_nodes); side > 0) {
         for (int f = 0; f < Fields; ++f)
-          hessians[f][i] = lattice.hessian({fields[f], static_cast<std::size_t>(grid.n_nodes())}, nodes[i], side,
-                                           lattice_nodes);
+          hessians[f][i] =
+              lattice.hessian({fields[f], static_cast<std::size_t>(grid.n_nodes())}, nodes[i], side, lattice_nodes);
         continue;
       }
       const auto at_node =
@@ -93,28 +91,27 @@ std::array<Hessians<Dim>, Fields> fit_all(const Octree<Dim>& grid, const FieldPo
 }  // namespace
 
 template <int Dim>
-Hessians<Dim> fit_hessians(const Octree<Dim>& grid, const std::vector<double>& nodal,
-                           const CoefficientOptions& options, std::span<const Index> nodes) {
+Hessians<Dim> fit_hessians(const Octree<Dim>& grid, const std::vector<double>& nodal, const CoefficientOptions& options,
+                           std::span<const Index> nodes) {
   SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid.n_nodes()), "size of a nodal field");
   return fit_all<Dim, 1>(grid, {nodal.data()}, options, nodes)[0];
 }
 
 template <int Dim>
-std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid,
-                                          const std::array<std::vector<double>, 2>& nodal,
+std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid, const std::array<std::vector<double>, 2>& nodal,
                                           const CoefficientOptions& options, std::span<const Index> nodes) {
   for (const auto& field : nodal)
     SHELLMATCH_CHECK(field.size() == static_cast<std::size_t>(grid.n_nodes()), "size of a nodal field");
   return fit_all<Dim, 2>(grid, {nodal[0].data(), nodal[1].data()}, options, nodes);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                             \
-  template std::size_t n_neighbours<Dim>(const CoefficientOptions&);                            \
-  template Hessians<Dim> fit_hessians<Dim>(const Octree<Dim>&, const std::vector<double>&,      \
-                                           const CoefficientOptions&, std::span<const Index>);  \
-  template std::array<Hessians<Dim>, 2> fit_hessians<Dim>(                                      \
-      const Octree<Dim>&, const std::array<std::vector<double>, 2>&, const CoefficientOptions&, \
-      std::span<const Index>);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template std::size_t n_neighbours<Dim>(const CoefficientOptions&);                                                  \
+  template Hessians<Dim> fit_hessians<Dim>(const Octree<Dim>&, const std::vector<double>&, const CoefficientOptions&, \
+                                           std::span<const Index>);                                                   \
+  template std::array<Hessians<Dim>, 2> fit_hessians<Dim>(const Octree<Dim>&,                                         \
+                                                          const std::array<std::vector<double>, 2>&,                  \
+                                                          const CoefficientOptions&, std::span<const Index>);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -28,13 +28,12 @@ std::size_t n_neighbours(const CoefficientOptions& options);
 /// their order.
 /// \pre the grid's level is at least 1; `nodes` are free
 template <int Dim>
-Hessians<Dim> fit_hessians(const Octree<Dim>& grid, const std::vector<double>& nodal,
-                           const CoefficientOptions& options, std::span<const Index> nodes);
+Hessians<Dim> fit_hessians(const Octree<Dim>& grid, const std::vector<double>& nodal, const CoefficientOptions& options,
+                           std::span<const Index> nodes);
 
 /// The same for two fields, which share neighbourhoods and matrices, at little more than the cost of one.
 template <int Dim>
-std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid,
-                                          const std::array<std::vector<double>, 2>& nodal,
+std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid, const std::array<std::vector<double>, 2>& nodal,
                                           const CoefficientOptions& options, std::span<const Index> nodes);
 
 }  // namespace shellmatch

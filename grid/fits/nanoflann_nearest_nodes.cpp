@@ -36,9 +36,12 @@ struct NodePoints {
 
 template <int Dim>
 struct NearestNodes<Dim>::Tree {
-  explicit Tree(const Octree<Dim>& grid) : points(grid), index(Dim, points, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {}
+  explicit Tree(const Octree<Dim>& grid)
+      : points(grid), index(Dim, points, nanoflann::KDTreeSingleIndexAdaptorParams(12)) {}
   NodePoints<Dim> points;
-  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodePoints<Dim>>, NodePoints<Dim>, Dim, Index> index;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodePoints<Dim>>, NodePoints<Dim>, Dim,
+                                      Index>
+      index;
 };
 
 template <int Dim>
@@ -47,7 +50,8 @@ template <int Dim>
 NearestNodes<Dim>::~NearestNodes() = default;
 
 template <int Dim>
-std::pair<double, double> NearestNodes<Dim>::find(const std::array<double, Dim>& centre, std::size_t n, Scratch& scratch) const {
+std::pair<double, double> NearestNodes<Dim>::find(const std::array<double, Dim>& centre, std::size_t n,
+                                                  Scratch& scratch) const {
   thread_local std::vector<FoundNode> found;  // kept for its memory alone
   auto& [ball, squares, guess] = scratch;
   // Squared distances are integers, and the search returns what is strictly nearer.

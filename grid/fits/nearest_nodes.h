@@ -9,7 +9,8 @@
 
 namespace shellmatch {
 
-/// Finds the free nodes that are nearest to a place, in integer coordinates of nodes, in which equal distances compare equal.
+/// Finds the free nodes that are nearest to a place, in integer coordinates of nodes, in which equal distances compare
+/// equal.
 template <int Dim>
 class NearestNodes {
  public:
@@ -27,9 +28,10 @@ class NearestNodes {
   explicit NearestNodes(const Octree<Dim>& grid);
   ~NearestNodes();
 
-  /// Fills scratch.ball with the free nodes that are no farther from the node at `centre` than its n-th nearest neighbour, by ascending
-  /// position, so that sums over them have the same bits whatever the order in which a search finds them. Returns the squared distances of
-  /// the nearest and of the farthest of them. \pre there are at least n + 1 free nodes
+  /// Fills scratch.ball with the free nodes that are no farther from the node at `centre` than its n-th nearest
+  /// neighbour, by ascending position, so that sums over them have the same bits whatever the order in which a search
+  /// finds them. Returns the squared distances of the nearest and of the farthest of them. \pre there are at least n +
+  /// 1 free nodes
   std::pair<double, double> find(const std::array<double, Dim>& centre, std::size_t n, Scratch& scratch) const;
 
  private:

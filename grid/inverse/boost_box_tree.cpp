@@ -46,7 +46,8 @@ BoxTree<Dim>::BoxTree(BoxTree&&) noexcept = default;
 template <int Dim>
 std::vector<Index> BoxTree<Dim>::containing(const Vec<Dim>& x) const {
   std::vector<Index> found;
-  for (auto it = tree_->boxes.qbegin(boost::geometry::index::intersects(boost_point(x))); it != tree_->boxes.qend(); ++it)
+  for (auto it = tree_->boxes.qbegin(boost::geometry::index::intersects(boost_point(x))); it != tree_->boxes.qend();
+       ++it)
     found.push_back(it->second);
   std::sort(found.begin(), found.end());
   return found;

@@ -113,8 +113,8 @@ std::optional<Vec<Dim>> InverseMap<Dim>::operator()(const Vec<Dim>& y) const {
   return outside(y);
 }
 
-// Solves phi(c) + x - c = y for x outside the domain, c being its nearest point there, by Newton's method with the derivative
-// of the side on which x lies, and halved steps.
+// Solves phi(c) + x - c = y for x outside the domain, c being its nearest point there, by Newton's method with the
+// derivative of the side on which x lies, and halved steps.
 template <int Dim>
 std::optional<Vec<Dim>> InverseMap<Dim>::outside(const Vec<Dim>& y) const {
   const auto residual = [&](const Vec<Dim>& x, LocalPoint<Dim>& at, Corners<Dim>& corners) {

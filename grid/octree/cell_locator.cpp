@@ -48,8 +48,7 @@ Index CellLocator<Dim>::find(int level, const Coord& corner) const {
   if (level > 0 && level >= table_level_) {
     shift -= table_level_;
     std::size_t entry = 0;
-    for (int k = Dim - 1; k >= 0; --k)
-      entry = (entry << table_level_) | static_cast<std::size_t>(corner[k] >> shift);
+    for (int k = Dim - 1; k >= 0; --k) entry = (entry << table_level_) | static_cast<std::size_t>(corner[k] >> shift);
     c = table_[entry];
     // A leaf coarser than the table fills several entries, that of the sibling among them: then the cell is
     // missing.

@@ -9,16 +9,14 @@ namespace shellmatch {
 
 template <int Dim>
 void distribute(const Octree<Dim>& grid, std::span<double> nodal, int n_components) {
-  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid.n_nodes()) * n_components,
-                   "size of a nodal field");
+  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid.n_nodes()) * n_components, "size of a nodal field");
   const auto hanging = grid.hanging_nodes();
   parallel_for(hanging.size(), [&](std::size_t i) {
     const HangingNode<Dim>& h = hanging[i];
     const double weight = 1.0 / h.n_parents;
     for (int k = 0; k < n_components; ++k) {
       double sum = 0;
-      for (int p = 0; p < h.n_parents; ++p)
-        sum += nodal[static_cast<std::size_t>(h.parents[p]) * n_components + k];
+      for (int p = 0; p < h.n_parents; ++p) sum += nodal[static_cast<std::size_t>(h.parents[p]) * n_components + k];
       nodal[static_cast<std::size_t>(h.node) * n_components + k] = weight * sum;
     }
   });
@@ -32,19 +30,16 @@ Constraints<Dim>::Constraints(const Octree<Dim>& grid) : grid_(&grid), first_(n_
   entries_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (const auto& h : grid.hanging_nodes())
-    for (int p = 0; p < h.n_parents; ++p)
-      entries_[next[grid.free_index(h.parents[p])]++] = {h.node, 1.0 / h.n_parents};
+    for (int p = 0; p < h.n_parents; ++p) entries_[next[grid.free_index(h.parents[p])]++] = {h.node, 1.0 / h.n_parents};
 }
 
 template <int Dim>
 void Constraints<Dim>::expand(std::span<const double> free, std::span<double> nodal, int n_components) const {
   SHELLMATCH_CHECK(free.size() == n_free() * n_components, "size of a vector of free values");
   const auto nodes = grid_->free_nodes();
-  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components,
-                   "size of a nodal field");
+  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components, "size of a nodal field");
   parallel_for(nodes.size(), [&](std::size_t i) {
-    std::copy_n(&free[i * n_components], n_components,
-                &nodal[static_cast<std::size_t>(nodes[i]) * n_components]);
+    std::copy_n(&free[i * n_components], n_components, &nodal[static_cast<std::size_t>(nodes[i]) * n_components]);
   });
   distribute(*grid_, nodal, n_components);
 }
@@ -52,18 +47,15 @@ void Constraints<Dim>::expand(std::span<const double> free, std::span<double> no
 template <int Dim>
 void Constraints<Dim>::pick(std::span<const double> nodal, std::span<double> free, int n_components) const {
   SHELLMATCH_CHECK(free.size() == n_free() * n_components, "size of a vector of free values");
-  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components,
-                   "size of a nodal field");
+  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components, "size of a nodal field");
   const auto nodes = grid_->free_nodes();
   parallel_for(nodes.size(), [&](std::size_t i) {
-    std::copy_n(&nodal[static_cast<std::size_t>(nodes[i]) * n_components], n_components,
-                &free[i * n_components]);
+    std::copy_n(&nodal[static_cast<std::size_t>(nodes[i]) * n_components], n_components, &free[i * n_components]);
   });
 }
 
 template <int Dim>
-void Constraints<Dim>::condense(std::span<const double> nodal, std::span<double> free,
-                                int n_components) const {
+void Constraints<Dim>::condense(std::span<const double> nodal, std::span<double> free, int n_components) const {
   pick(nodal, free, n_components);
   parallel_for(n_free(), [&](std::size_t i) {
     for (std::size_t e = first_[i]; e < first_[i + 1]; ++e)
@@ -75,8 +67,7 @@ void Constraints<Dim>::condense(std::span<const double> nodal, std::span<double>
 
 template <int Dim>
 void Constraints<Dim>::condense(std::span<double> nodal, int n_components) const {
-  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components,
-                   "size of a nodal field");
+  SHELLMATCH_CHECK(nodal.size() == static_cast<std::size_t>(grid_->n_nodes()) * n_components, "size of a nodal field");
   const auto nodes = grid_->free_nodes();
   // Only free nodes are written and only hanging nodes are read, so the threads do not conflict.
   parallel_for(nodes.size(), [&](std::size_t i) {

@@ -56,8 +56,7 @@ void Octree<Dim>::close_under_balance(std::vector<Index>& to_split, std::vector<
     parallel_chunks(n, chunk_size, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const Cell c = cell(to_split[begin + i]);
-        SHELLMATCH_CHECK(c.level < max_level,
-                         "a cell of the finest possible level was marked for refinement");
+        SHELLMATCH_CHECK(c.level < max_level, "a cell of the finest possible level was marked for refinement");
         for (const Index coarse : find_parents(c.level, c.corner)) {
           if (coarse == no_index || locator_.first_child(coarse) != no_index) continue;
           if (std::atomic_ref(is_marked[coarse]).exchange(1, std::memory_order_relaxed) == 0)

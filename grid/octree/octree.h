@@ -70,7 +70,7 @@ class Octree {
   Vec<Dim> cell_centre(Index number) const;
 
   std::span<const HangingNode<Dim>> hanging_nodes() const { return hanging_; }  ///< ascending by node
-  std::span<const Index> free_nodes() const { return free_; }  ///< nodes that are unknowns, ascending
+  std::span<const Index> free_nodes() const { return free_; }                   ///< nodes that are unknowns, ascending
   /// Position in free_nodes(), or no_index for a hanging node.
   Index free_index(Index node) const { return free_index_[node]; }
   bool is_boundary_node(Index node) const;

@@ -66,8 +66,7 @@ void Octree<Dim>::add_nodes(Index first_family) {
         if (node != to_be_numbered) continue;
         node = next[chunk.index]++;
         const auto p = lattice_point<Dim>(m.point);
-        for (int k = 0; k < Dim; ++k)
-          node_coords_[node][k] = (family.corner[k] + p[k]) << (max_level - family.level);
+        for (int k = 0; k < Dim; ++k) node_coords_[node][k] = (family.corner[k] + p[k]) << (max_level - family.level);
       }
     }
   });
@@ -112,8 +111,7 @@ void Octree<Dim>::finish_refinement() {
   hanging_.clear();
   resize_exactly(hanging_, n_hanging);
   for (const auto& part : hanging)
-    for (const HangingNode<Dim>& h : part)
-      hanging_[no_index - 1 - std::exchange(free_index_[h.node], no_index)] = h;
+    for (const HangingNode<Dim>& h : part) hanging_[no_index - 1 - std::exchange(free_index_[h.node], no_index)] = h;
 }
 
 // By the 2:1 balance, a node that hangs on a leaf is the midpoint of one of its edges or faces, created by

@@ -16,8 +16,7 @@ namespace shellmatch {
 /// multiples.
 template <int Dim, class T>
 void prolongate(const Octree<Dim>& refined, Index n_old_nodes, std::vector<T>& nodal) {
-  SHELLMATCH_CHECK(static_cast<std::size_t>(n_old_nodes) == nodal.size(),
-                   "the field does not belong to the old grid");
+  SHELLMATCH_CHECK(static_cast<std::size_t>(n_old_nodes) == nodal.size(), "the field does not belong to the old grid");
   nodal.resize(refined.n_nodes());
   std::vector<char> known(refined.n_nodes() - n_old_nodes, 0);
   // In ascending order a cell precedes its descendants, so its corner values are known when its children are

@@ -16,8 +16,8 @@ bool changes_sign(const Octree<Dim>& grid, const std::vector<double>& nodal_dist
 }
 
 template <int Dim>
-bool cube_meets_surface(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre,
-                        double side, int depth) {
+bool cube_meets_surface(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double side,
+                        int depth) {
   const double d = std::abs(distance(centre));
   if (d <= 0.5 * side) return true;
   if (d > 0.5 * std::sqrt(double(Dim)) * side) return false;

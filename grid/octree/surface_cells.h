@@ -19,8 +19,8 @@ bool changes_sign(const Octree<Dim>& grid, const std::vector<double>& nodal_dist
 /// the cube is subdivided into 2^Dim parts, recursively to `depth`; parts that remain undecided count as met.
 /// `distance` is an exact distance, signed or unsigned, and therefore 1-Lipschitz.
 template <int Dim>
-bool cube_meets_surface(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre,
-                        double side, int depth = 3);
+bool cube_meets_surface(const std::function<double(const Vec<Dim>&)>& distance, const Vec<Dim>& centre, double side,
+                        int depth = 3);
 
 /// True where the surface meets the leaf. The nodal distances decide most leaves; the others need `distance`.
 /// \pre `nodal_distance` has the values of `distance` at the free nodes; values at hanging nodes may be

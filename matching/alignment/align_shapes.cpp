@@ -34,12 +34,13 @@ struct Outcome {
   Start<Dim>& best() { return search.starts[choice.index]; }
 };
 
-// A mirrored copy is searched only where something is strange, since it takes as long as the search itself: a turn to the other side, as of
-// what is mirrored and thin, or no map that is nearly isometric.
+// A mirrored copy is searched only where something is strange, since it takes as long as the search itself: a turn to
+// the other side, as of what is mirrored and thin, or no map that is nearly isometric.
 constexpr double strange_turn = 120;  // degrees
 
 bool is_worth_mirroring(const Start<3>& best, const StartChoice& choice) {
-  return best.is_usable() && (choice.is_doubtful || choice.as_it_lies || angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
+  return best.is_usable() &&
+         (choice.is_doubtful || choice.as_it_lies || angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
 }
 
 template <int Dim>
@@ -49,12 +50,14 @@ Outcome<Dim> choice_among(StartSearch<Dim> search, const AlignOptions& options, 
 }
 
 template <int Dim>
-Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
-                               Trials<Dim>& trials) {
+Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                               const AlignOptions& options, Trials<Dim>& trials) {
   Outcome<Dim> outcome = choice_among(search_starts(shapes, landmarks, options), options, trials);
   if constexpr (Dim == 3) {
-    // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they may not.
-    if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() && outcome.best().score <= options.doubtful_score) {
+    // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they
+    // may not.
+    if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() &&
+        outcome.best().score <= options.doubtful_score) {
       Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
       if (!poses.choice.is_doubtful) return poses;
     }
@@ -65,7 +68,8 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
 // Pairs of one component of several say nothing of the others.
 constexpr double least_searched = 0.9;
 
-/// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs. Why it does, in words.
+/// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs. Why it does, in
+/// words.
 template <int Dim>
 std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search, Alignment<Dim>& start) {
   const Coincidence<Dim> coincidence(shapes);
@@ -85,15 +89,16 @@ std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& 
 }
 
 template <int Dim>
-Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
-                      Trials<Dim> trials, Observer& observer, std::string_view moved) {
+Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                      const AlignOptions& options, Trials<Dim> trials, Observer& observer, std::string_view moved) {
   Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials);
   for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
-    if (!options.search.mirror && options.mode == AlignMode::automatic && !shapes.one_is_part() && is_worth_mirroring(best, choice))
+    if (!options.search.mirror && options.mode == AlignMode::automatic && !shapes.one_is_part() &&
+        is_worth_mirroring(best, choice))
       fits_mirrored = fits_far_better_mirrored(shapes, options, best);
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;
@@ -102,7 +107,8 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
     result = std::move(best.alignment);
     result.pairs.resize(result.pairs.size() - best.n_contradicting);
   }
-  const std::string stays = is_used && options.mode == AlignMode::automatic ? why_they_stay(shapes, outcome.search, result) : "";
+  const std::string stays =
+      is_used && options.mode == AlignMode::automatic ? why_they_stay(shapes, outcome.search, result) : "";
   if (!stays.empty()) is_used = !result.pairs.empty();
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
@@ -116,26 +122,34 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.fits_mirrored = fits_mirrored;
   if (fits_mirrored)
     observer.note(
-        "alignment: the mirrored reference fits far better: is one of the shapes of the other side, or its x axis turned over? "
+        "alignment: the mirrored reference fits far better: is one of the shapes of the other side, or its x axis "
+        "turned over? "
         "--set align.search.mirror=true mirrors it");
   std::string why;
   if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
-  if (best.landmark_distance) why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks, *best.landmark_distance);
+  if (best.landmark_distance)
+    why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks,
+                       *best.landmark_distance);
   if (is_used && result.landmark_trust.value_or(1) < 0.5)
-    why += fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)", 100 * *result.landmark_trust);
+    why +=
+        fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)",
+                    100 * *result.landmark_trust);
   if (!stays.empty()) why += ", but " + stays;
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   // Score and margin tell something where they are bad; the summary always has them.
   if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
-  const std::string use = !is_used ? "they are not used, and " : stays.empty() ? "" : fmt::format("{} of them are used, and ", result.pairs.size());
-  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, use,
-                            pose_text(result.pose, moved)));
+  const std::string use = !is_used        ? "they are not used, and "
+                          : stays.empty() ? ""
+                                          : fmt::format("{} of them are used, and ", result.pairs.size());
+  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why,
+                            use, pose_text(result.pose, moved)));
   return result;
 }
 
 template <int Dim>
 Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::string_view moved) {
-  observer.note(fmt::format("alignment: not searched, as {}; {}. Landmarks can tell a pose (--align landmarks)", why, pose_text(Similarity<Dim>{}, moved)));
+  observer.note(fmt::format("alignment: not searched, as {}; {}. Landmarks can tell a pose (--align landmarks)", why,
+                            pose_text(Similarity<Dim>{}, moved)));
   Alignment<Dim> result;
   result.summary.emplace().as_it_lies = true;
   return result;
@@ -143,8 +157,8 @@ Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::strin
 
 // With align.mode auto: a shape for which no pairs can be searched is matched without.
 template <int Dim>
-Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                                  Observer& observer, std::string_view moved) {
+Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                                  const ExperimentOptions& options, Observer& observer, std::string_view moved) {
   try {
     return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
   } catch (const InputError& error) {
@@ -153,10 +167,13 @@ Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vecto
 }
 
 template <int Dim>
-Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options, Observer& observer, std::string_view moved) {
-  if (landmarks.empty()) throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
+Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
+                            Observer& observer, std::string_view moved) {
+  if (landmarks.empty())
+    throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
   if (landmarks.size() < Dim)
-    throw_input_error("align.mode: landmarks: a pose needs at least {}, and landmarks.file has {}", Dim, landmarks.size());
+    throw_input_error("align.mode: landmarks: a pose needs at least {}, and landmarks.file has {}", Dim,
+                      landmarks.size());
   std::vector<CorrespondingPointsIn<Dim>> pairs;
   for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, l.weight});
   Alignment<Dim> result;
@@ -183,12 +200,15 @@ Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Land
   Alignment<Dim> result = mode == AlignMode::automatic ? search_if_possible(shapes, landmarks, options, observer, moved)
                           : mode == AlignMode::landmarks
                               ? by_landmarks(landmarks, options.align, observer, moved)
-                              : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
+                              : search(shapes, landmarks, options.align,
+                                       Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
   result.summary->mode = enum_name(mode);
   return result;
 }
 
-template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&, Observer&, std::string_view);
-template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&, Observer&, std::string_view);
+template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&,
+                                      Observer&, std::string_view);
+template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&,
+                                      Observer&, std::string_view);
 
 }  // namespace shellmatch

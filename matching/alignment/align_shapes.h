@@ -12,14 +12,16 @@
 
 namespace shellmatch {
 
-/// options.align.mode, or none with `auto` where input.placement is as-is: who takes coordinates as they are means that the shapes lie
-/// as they belong.
+/// options.align.mode, or none with `auto` where input.placement is as-is: who takes coordinates as they are means that
+/// the shapes lie as they belong.
 AlignMode align_mode(const ExperimentOptions& options);
 
 /// Aligns shapes as `options.align` asks for and tells the observer in one line what was chosen, and why.
-/// \param shapes in the user's coordinates \param landmarks determine the pose with the mode `landmarks`, and take part in search and
+/// \param shapes in the user's coordinates \param landmarks determine the pose with the mode `landmarks`, and take part
+/// in search and
 ///   trials with the others \param moved what the user calls the first shape, for messages
-/// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a line (in one
+/// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a
+/// line (in one
 ///   point)
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,

@@ -47,21 +47,23 @@ std::string pose_text(const Similarity<Dim>& pose, std::string_view moved) {
 }
 
 template <int Dim>
-Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options, Mirroring mirroring,
-                            LengthUnit unit) {
+Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options,
+                            Mirroring mirroring, LengthUnit unit) {
   if (options.mode == AlignMode::rigid) return fitted_pose(pairs, PoseKind::rigid, mirroring);
   const Similarity<Dim> similar = fitted_pose(pairs, PoseKind::similarity, mirroring);
   if (options.mode != AlignMode::automatic) return similar;
-  const bool same_size = unit == LengthUnit::shared || (similar.scale < similar_size && similar.scale > 1 / similar_size);
+  const bool same_size =
+      unit == LengthUnit::shared || (similar.scale < similar_size && similar.scale > 1 / similar_size);
   const Similarity<Dim> pose = same_size ? fitted_pose(pairs, PoseKind::rigid, mirroring) : similar;
   const bool gains = median_distance(pairs, Similarity<Dim>{}) > options.pose_gain * median_distance(pairs, pose);
   return gains ? pose : Similarity<Dim>{};
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
-  template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                               \
-  template std::string pose_text<Dim>(const Similarity<Dim>&, std::string_view);                                                          \
-  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, Mirroring, LengthUnit)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
+  template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                        \
+  template std::string pose_text<Dim>(const Similarity<Dim>&, std::string_view);                                 \
+  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, \
+                                            Mirroring, LengthUnit)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -9,10 +9,11 @@ namespace shellmatch {
 
 namespace {
 
-// Shapes that lie as they belong may resemble each other more after half a turn, as two bent tori do. Another start has to be
-// better by this factor, in energy or in distance,
+// Shapes that lie as they belong may resemble each other more after half a turn, as two bent tori do. Another start has
+// to be better by this factor, in energy or in distance,
 constexpr double clearly_better = 1.5;
-// or what corresponds has to look more alike by this one: limbs in another pose cost energy, and yet they are the same limbs.
+// or what corresponds has to look more alike by this one: limbs in another pose cost energy, and yet they are the same
+// limbs.
 constexpr double clearly_more_alike = 1.1;
 
 // In roots of the area.
@@ -25,7 +26,13 @@ template <int Dim>
 class Choosing {
  public:
   Choosing(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials)
-      : starts_(search.starts), landmarks_are_spread_(search.landmarks_are_spread), is_ambiguous_(search.is_ambiguous), is_of_part_(search.is_of_part), options_(options), try_(trials), trials_(starts_.size()) {
+      : starts_(search.starts),
+        landmarks_are_spread_(search.landmarks_are_spread),
+        is_ambiguous_(search.is_ambiguous),
+        is_of_part_(search.is_of_part),
+        options_(options),
+        try_(trials),
+        trials_(starts_.size()) {
     for (std::size_t i = 0; i < starts_.size(); ++i)
       if (starts_[i].is_usable()) usable_.push_back(i);
   }
@@ -42,15 +49,18 @@ class Choosing {
     choice.is_doubtful = is_doubtful(best, choice.margin);
     // What landmarks contradict, and what any rotation may replace, is no start.
     choice.is_usable = !is_ambiguous_ && !landmarks_contradict(best);
-    const bool is_clear = is_of_part_ ? best.score <= options_.doubtful_score
-                                      : !choice.is_doubtful && (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
+    const bool is_clear =
+        is_of_part_ ? best.score <= options_.doubtful_score
+                    : !choice.is_doubtful &&
+                          (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
     if (options_.mode == AlignMode::automatic && choice.is_usable && !is_clear)
       choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
     return choice;
   }
 
  private:
-  // Landmarks say better than scores whether pairs are right: those all over the shape alone, those on one part of it that they are wrong.
+  // Landmarks say better than scores whether pairs are right: those all over the shape alone, those on one part of it
+  // that they are wrong.
   bool is_doubtful(const Start<Dim>& start, double margin) const {
     if (landmarks_confirm(start)) return false;
     if (landmarks_contradict(start)) return true;
@@ -76,9 +86,11 @@ class Choosing {
   }
 
   void among(const std::vector<std::size_t>& close, StartChoice& choice) {
-    // The least is best. Scores are relative distances, energies squares of such, of which a coarse grid may err by a fifth.
+    // The least is best. Scores are relative distances, energies squares of such, of which a coarse grid may err by a
+    // fifth.
     std::vector<double> merit(starts_.size());
-    for (const std::size_t i : close) merit[i] = (starts_[i].score + starts_[i].landmark_distance.value_or(0)) * std::sqrt(trial(i).with_pairs);
+    for (const std::size_t i : close)
+      merit[i] = (starts_[i].score + starts_[i].landmark_distance.value_or(0)) * std::sqrt(trial(i).with_pairs);
     const auto preferred = [&](std::size_t i) {
       const double factor = options_.search.identity_preference;
       return starts_[i].is_identity ? merit[i] / factor : starts_[i].is_mirrored ? merit[i] * factor : merit[i];
@@ -91,12 +103,15 @@ class Choosing {
     choice.margin = std::numeric_limits<double>::infinity();
     for (const std::size_t i : usable_)
       if (i != best && starts_[i].is_mirrored == starts_[best].is_mirrored)
-        choice.margin = std::min(choice.margin, trials_[i] ? merit[i] / merit[best] : starts_[i].score / starts_[best].score);
+        choice.margin =
+            std::min(choice.margin, trials_[i] ? merit[i] / merit[best] : starts_[i].score / starts_[best].score);
   }
 
   static bool is_clearly_better(const Trial& chosen, const Trial& none) {
-    return clearly_better * chosen.energy < none.energy || clearly_better * chosen.template_distance < none.template_distance ||
-           (chosen.spin_difference && none.spin_difference && clearly_more_alike * *chosen.spin_difference < *none.spin_difference);
+    return clearly_better * chosen.energy < none.energy ||
+           clearly_better * chosen.template_distance < none.template_distance ||
+           (chosen.spin_difference && none.spin_difference &&
+            clearly_more_alike * *chosen.spin_difference < *none.spin_difference);
   }
 
   const Trial& trial(std::size_t i) {

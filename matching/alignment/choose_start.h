@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The choice among starts of a cascade. Local descriptors have ordered those of surfaces; among those of outlines the energy that a
-/// deformation needs chooses. Energies tell nothing of surfaces: they measure how far limbs travel, and half a turn is often the shorter way.
+/// The choice among starts of a cascade. Local descriptors have ordered those of surfaces; among those of outlines the
+/// energy that a deformation needs chooses. Energies tell nothing of surfaces: they measure how far limbs travel, and
+/// half a turn is often the shorter way.
 
 #include "matching/alignment/trial.h"
 
@@ -17,17 +18,17 @@ inline constexpr std::size_t n_least_pairs = 10;
 
 template <int Dim>
 struct Start {
-  Alignment<Dim> alignment;   ///< without a summary
-  std::size_t n_pairs = 0;    ///< found, though they may have no weight
-  /// The last of alignment.pairs, which contradict those around them: they make the energy of a wrong map's trial higher, and the one that
-  /// is chosen is used without them.
+  Alignment<Dim> alignment;  ///< without a summary
+  std::size_t n_pairs = 0;   ///< found, though they may have no weight
+  /// The last of alignment.pairs, which contradict those around them: they make the energy of a wrong map's trial
+  /// higher, and the one that is chosen is used without them.
   std::size_t n_contradicting = 0;
-  double score = 0;           ///< of the pairs, 0 is best: how nearly isometric
-  double order = 0;           ///< of surfaces, PairCandidate::order: less is better
+  double score = 0;  ///< of the pairs, 0 is best: how nearly isometric
+  double order = 0;  ///< of surfaces, PairCandidate::order: less is better
   /// Where landmarks tell: the median distance from where the pairs map them, in roots of the area.
   std::optional<double> landmark_distance = {};
-  bool is_identity = false;   ///< began with the shapes as they lie
-  bool is_mirrored = false;   ///< found for the mirrored reference
+  bool is_identity = false;  ///< began with the shapes as they lie
+  bool is_mirrored = false;  ///< found for the mirrored reference
 
   bool is_usable() const { return n_pairs >= n_least_pairs; }
 };
@@ -40,34 +41,37 @@ struct StartSearch {
   double margin = 0;  ///< by which factor the next of the same handedness is worse than the first
   /// Landmarks that took part lie all over the template: maps that agree with them are right everywhere.
   bool landmarks_are_spread = false;
-  std::size_t n_landmarks = 0;      ///< that took part
+  std::size_t n_landmarks = 0;          ///< that took part
   std::vector<std::string> notes = {};  ///< what was left out
   double searched_share = 1;  ///< of the area of either shape, the less: below 1 where components were left out
-  bool is_of_part = false;  ///< of a part and a whole: coarse trials tell nothing of them, as most of the whole is not reached anyway
-  bool is_ambiguous = false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
+  bool is_of_part =
+      false;  ///< of a part and a whole: coarse trials tell nothing of them, as most of the whole is not reached anyway
+  bool is_ambiguous =
+      false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
 };
 
 struct StartChoice {
   std::size_t index = 0;
-  /// By which factor the others are worse, at least: ratio of scores (with distances of landmarks added) times root of the ratio of energies for those tried, ratio of
-  /// scores for the others; infinite without others, 1 where the search is ambiguous. Others of the other handedness do not count: on a shape that is its own
-  /// mirror image they are as good, and right as well.
+  /// By which factor the others are worse, at least: ratio of scores (with distances of landmarks added) times root of
+  /// the ratio of energies for those tried, ratio of scores for the others; infinite without others, 1 where the search
+  /// is ambiguous. Others of the other handedness do not count: on a shape that is its own mirror image they are as
+  /// good, and right as well.
   double margin = 0;
   std::size_t n_tried = 0;  ///< 0 for surfaces, and where the scores were clear enough
-  /// Not usable; far from landmarks, where these tell; without landmarks all over the template, by options.align.doubtful_score or
-  /// doubtful_margin.
+  /// Not usable; far from landmarks, where these tell; without landmarks all over the template, by
+  /// options.align.doubtful_score or doubtful_margin.
   bool is_doubtful = true;
   /// Such a start may still be better than none.
   bool is_usable = false;
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
-/// The first usable start; of outlines, tries the first and those whose scores are less than align.clear_margin times the least, if these are
-/// several. The start as the outlines lie is preferred by align.search.identity_preference, and by as much any other to a mirrored one. If what
-/// is chosen is doubtful, or another than the shapes as they lie and not clearly the best, these are tried without pairs, too, with align.mode
-/// auto, and win unless it is better than that by half in energy or in the distance of the template, or what corresponds looks more alike by a
-/// tenth (Trial::spin_difference), or landmarks all over the template agree
-/// with it.
+/// The first usable start; of outlines, tries the first and those whose scores are less than align.clear_margin times
+/// the least, if these are several. The start as the outlines lie is preferred by align.search.identity_preference, and
+/// by as much any other to a mirrored one. If what is chosen is doubtful, or another than the shapes as they lie and
+/// not clearly the best, these are tried without pairs, too, with align.mode auto, and win unless it is better than
+/// that by half in energy or in the distance of the template, or what corresponds looks more alike by a tenth
+/// (Trial::spin_difference), or landmarks all over the template agree with it.
 template <int Dim>
 StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials);
 

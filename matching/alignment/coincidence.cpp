@@ -55,7 +55,8 @@ struct Coincidence<Dim>::Side {
   Side(const Surface<Dim>& s, double within) : surface(s), distance(s), reach(within) {}
   bool has(const Vec<Dim>& x, const Vec<Dim>& normal) const {
     const ClosestPoint<Dim> nearest = distance.closest(x);
-    return (nearest.point - x).norm() <= reach && facet_normal(surface, nearest.facet).normalized().dot(normal) >= least_cosine;
+    return (nearest.point - x).norm() <= reach &&
+           facet_normal(surface, nearest.facet).normalized().dot(normal) >= least_cosine;
   }
 };
 
@@ -63,7 +64,8 @@ template <int Dim>
 Coincidence<Dim>::Coincidence(const ShapePair<Dim>& shapes) {
   const Shape<Dim>* both[2] = {&shapes.reference, &shapes.template_shape};
   double reach = std::numeric_limits<double>::infinity();
-  for (const Shape<Dim>* shape : both) reach = std::min(reach, tolerance * bounding_box(shape->surface.vertices).diagonal());
+  for (const Shape<Dim>* shape : both)
+    reach = std::min(reach, tolerance * bounding_box(shape->surface.vertices).diagonal());
   for (int s = 0; s < 2; ++s) sides_[s] = std::make_unique<Side>(both[s]->surface, reach);
   for (int s = 0; s < 2; ++s) {
     // What was made up where a file has gaps lies in the same place only by chance.

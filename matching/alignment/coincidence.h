@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Shapes that already lie as they belong, at least in what both have: one bone cut at two lengths, a part and its whole.
+/// Shapes that already lie as they belong, at least in what both have: one bone cut at two lengths, a part and its
+/// whole.
 
 #include "matching/alignment/alignment.h"
 #include "matching/input/shape_pair.h"
@@ -21,7 +22,8 @@ class Coincidence {
   /// Whether nearly all of one shape lies on the other: by chance or in another pose it does not.
   bool decides() const { return share_ >= 0.8; }
 
-  /// Leaves out pairs of which either end coincides: such points belong where they are. \param pairs in the user's coordinates
+  /// Leaves out pairs of which either end coincides: such points belong where they are. \param pairs in the user's
+  /// coordinates
   void keep_others(std::vector<Landmark<Dim>>& pairs) const;
 
  private:
@@ -30,8 +32,9 @@ class Coincidence {
   double share_ = 0;
 };
 
-/// Root mean square distance between the shapes, both ways, with the reference moved by `pose`: what a pose that was found from one component
-/// of several has to make smaller. Distances beyond a tenth of the template's diagonal count as that.
+/// Root mean square distance between the shapes, both ways, with the reference moved by `pose`: what a pose that was
+/// found from one component of several has to make smaller. Distances beyond a tenth of the template's diagonal count
+/// as that.
 template <int Dim>
 double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose);
 

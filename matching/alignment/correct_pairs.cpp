@@ -46,7 +46,8 @@ Vec<Dim> mapped(const std::vector<PointPair<Dim>>& pairs, const Vec<Dim>& x) {
 
 template <int Dim>
 struct Difference {
-  Vec<Dim> p, mapped, value;  ///< a landmark's point of the reference, where the pairs map it, and the vector from there to where it belongs
+  Vec<Dim> p, mapped, value;  ///< a landmark's point of the reference, where the pairs map it, and the vector from
+                              ///< there to where it belongs
 };
 
 }  // namespace
@@ -62,7 +63,8 @@ void correct_pairs(std::vector<PointPair<Dim>>& pairs, const std::vector<PointPa
     if ((landmark.y - y).norm() <= limit) differences.push_back({landmark.p, y, landmark.y - y});
   }
   // The mean distance of landmarks, as if they lay evenly, but not more than the limit where there are few.
-  const double spacing = std::min(limit, std::pow(surface_measure(reference.surface()) / static_cast<double>(landmarks.size()), 1.0 / (Dim - 1)));
+  const double spacing = std::min(
+      limit, std::pow(surface_measure(reference.surface()) / static_cast<double>(landmarks.size()), 1.0 / (Dim - 1)));
   for (PointPair<Dim>& pair : pairs) {
     Vec<Dim> sum = Vec<Dim>::Zero();
     double weights = far_weight;
@@ -78,7 +80,9 @@ void correct_pairs(std::vector<PointPair<Dim>>& pairs, const std::vector<PointPa
   }
 }
 
-template void correct_pairs<2>(std::vector<PointPair<2>>&, const std::vector<PointPair<2>>&, double, const SignedDistance<2>&, const SignedDistance<2>&);
-template void correct_pairs<3>(std::vector<PointPair<3>>&, const std::vector<PointPair<3>>&, double, const SignedDistance<3>&, const SignedDistance<3>&);
+template void correct_pairs<2>(std::vector<PointPair<2>>&, const std::vector<PointPair<2>>&, double,
+                               const SignedDistance<2>&, const SignedDistance<2>&);
+template void correct_pairs<3>(std::vector<PointPair<3>>&, const std::vector<PointPair<3>>&, double,
+                               const SignedDistance<3>&, const SignedDistance<3>&);
 
 }  // namespace shellmatch

@@ -11,7 +11,8 @@ namespace shellmatch {
 
 namespace {
 
-// In diagonals of the template. Where no part of either shape is farther from the other no limb begins elsewhere, and pairs that do are wrong.
+// In diagonals of the template. Where no part of either shape is farther from the other no limb begins elsewhere, and
+// pairs that do are wrong.
 constexpr double most_apart = 0.05;
 constexpr std::size_t most_looked_at = 5000;  // vertices of each
 
@@ -35,7 +36,8 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
                                       const ExperimentOptions& options, const Similarity<Dim>& placement,
                                       const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape) {
   std::vector<PairSet<Dim>> sets;
-  const auto add = [&](const std::string& name, const std::vector<Landmark<Dim>>& points, const LandmarkOptions& weights) {
+  const auto add = [&](const std::string& name, const std::vector<Landmark<Dim>>& points,
+                       const LandmarkOptions& weights) {
     if (!points.empty())
       sets.push_back(landmark_pairs(name, points, weights, alignment.pose, placement, reference, template_shape));
   };
@@ -45,16 +47,19 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   add("landmarks", landmarks, known);
   LandmarkOptions found;
   found.weight = options.align.weight;
-  // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones. Where none does, it finds
-  // these: patches of maps between surfaces with many handles are wrong.
-  found.loss = Dim == 3 && !alignment.pairs.empty() && lie_near(reference, template_shape) ? RobustLoss::cauchy : RobustLoss::trivial;
+  // Limbs may begin half a diagonal away from where they belong: a robust loss would take their pairs for wrong ones.
+  // Where none does, it finds these: patches of maps between surfaces with many handles are wrong.
+  found.loss = Dim == 3 && !alignment.pairs.empty() && lie_near(reference, template_shape) ? RobustLoss::cauchy
+                                                                                           : RobustLoss::trivial;
   found.scale = 2 * options.align.tolerance;
   add("alignment", alignment.pairs, found);
   if (alignment.pairs.empty()) return sets;
   // Pairs of nearly isometric shapes are as exact as landmarks set by hand, whose errors would spoil them.
   const double share = 1 - 1 / (alignment.spread * alignment.spread);
-  if (!landmarks.empty() && !alignment.landmark_trust) correct_pairs(sets.back().pairs.pairs, sets.front().pairs.pairs, share, reference, template_shape);
-  sets.back().pairs.tolerance = options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
+  if (!landmarks.empty() && !alignment.landmark_trust)
+    correct_pairs(sets.back().pairs.pairs, sets.front().pairs.pairs, share, reference, template_shape);
+  sets.back().pairs.tolerance =
+      options.align.tolerance * alignment.spread * bounding_box(template_shape.surface().vertices).diagonal();
   return sets;
 }
 
@@ -62,14 +67,15 @@ template <int Dim>
 ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment) {
   ExperimentOptions result = options;
   // The deep teeth of outlines lie between their pairs, and need a wide band.
-  if (Dim == 3 && !alignment.pairs.empty() && options.align.weight > 0) result.cascade.coarse_sigma_cells = options.align.coarse_sigma_cells;
+  if (Dim == 3 && !alignment.pairs.empty() && options.align.weight > 0)
+    result.cascade.coarse_sigma_cells = options.align.coarse_sigma_cells;
   return result;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
-  template ExperimentOptions cascade_options<Dim>(const ExperimentOptions&, const Alignment<Dim>&);                     \
-  template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&,         \
-                                                      const ExperimentOptions&, const Similarity<Dim>&,                 \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
+  template ExperimentOptions cascade_options<Dim>(const ExperimentOptions&, const Alignment<Dim>&);             \
+  template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&, \
+                                                      const ExperimentOptions&, const Similarity<Dim>&,         \
                                                       const SignedDistance<Dim>&, const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

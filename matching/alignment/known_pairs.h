@@ -19,7 +19,8 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
                                       const ExperimentOptions& options, const Similarity<Dim>& placement,
                                       const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape);
 
-/// Options for the cascade after this alignment: the band of surfaces with pairs is as wide on coarse levels as align.coarse_sigma_cells says.
+/// Options for the cascade after this alignment: the band of surfaces with pairs is as wide on coarse levels as
+/// align.coarse_sigma_cells says.
 template <int Dim>
 ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment);
 

@@ -34,7 +34,9 @@ class DeferredNotes final : public Observer {
 
 /// The deformed shape first.
 template <int Dim>
-void exchange(ShapePair<Dim>& shapes) { std::swap(shapes.reference, shapes.template_shape); }
+void exchange(ShapePair<Dim>& shapes) {
+  std::swap(shapes.reference, shapes.template_shape);
+}
 
 /// One of both directions, with all that the choice asks of it.
 template <int Dim>
@@ -43,8 +45,9 @@ struct DirectedAlignment {
   DirectionTrial trial;
 };
 
-/// Less is better. Distances between whole surfaces hardly tell whether a paw is reached, which drives up the energy; the energy alone takes
-/// a shape that does not bend for one that need not (docs/alignment.md). Its root goes with lengths, as those of the match term do.
+/// Less is better. Distances between whole surfaces hardly tell whether a paw is reached, which drives up the energy;
+/// the energy alone takes a shape that does not bend for one that need not (docs/alignment.md). Its root goes with
+/// lengths, as those of the match term do.
 template <int Dim>
 bool is_better(const DirectedAlignment<Dim>& one, const DirectedAlignment<Dim>& other) {
   const bool same_band = one.alignment.pairs.empty() == other.alignment.pairs.empty();
@@ -54,8 +57,8 @@ bool is_better(const DirectedAlignment<Dim>& one, const DirectedAlignment<Dim>& 
 
 /// \param shapes the deformed one first
 template <int Dim>
-DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                             bool backward, Observer& observer) {
+DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                             const ExperimentOptions& options, bool backward, Observer& observer) {
   DirectedAlignment<Dim> result;
   result.alignment = align_shapes(shapes, landmarks, options, observer, backward ? "template" : "reference");
   const Trials<Dim> trials(shapes, landmarks, options, observer);
@@ -64,13 +67,15 @@ DirectedAlignment<Dim> tried(const ShapePair<Dim>& shapes, const std::vector<Lan
 }
 
 std::string reached(const DirectionTrial& trial) {
-  return std::isfinite(trial.distance) ? fmt::format("{:.2g} diagonals with energy {:.2g}", trial.distance, trial.energy) : "unknown, as it cannot be tried";
+  return std::isfinite(trial.distance)
+             ? fmt::format("{:.2g} diagonals with energy {:.2g}", trial.distance, trial.energy)
+             : "unknown, as it cannot be tried";
 }
 
 /// Both directions are tried on coarse levels; backward is chosen where it ends clearly better.
 template <int Dim>
-Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                                DirectionSummary& direction, Observer& observer) {
+Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                                const ExperimentOptions& options, DirectionSummary& direction, Observer& observer) {
   DeferredNotes of_forward(observer), of_backward(observer);
   if (align_mode(options) != AlignMode::none) observer.stage("alignment");
   DirectedAlignment<Dim> forward = tried(shapes, landmarks, options, false, of_forward);
@@ -86,23 +91,29 @@ Alignment<Dim> choose_direction(ShapePair<Dim>& shapes, const std::vector<Landma
   keep(forward.trial, direction.forward_distance, direction.forward_energy);
   keep(backward.trial, direction.backward_distance, direction.backward_energy);
   (direction.backward ? of_backward : of_forward).tell();
-  DirectedAlignment<Dim>&chosen = direction.backward ? backward : forward, &other = direction.backward ? forward : backward;
+  DirectedAlignment<Dim>&chosen = direction.backward ? backward : forward,
+  &other = direction.backward ? forward : backward;
   observer.note(fmt::format("direction: {}; distance after coarse levels {}, in the other direction {}",
-                            direction.backward ? "the template is deformed, and the inverse of that map carries the reference" : "the reference is deformed",
+                            direction.backward
+                                ? "the template is deformed, and the inverse of that map carries the reference"
+                                : "the reference is deformed",
                             reached(chosen.trial), reached(other.trial)));
   return std::move(chosen.alignment);
 }
 
 /// How near limbs lie to each other, which a user who has chosen no direction is told.
 template <int Dim>
-void compare_gaps(const ShapePair<Dim>& shapes, MatchDirection wanted, DirectionSummary& direction, Observer& observer) {
-  const double of_reference = narrow_gap_share(shapes.reference.surface), of_template = narrow_gap_share(shapes.template_shape.surface);
+void compare_gaps(const ShapePair<Dim>& shapes, MatchDirection wanted, DirectionSummary& direction,
+                  Observer& observer) {
+  const double of_reference = narrow_gap_share(shapes.reference.surface),
+               of_template = narrow_gap_share(shapes.template_shape.surface);
   direction.reference_gaps = of_reference;
   direction.template_gaps = of_template;
   if (wanted == MatchDirection::forward && has_clearly_more_gaps(of_reference, of_template))
-    observer.note(fmt::format("limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the "
-                              "inverse of the map from template to reference may be more exact (--set align.direction=auto)",
-                              100 * of_reference, 100 * of_template));
+    observer.note(fmt::format(
+        "limbs of the reference lie closer to each other ({:.0f} % of it) than those of the template ({:.0f} %): the "
+        "inverse of the map from template to reference may be more exact (--set align.direction=auto)",
+        100 * of_reference, 100 * of_template));
 }
 
 }  // namespace
@@ -118,17 +129,19 @@ std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks) {
 }
 
 template <int Dim>
-PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                               Observer& observer) {
+PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                               const ExperimentOptions& options, Observer& observer) {
   PreparedPair<Dim> result;
   result.space = shapes.template_shape.original.space;
-  if (!landmarks.empty()) check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
+  if (!landmarks.empty())
+    check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
   const MatchDirection wanted = options.align.direction;
   if (wanted != MatchDirection::forward || align_mode(options) != AlignMode::none) {
     result.direction.emplace().backward = wanted == MatchDirection::backward;
     if (align_mode(options) != AlignMode::none) compare_gaps(shapes, wanted, *result.direction, observer);
   }
-  if (wanted == MatchDirection::automatic) result.alignment = choose_direction(shapes, landmarks, options, *result.direction, observer);
+  if (wanted == MatchDirection::automatic)
+    result.alignment = choose_direction(shapes, landmarks, options, *result.direction, observer);
   if (result.is_backward()) exchange(shapes);
   if (wanted != MatchDirection::automatic)
     result.alignment = align_shapes(shapes, result.is_backward() ? exchanged(landmarks) : landmarks, options, observer,
@@ -138,9 +151,10 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   return result;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                              \
-  template std::vector<Landmark<Dim>> exchanged<Dim>(std::vector<Landmark<Dim>>);                                               \
-  template PreparedPair<Dim> prepare_pair<Dim>(ShapePair<Dim>&, const std::vector<Landmark<Dim>>&, const ExperimentOptions&, Observer&)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                \
+  template std::vector<Landmark<Dim>> exchanged<Dim>(std::vector<Landmark<Dim>>);                  \
+  template PreparedPair<Dim> prepare_pair<Dim>(ShapePair<Dim>&, const std::vector<Landmark<Dim>>&, \
+                                               const ExperimentOptions&, Observer&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -25,11 +25,11 @@ struct PreparedPair {
 template <int Dim>
 std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks);
 
-/// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and moves both
-/// surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
+/// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and
+/// moves both surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
 /// \throws InputError as check_landmarks, align_shapes and ShapePair::place
 template <int Dim>
-PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-                               Observer& observer);
+PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                               const ExperimentOptions& options, Observer& observer);
 
 }  // namespace shellmatch

@@ -34,7 +34,8 @@ template <int Dim>
 std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
   std::vector<Landmark<Dim>> landmarks;
   for (const auto& pair : pairs)
-    landmarks.push_back({fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
+    landmarks.push_back(
+        {fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
   return landmarks;
 }
 
@@ -54,8 +55,8 @@ double variance(const Points& points, const Position& position) {
   return sum / static_cast<double>(points.size());
 }
 
-// Landmarks on a head alone say little about the legs. Drawn at random from all of a shape, four have half of its variance or more
-// in nine cases of ten.
+// Landmarks on a head alone say little about the legs. Drawn at random from all of a shape, four have half of its
+// variance or more in nine cases of ten.
 bool are_spread(const std::vector<Landmark<3>>& landmarks, const Surface<3>& surface) {
   constexpr double least_share = 0.25;
   if (landmarks.empty()) return false;
@@ -71,7 +72,8 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
   start.is_mirrored = candidate.is_mirrored;
   if (!start.is_usable()) return start;
-  start.alignment.pose = choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
+  start.alignment.pose =
+      choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
   start.alignment.spread = spread;
   if (!with_pairs || !(options.weight > 0)) return start;
   std::vector<CorrespondingPointsIn<Dim>> pairs = candidate.pairs;
@@ -84,9 +86,12 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
 }
 
 /// What the file has, or with nothing made up all that encloses the shape.
-const Surface<3>& measured(const Shape<3>& shape) { return shape.invented_share > 0 ? shape.evidence.observed : shape.surface; }
+const Surface<3>& measured(const Shape<3>& shape) {
+  return shape.invented_share > 0 ? shape.evidence.observed : shape.surface;
+}
 
-StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
+StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                                     const AlignOptions& options) {
   const Surface<3>&reference = measured(shapes.reference), &template_surface = measured(shapes.template_shape);
   const bool reference_is_part = surface_measure(reference) <= surface_measure(template_surface);
   const auto exchange = [&](std::vector<CorrespondingPoints>& pairs) {
@@ -98,10 +103,14 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
   PartialPairs found = reference_is_part ? find_partial_pairs(reference, template_surface, options.search, known)
                                          : find_partial_pairs(template_surface, reference, options.search, known);
   const bool landmarks_tell = found.candidates.front().landmark_distance.has_value();
-  StartSearch<3> search{{}, found.margin, landmarks_tell && are_spread(landmarks, shapes.template_shape.surface), landmarks_tell ? landmarks.size() : 0};
+  StartSearch<3> search{{},
+                        found.margin,
+                        landmarks_tell && are_spread(landmarks, shapes.template_shape.surface),
+                        landmarks_tell ? landmarks.size() : 0};
   search.is_of_part = true;
   const Shape<3>& part = reference_is_part ? shapes.reference : shapes.template_shape;
-  search.notes.push_back(fmt::format("{} is searched as a part of the other shape, without what was made up", part.source));
+  search.notes.push_back(
+      fmt::format("{} is searched as a part of the other shape, without what was made up", part.source));
   for (PartialCandidate& candidate : found.candidates) {
     exchange(candidate.pairs);
     Start<3>& start = search.starts.emplace_back();
@@ -119,17 +128,23 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
 
 }  // namespace
 
-StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                             const AlignOptions& options) {
   if (shapes.one_is_part()) return search_partial_starts(shapes, landmarks, options);
   const std::vector<CorrespondingPoints> known = points_of(landmarks);
-  const AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
-  StartSearch<3> search{{}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
+  const AutomaticPairs found =
+      find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
+  StartSearch<3> search{
+      {}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
   search.is_ambiguous = found.is_ambiguous;
-  for (const auto& [shape, prepared] : {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
+  for (const auto& [shape, prepared] :
+       {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
     if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
-      search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area", shape->source, 100 * prepared->share));
+      search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area",
+                                         shape->source, 100 * prepared->share));
   for (const PairCandidate& candidate : found.candidates) {
-    const double n_telling = candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
+    const double n_telling =
+        candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
     search.starts.back().order = candidate.order;
@@ -143,12 +158,14 @@ bool fits_far_better_mirrored(const ShapePair<3>& shapes, const AlignOptions& op
   for (Vec<3>& x : mirrored.vertices) x[0] *= -1;
   for (auto& facet : mirrored.facets) std::swap(facet[1], facet[2]);
   const PairCandidate best = find_pairs(mirrored, shapes.template_shape.surface, options.search).candidates.front();
-  // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a wrong one does.
+  // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a
+  // wrong one does.
   return far_better * best.order < start.order && best.score < options.doubtful_score;
 }
 
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>&, const AlignOptions& options) {
-  const OutlinePairs found = find_outline_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
+  const OutlinePairs found =
+      find_outline_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search);
   StartSearch<2> search{{}, found.margin};
   for (const OutlineCandidate& candidate : found.candidates) {
     // What differs from the first by a symmetry of the template is as good as the first, which turns least.
@@ -158,14 +175,18 @@ StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landm
   return search;
 }
 
-StartSearch<3> search_poses(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks, const AlignOptions& options) {
+StartSearch<3> search_poses(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                            const AlignOptions& options) {
   const Surface<3>& template_surface = shapes.template_shape.surface;
   const RigidPairs found = find_rigid_pairs(shapes.reference.surface, template_surface, options.search);
-  StartSearch<3> search{{start_of<3>(found.candidates.front(), 1, options, false)}, found.margin, are_spread(landmarks, template_surface)};
+  StartSearch<3> search{{start_of<3>(found.candidates.front(), 1, options, false)},
+                        found.margin,
+                        are_spread(landmarks, template_surface)};
   if (landmarks.size() >= n_least_landmarks) {
     search.n_landmarks = landmarks.size();
     Start<3>& start = search.starts.front();
-    start.landmark_distance = median_distance(points_of(landmarks), start.alignment.pose) / std::sqrt(surface_measure(template_surface));
+    start.landmark_distance =
+        median_distance(points_of(landmarks), start.alignment.pose) / std::sqrt(surface_measure(template_surface));
   }
   return search;
 }

@@ -49,7 +49,8 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
 
 }  // namespace
 
-// Calls measure(result of a cascade with these options, M1, M2, what is known of both), in the unit domain, unless this start is none.
+// Calls measure(result of a cascade with these options, M1, M2, what is known of both), in the unit domain, unless this
+// start is none.
 template <int Dim>
 template <class Measure>
 void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& options, const Measure& measure) const {
@@ -75,33 +76,44 @@ template <int Dim>
 Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
   Trial result;
   // All in the same band: energies with and without pairs are compared.
-  run(start, options_, [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
-    const TermValues& terms = end.levels.back().minimised;
-    result.with_pairs = terms.sum();
-    const std::vector<std::string>& names = end.levels.back().term_names;
-    const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
-    result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
-    const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
-    result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, shapes_.one_is_part());
-    result.template_distance = two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), on_the_way).figures.template_to_deformed.mean;
-  });
+  run(start, options_,
+      [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2,
+          const ObservedPair<Dim>& observed) {
+        const TermValues& terms = end.levels.back().minimised;
+        result.with_pairs = terms.sum();
+        const std::vector<std::string>& names = end.levels.back().term_names;
+        const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
+        result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
+        const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
+        result.spin_difference =
+            spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, shapes_.one_is_part());
+        result.template_distance =
+            two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), on_the_way)
+                .figures.template_to_deformed.mean;
+      });
   return result;
 }
 
 template <int Dim>
 DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried carried) const {
   DirectionTrial result;
-  run(start, cascade_options(options_, start), [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2, const ObservedPair<Dim>& observed) {
-    const bool forward = carried == Carried::reference;
-    std::optional<InverseCarrier<Dim>> inverse;
-    if (!forward) inverse.emplace(d1.surface(), end.grid, end.phi);
-    const auto deform = [&](const Surface<Dim>& surface) { return inverse ? (*inverse)(surface) : deformed_surface(surface, end.grid, end.phi); };
-    const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
-    const TwoSidedDistance figures =
-        two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed), end.grid.finest_side(), on_the_way).figures;
-    result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
-    result.energy = end.levels.back().minimised.sum();
-  });
+  run(start, cascade_options(options_, start),
+      [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2,
+          const ObservedPair<Dim>& observed) {
+        const bool forward = carried == Carried::reference;
+        std::optional<InverseCarrier<Dim>> inverse;
+        if (!forward) inverse.emplace(d1.surface(), end.grid, end.phi);
+        const auto deform = [&](const Surface<Dim>& surface) {
+          return inverse ? (*inverse)(surface) : deformed_surface(surface, end.grid, end.phi);
+        };
+        const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
+        const TwoSidedDistance figures =
+            two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed),
+                                    end.grid.finest_side(), on_the_way)
+                .figures;
+        result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
+        result.energy = end.levels.back().minimised.sum();
+      });
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the template.
+/// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the
+/// template.
 
 #include "matching/alignment/alignment.h"
 #include "matching/experiment/options.h"
@@ -15,19 +16,22 @@ namespace shellmatch {
 
 /// At the end of the coarsest two levels. All infinite where the energy cannot be computed from this start.
 struct Trial {
-  double energy = std::numeric_limits<double>::infinity();             ///< without the term of the pairs found
+  double energy = std::numeric_limits<double>::infinity();  ///< without the term of the pairs found
   double with_pairs = std::numeric_limits<double>::infinity();
-  double template_distance = std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
-  std::optional<double> spin_difference = {};                          ///< matching/result/spin_difference.h
+  double template_distance =
+      std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
+  std::optional<double> spin_difference = {};   ///< matching/result/spin_difference.h
 };
 
 /// Of a trial of one of both directions. Both infinite as above.
 struct DirectionTrial {
-  double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the shape that is not carried
+  double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the
+                                                              ///< shape that is not carried
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
 };
 
-/// Whose distance from the other shape is measured at the end of a trial: phi(M1), or what the inverse of phi makes of M2.
+/// Whose distance from the other shape is measured at the end of a trial: phi(M1), or what the inverse of phi makes of
+/// M2.
 enum class Carried { reference, template_shape };
 
 /// Tries starts of one matching. Everything given must outlive this object.
@@ -35,12 +39,14 @@ template <int Dim>
 class Trials {
  public:
   /// \param landmarks pull in every trial
-  Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options, Observer& observer)
+  Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
+         Observer& observer)
       : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer) {}
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
-  /// As the run itself would begin, in its own band: energies compare only where both starts have pairs, or neither has.
+  /// As the run itself would begin, in its own band: energies compare only where both starts have pairs, or neither
+  /// has.
   DirectionTrial of_direction(const Alignment<Dim>& start, Carried carried) const;
   /// Of the shapes as they lie, without pairs; tried once.
   const Trial& as_they_lie();

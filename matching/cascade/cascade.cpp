@@ -28,8 +28,9 @@ std::vector<Vec<Dim>> renumbered(const Deformation<Dim>& map, const Octree<Dim>&
     if (same) phi[i] = map.phi[there];
   }
   if (!same)
-    throw_input_error("the levels that were kept lie on another grid than the one that this machine makes of the shapes; "
-                      "begin anew with --restart");
+    throw_input_error(
+        "the levels that were kept lie on another grid than the one that this machine makes of the shapes; "
+        "begin anew with --restart");
   return phi;
 }
 
@@ -58,7 +59,9 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   result.phi = identity_map(grid);
   ShapeFields<Dim> shapes(reference, template_shape, options);
   std::optional<Coverage<Dim>> coverage;
-  if (has_coverage(options)) coverage.emplace(reference.surface(), template_shape, std::ldexp(1.0, -schedule.max_level), options.coverage, observed);
+  if (has_coverage(options))
+    coverage.emplace(reference.surface(), template_shape, std::ldexp(1.0, -schedule.max_level), options.coverage,
+                     observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.moving_fields = at_nodes(geometry.reference, grid);
@@ -70,15 +73,18 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     const auto ends = [&] { return level == schedule.max_level || result.interrupted; };
     if (resume_after && !resume_after->is_same_run && level == resume_after->level + 1) {
       result.phi = sampled_map(resume_after->map, grid);
-      if (find_folds<Dim>(Unknowns<Dim>(grid, options.energy.boundary).elements(), result.phi).n_uncertified_cells > 0) {
+      if (find_folds<Dim>(Unknowns<Dim>(grid, options.energy.boundary).elements(), result.phi).n_uncertified_cells >
+          0) {
         observer.warn("the earlier map folds between the nodes of this grid: it is not used");
         return run_cascade(reference, template_shape, options, observer, finished, seconds, {}, pairs, observed);
       }
       resume_after.reset();
     }
     const bool is_finished = resume_after && level <= resume_after->level;
-    const double memory_estimate =
-        is_finished ? 0 : check_level_memory<Dim>(level, sizes_of(grid, shapes, options.coefficients), solver_at_level(options.solver, level));
+    const double memory_estimate = is_finished
+                                       ? 0
+                                       : check_level_memory<Dim>(level, sizes_of(grid, shapes, options.coefficients),
+                                                                 solver_at_level(options.solver, level));
     PhaseClock clock(seconds);
     clock.start("distances");
     shapes.compute_distances(grid);
@@ -100,7 +106,8 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
         clock.start("set-up");
         LevelMinimisation<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr, observed);
         clock.start("minimisation");
-        result.levels.push_back(problem.minimise(level, result.phi, std::exchange(is_start, false), observer, result.interrupted));
+        result.levels.push_back(
+            problem.minimise(level, result.phi, std::exchange(is_start, false), observer, result.interrupted));
         clock.start("report");
         problem.report(result.phi, result.levels.back());
         result.levels.back().memory_estimate = memory_estimate;
@@ -122,11 +129,11 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
 
 template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<2>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<2>>,
-                                         const std::vector<PairSet<2>>&, const ObservedPair<2>&);
+                                         std::optional<FinishedLevel<2>>, const std::vector<PairSet<2>>&,
+                                         const ObservedPair<2>&);
 template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
                                          Observer&, const LevelCallback<3>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<3>>,
-                                         const std::vector<PairSet<3>>&, const ObservedPair<3>&);
+                                         std::optional<FinishedLevel<3>>, const std::vector<PairSet<3>>&,
+                                         const ObservedPair<3>&);
 
 }  // namespace shellmatch

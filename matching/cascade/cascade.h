@@ -35,8 +35,8 @@ template <int Dim>
 struct FinishedLevel {
   int level = 0;
   Deformation<Dim> map;
-  /// Of the same shapes and options: the map lies on the grid of its level, and the result is that of an uninterrupted run. Otherwise
-  /// it is of similar shapes in the same places, and is sampled at the nodes of the next level.
+  /// Of the same shapes and options: the map lies on the grid of its level, and the result is that of an uninterrupted
+  /// run. Otherwise it is of similar shapes in the same places, and is sampled at the nodes of the next level.
   bool is_same_run = true;
 };
 
@@ -44,8 +44,9 @@ template <int Dim>
 struct CascadeResult {
   Octree<Dim> grid;
   std::vector<Vec<Dim>> phi;
-  CoefficientFields<Dim> moving_fields, target_fields;  ///< of the shape that phi deforms and of the other one, at the nodes of the finest grid
-  std::vector<LevelResult> levels;           ///< levels of this call; those that were finished before are left out
+  CoefficientFields<Dim> moving_fields,
+      target_fields;  ///< of the shape that phi deforms and of the other one, at the nodes of the finest grid
+  std::vector<LevelResult> levels;  ///< levels of this call; those that were finished before are left out
   bool interrupted = false;
 };
 
@@ -53,12 +54,12 @@ struct CascadeResult {
 template <int Dim>
 using LevelCallback = std::function<void(const LevelResult&, const LevelState<Dim>&)>;
 
-/// Runs the cascade from the identity, or continues after the level `resume_after`: with the same shapes and options the
-/// result is then the same bit for bit. \pre the shapes lie in the unit domain
-/// \param pairs terms of point pairs, besides that of coverage (options.coverage)
-/// \param observed what the shapes have data of; match, membrane, bending and coverage weigh nothing elsewhere
-/// \param resume_after where it is of another run and folds on the grid of these shapes, the observer is warned and the cascade begins anew
-/// \throws InputError if `resume_after` is of the same run and does not lie on the grid that these shapes have at its level
+/// Runs the cascade from the identity, or continues after the level `resume_after`: with the same shapes and options
+/// the result is then the same bit for bit. \pre the shapes lie in the unit domain \param pairs terms of point pairs,
+/// besides that of coverage (options.coverage) \param observed what the shapes have data of; match, membrane, bending
+/// and coverage weigh nothing elsewhere \param resume_after where it is of another run and folds on the grid of these
+/// shapes, the observer is warned and the cascade begins anew \throws InputError if `resume_after` is of the same run
+/// and does not lie on the grid that these shapes have at its level
 template <int Dim>
 CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape,
                                const ExperimentOptions& options, Observer& observer, const LevelCallback<Dim>& finished,

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Estimates the memory of a level just before it begins, so that a run ends in order before a level that would not fit.
+/// Estimates the memory of a level just before it begins, so that a run ends in order before a level that would not
+/// fit.
 
 #include "base/stop.h"
 #include "matching/experiment/options.h"
@@ -29,8 +30,9 @@ class LevelTooLarge : public Stopped {
   explicit LevelTooLarge(const std::string& text) : Stopped(text, StopCause::memory_limit) {}
 };
 
-/// The peak of this process' resident memory in bytes by the end of the level: what it holds now and level_memory_bytes(), or
-/// what it has reached before. \throws LevelTooLarge with the level and both numbers if that exceeds memory_limit_bytes(), if there is one
+/// The peak of this process' resident memory in bytes by the end of the level: what it holds now and
+/// level_memory_bytes(), or what it has reached before. \throws LevelTooLarge with the level and both numbers if that
+/// exceeds memory_limit_bytes(), if there is one
 template <int Dim>
 double check_level_memory(int level, const LevelSizes& sizes, const SolverOptions& solver);
 

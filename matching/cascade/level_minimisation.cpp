@@ -24,9 +24,9 @@ constexpr int mask_rounds = 2;
 }  // namespace
 
 template <int Dim>
-LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
-                                          const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage,
-                                          const ObservedPair<Dim>& observed)
+LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry,
+                                          const ExperimentOptions& options, const std::vector<PairSet<Dim>>& pairs,
+                                          const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed)
     : options_(options),
       grid_(grid),
       level_(grid, std::move(geometry), options, pairs, coverage != nullptr),
@@ -47,7 +47,8 @@ LevelStart LevelMinimisation<Dim>::start_of(int level) const {
 }
 
 template <int Dim>
-LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& phi, bool is_start, Observer& observer, bool& interrupted) {
+LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& phi, bool is_start, Observer& observer,
+                                             bool& interrupted) {
   LevelResult result;
   LevelStart& start = result.start;
   start = start_of(level);
@@ -79,9 +80,9 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       StopOptions stop = solver.stop;
       const bool ends_level = s + 1 == steps.size() && round + 1 == rounds;
       stop.relative_decrease = relative_decrease(options_.cascade, solver,
-                                                 !ends_level                             ? Followed::on_level
+                                                 !ends_level                          ? Followed::on_level
                                                  : level < options_.cascade.max_level ? Followed::by_level
-                                                                                         : Followed::by_nothing);
+                                                                                      : Followed::by_nothing);
       if (!ends_level || level < options_.cascade.max_level) stop.restrained_factor = 1;  // what follows builds on it
       LevelProblem<Dim> problem = ahead ? *std::exchange(ahead, std::nullopt) : problem_of(solver, weights, phi);
       terms = minimise_once(start, std::move(problem), weights, solver, stop, phi, observer, result);
@@ -118,8 +119,9 @@ void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResul
 template <int Dim>
 LevelProblem<Dim> LevelMinimisation<Dim>::problem_of(const SolverOptions& solver, const TermValues& weights,
                                                      const std::vector<Vec<Dim>>& phi) {
-  return {level_.unknowns, level_.energy, level_.hessian, weights, mass_, phi,
-          [this, &solver, weights](Metric metric) { return level_metric(level_, solver, weights, metric); }};
+  return {level_.unknowns, level_.energy, level_.hessian, weights, mass_, phi, [this, &solver, weights](Metric metric) {
+            return level_metric(level_, solver, weights, metric);
+          }};
 }
 
 template <int Dim>
@@ -130,7 +132,8 @@ bool LevelMinimisation<Dim>::begins_with_last(const std::vector<ScheduleStep>& s
   TermValues weights = level_.weights(options_, steps.back().nu, steps.back().volume_weight);
   double energy = 0;
   for (const double term : terms) energy += term;
-  if (level_.coverage) {  // its pairs are new on this level, and their energy at first mostly what they ask for beyond the level before
+  if (level_.coverage) {  // its pairs are new on this level, and their energy at first mostly what they ask for beyond
+                          // the level before
     energy -= terms[static_cast<std::size_t>(*level_.coverage)];
     weights[*level_.coverage] = 0;
   }
@@ -139,7 +142,8 @@ bool LevelMinimisation<Dim>::begins_with_last(const std::vector<ScheduleStep>& s
 }
 
 template <int Dim>
-double LevelMinimisation<Dim>::rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const {
+double LevelMinimisation<Dim>::rise_at(const ScheduleStep& step, const std::vector<double>& terms,
+                                       const TermValues& weights) const {
   const TermValues at_step = level_.weights(options_, step.nu, step.volume_weight);
   double rise = 0;
   for (std::size_t t = 0; t < terms.size(); ++t)
@@ -150,8 +154,9 @@ double LevelMinimisation<Dim>::rise_at(const ScheduleStep& step, const std::vect
 // One minimisation from phi, which is replaced by its result. Adds its costs to `result` and returns the values of the
 // terms at its end.
 template <int Dim>
-std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& start, LevelProblem<Dim> problem, const TermValues& weights,
-                                                          const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
+std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& start, LevelProblem<Dim> problem,
+                                                          const TermValues& weights, const SolverOptions& solver,
+                                                          const StopOptions& stop, std::vector<Vec<Dim>>& phi,
                                                           Observer& observer, LevelResult& result) {
   std::vector<double> x = problem.unknowns_of(phi);
   observer.minimisation_started(start);
@@ -168,8 +173,8 @@ std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& star
         observer.note(result.fallbacks.back());
       });
   if (result.last.reason == StopReason::cannot_evaluate_start) {
-    result.fallbacks.push_back(fmt::format("level {}, step {}: {}; phi stays as it is", start.level, start.substep,
-                                           result.last.message));
+    result.fallbacks.push_back(
+        fmt::format("level {}, step {}: {}; phi stays as it is", start.level, start.substep, result.last.message));
     observer.note(result.fallbacks.back());
   }
   observer.minimisation_finished(start, result.last);
@@ -180,7 +185,8 @@ std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& star
   result.linear_iterations += result.last.linear_iterations;
   result.regularised_systems += result.last.regularised_systems;
   result.seconds += result.last.seconds;
-  result.library_reports.insert(result.library_reports.end(), result.last.library_reports.begin(), result.last.library_reports.end());
+  result.library_reports.insert(result.library_reports.end(), result.last.library_reports.begin(),
+                                result.last.library_reports.end());
   return terms;
 }
 
@@ -197,9 +203,10 @@ void LevelMinimisation<Dim>::refuse_start(int level, const std::vector<Vec<Dim>>
     if (alone[t] != 0 && !level_.energy.evaluate(phi, alone, values, {}))
       which += fmt::format("{}{} (weight {:.3g})", which.empty() ? "" : ", ", names[t], alone[t]);
   }
-  throw_input_error("level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {} "
-                    "({}); choose other weights or parameters of it (energy.*, cascade.*, coefficients.*, landmarks.*)",
-                    level, which.empty() ? "the sum of its terms" : which, message);
+  throw_input_error(
+      "level {}: the energy cannot be evaluated where the first minimisation begins, as it is no finite number: {} "
+      "({}); choose other weights or parameters of it (energy.*, cascade.*, coefficients.*, landmarks.*)",
+      level, which.empty() ? "the sum of its terms" : which, message);
 }
 
 // Checks the derivatives at the positions evaluated last, which are the iterate or a trial point near it. The Newton

@@ -27,7 +27,8 @@ class LevelMinimisation {
   /// \param coverage       null where it does not act; outlives this object
   /// \param observed       what the shapes have data of: the terms of the band are masked elsewhere
   LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
-                    const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed);
+                    const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage,
+                    const ObservedPair<Dim>& observed);
 
   /// All steps of the schedule of `level`. \param is_start phi has not been minimised on any level
   /// \param interrupted set where the observer ends it
@@ -39,11 +40,15 @@ class LevelMinimisation {
 
  private:
   LevelStart start_of(int level) const;
-  LevelProblem<Dim> problem_of(const SolverOptions& solver, const TermValues& weights, const std::vector<Vec<Dim>>& phi);
-  /// Whether phi, as the level before left it, goes to the last step of the schedule at once: where that raises the energy that it has
-  /// in the first step, coverage aside, by less than cascade.negligible_start_rise. Evaluates the last step's problem ahead.
-  bool begins_with_last(const std::vector<ScheduleStep>& steps, LevelProblem<Dim>& last, const std::vector<Vec<Dim>>& phi) const;
-  /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of another step.
+  LevelProblem<Dim> problem_of(const SolverOptions& solver, const TermValues& weights,
+                               const std::vector<Vec<Dim>>& phi);
+  /// Whether phi, as the level before left it, goes to the last step of the schedule at once: where that raises the
+  /// energy that it has in the first step, coverage aside, by less than cascade.negligible_start_rise. Evaluates the
+  /// last step's problem ahead.
+  bool begins_with_last(const std::vector<ScheduleStep>& steps, LevelProblem<Dim>& last,
+                        const std::vector<Vec<Dim>>& phi) const;
+  /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of
+  /// another step.
   double rise_at(const ScheduleStep& step, const std::vector<double>& terms, const TermValues& weights) const;
   std::vector<double> minimise_once(const LevelStart& start, LevelProblem<Dim> problem, const TermValues& weights,
                                     const SolverOptions& solver, const StopOptions& stop, std::vector<Vec<Dim>>& phi,
@@ -59,7 +64,7 @@ class LevelMinimisation {
   std::vector<double> mass_;  ///< lumped, of each unknown node
   const Coverage<Dim>* coverage_;
   std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
-  TermValues weights_;  ///< of the last minimisation
+  TermValues weights_;                     ///< of the last minimisation
 };
 
 }  // namespace shellmatch

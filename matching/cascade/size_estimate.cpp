@@ -11,8 +11,8 @@ namespace shellmatch {
 
 namespace {
 
-// Measured with Newton's method, whose matrix needs the most, and rounded up (docs/limits.md): fields, elements of the band,
-// tables of the tree and vectors of the solver. At the start: the program with a shape and what pictures need.
+// Measured with Newton's method, whose matrix needs the most, and rounded up (docs/limits.md): fields, elements of the
+// band, tables of the tree and vectors of the solver. At the start: the program with a shape and what pictures need.
 constexpr double bytes_per_node = 1000;
 constexpr double bytes_at_start = 1e8;
 constexpr double disk_bytes_per_node = 250;
@@ -22,7 +22,8 @@ constexpr double disk_bytes_per_node = 250;
 constexpr double field_layers = 2;
 constexpr double bytes_per_field_node = 420;
 
-// Of the estimated memory beyond that at the start, what a run needs at least: the numbers of nodes are estimated from above.
+// Of the estimated memory beyond that at the start, what a run needs at least: the numbers of nodes are estimated from
+// above.
 constexpr double least_share = 0.4;
 
 bool fits(double needed, std::uint64_t given) { return given == 0 || needed <= static_cast<double>(given); }
@@ -60,8 +61,7 @@ SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int m
   size.n_nodes = nodes_per_cell * cells_at<Dim>(measures.phi, min_level, max_level);
   if (measures.fields > 0)
     size.n_field_nodes = field_layers * nodes_per_cell * cells_at<Dim>(measures.fields, min_level, max_level);
-  size.memory_bytes =
-      bytes_at_start + bytes_per_node * size.n_nodes + bytes_per_field_node * size.n_field_nodes;
+  size.memory_bytes = bytes_at_start + bytes_per_node * size.n_nodes + bytes_per_field_node * size.n_field_nodes;
   size.disk_bytes = disk_bytes_per_node * size.n_nodes;
   return size;
 }
@@ -70,7 +70,8 @@ template <int Dim>
 void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder) {
   const std::uint64_t memory = available_memory_bytes(), disk = folder.empty() ? 0 : free_disk_bytes(folder);
   const SizeEstimate size = estimate_size<Dim>(measures, min_level, max_level);
-  const double least = static_cast<double>(resident_memory_bytes()) + least_share * (size.memory_bytes - bytes_at_start);
+  const double least =
+      static_cast<double>(resident_memory_bytes()) + least_share * (size.memory_bytes - bytes_at_start);
   if (const auto limit = static_cast<double>(memory_limit_bytes()); limit > 0 && least > limit)
     throw LevelTooLarge(fmt::format("level {} would need at least {:.3g} GB of memory", max_level, least / 1e9));
   const bool memory_fits = fits(size.memory_bytes, memory);
@@ -89,8 +90,7 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
   throw_environment_error(
       "level {} needs about {:.3g} GB of {}, of which {:.3g} GB are free (estimated: {:.3g} million "
       "nodes); stop at level {} instead, with --levels {}:{}",
-      max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest, std::min(min_level, largest),
-      largest);
+      max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest, std::min(min_level, largest), largest);
 }
 
 template RefinedMeasures refined_measures<2>(const Surface<2>&, const Surface<2>&, const ExperimentOptions&);

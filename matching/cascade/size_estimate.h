@@ -36,8 +36,8 @@ SizeEstimate estimate_size(const RefinedMeasures& measures, int min_level, int m
 
 /// Checks that the memory of the machine and the disk suffice.
 /// \param folder where files will be written; empty to leave the disk unchecked
-/// \throws EnvironmentError with the size available, the size needed and the greatest level that would fit; LevelTooLarge
-/// (matching/cascade/level_memory.h) if the memory that the user has given cannot suffice
+/// \throws EnvironmentError with the size available, the size needed and the greatest level that would fit;
+/// LevelTooLarge (matching/cascade/level_memory.h) if the memory that the user has given cannot suffice
 template <int Dim>
 void check_size(const RefinedMeasures& measures, int min_level, int max_level, const std::string& folder);
 

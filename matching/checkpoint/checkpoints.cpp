@@ -27,7 +27,8 @@ namespace {
 constexpr const char* manifest_name = "state.json";
 constexpr const char* suffix = ".unfinished";
 
-constexpr const char* read_me = R"(An unfinished run of shellmatch: what is needed to go on after its last finished level.
+constexpr const char* read_me =
+    R"(An unfinished run of shellmatch: what is needed to go on after its last finished level.
 
 The same command as before goes on from here and removes this folder when it is done; with --restart it begins anew.
 The map reached so far is in deformation.vtu: `shellmatch apply THIS_FOLDER SHAPE -o MOVED` moves a shape by it.
@@ -126,9 +127,7 @@ template <int Dim>
 RunIdentity run_identity(const ExperimentOptions& options, const OriginalShape<Dim>& reference,
                          const OriginalShape<Dim>& template_shape, const std::vector<Landmark<Dim>>& landmarks) {
   return {with_absolute_paths(options), shape_checksum(reference), shape_checksum(template_shape),
-          landmark_checksum(landmarks),
-          fmt::format("{}, {}, {}", program_version(), compiler_name(),
-                      code_checksum())};
+          landmark_checksum(landmarks), fmt::format("{}, {}, {}", program_version(), compiler_name(), code_checksum())};
 }
 
 std::string changed_option(const ExperimentOptions& before, const ExperimentOptions& now) {
@@ -162,8 +161,7 @@ std::string CheckpointFolder::obstacle() const {
     const auto files = read_file_list(path_);
     if (!files) return fmt::format("its {} is damaged", written_files_name);
     for (const WrittenFile& file : *files)
-      if (file_checksum(folder / file.name) != file.checksum)
-        return fmt::format("its {} is damaged", file.name);
+      if (file_checksum(folder / file.name) != file.checksum) return fmt::format("its {} is damaged", file.name);
     if (manifest->program != identity_.program) return other_program;
     const std::string change = changed_option(read_experiment(folder / "config.yaml"), identity_.options);
     if (!change.empty()) return fmt::format("the configuration has changed ({})", change);
@@ -181,7 +179,8 @@ std::optional<MatchProgress<Dim>> CheckpointFolder::read(std::size_t n_vertices)
   if (!is_ours()) return std::nullopt;
   const fs::path folder = path_;
   return MatchProgress<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
-                            read_summary(folder / "summary.json"), read_level_vertices<Dim>(folder / level_vertices_file_name, n_vertices)};
+                            read_summary(folder / "summary.json"),
+                            read_level_vertices<Dim>(folder / level_vertices_file_name, n_vertices)};
 }
 
 template <int Dim>
@@ -211,7 +210,8 @@ void CheckpointFolder::copy_pictures(const std::string& pictures) const {
     if (name.parent_path() != "pictures") continue;
     std::error_code error;
     fs::create_directories(pictures, error);
-    fs::copy_file(fs::path(path_) / name, fs::path(pictures) / name.filename(), fs::copy_options::overwrite_existing, error);
+    fs::copy_file(fs::path(path_) / name, fs::path(pictures) / name.filename(), fs::copy_options::overwrite_existing,
+                  error);
     if (error) cannot_copy((fs::path(pictures) / name.filename()).string(), error);
   }
 }
@@ -238,10 +238,10 @@ std::string CheckpointFolder::foreign_text() const {
   return thing ? shellmatch::foreign_text(thing) : "";
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
-  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,            \
-                                         const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&);  \
-  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;             \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                     \
+  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,           \
+                                         const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&); \
+  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;            \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

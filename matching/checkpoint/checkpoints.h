@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Checkpoints: at the end of levels (resume.min_seconds) a run writes its state to the folder NAME.unfinished beside its
-/// output folder NAME, in the place of the checkpoint before, so that the same command resumes a run that was stopped or
-/// killed.
+/// Checkpoints: at the end of levels (resume.min_seconds) a run writes its state to the folder NAME.unfinished beside
+/// its output folder NAME, in the place of the checkpoint before, so that the same command resumes a run that was
+/// stopped or killed.
 
 #include "geometry/surface/surface.h"
 #include "matching/level/deformation.h"
@@ -22,10 +22,12 @@ namespace shellmatch {
 /// All data on which the levels of a run depend. A checkpoint is resumed only by a run of equal identity.
 struct RunIdentity {
   ExperimentOptions options;
-  /// Checksums of both shapes as they were read, before they are placed together: contents are compared, not file names.
+  /// Checksums of both shapes as they were read, before they are placed together: contents are compared, not file
+  /// names.
   std::string reference, template_shape;
   std::string landmarks;  ///< checksum of what the landmarks say; empty without any
-  std::string program;  ///< version, compiler and checksum of the code's file: builds may differ in rounding, and so may vector units
+  std::string program;    ///< version, compiler and checksum of the code's file: builds may differ in rounding, and so
+                          ///< may vector units
 };
 
 template <int Dim>
@@ -61,26 +63,26 @@ class CheckpointFolder {
   /// history.csv is damaged"; empty where it can, or where there is no checkpoint. \pre not is_foreign()
   std::string obstacle() const;
 
-  /// What the earlier run had reached, if there is a checkpoint. \param n_vertices of the reference's surface \pre obstacle() is empty
-  /// \throws InputError for intact files with invalid contents
+  /// What the earlier run had reached, if there is a checkpoint. \param n_vertices of the reference's surface \pre
+  /// obstacle() is empty \throws InputError for intact files with invalid contents
   template <int Dim>
   std::optional<MatchProgress<Dim>> read(std::size_t n_vertices) const;
 
-  /// What is in the folder besides a checkpoint, as "'thesis' in it is of no run"; empty where there is nothing. As long as
-  /// it is there, no checkpoint can be written.
+  /// What is in the folder besides a checkpoint, as "'thesis' in it is of no run"; empty where there is nothing. As
+  /// long as it is there, no checkpoint can be written.
   std::string foreign_text() const;
 
   /// Replaces the checkpoint. \param pictures folder of the run's pictures so far
-  /// \throws EnvironmentError if it cannot be written, InputError if foreign_text() is not empty; the earlier checkpoint
-  /// then stays. \pre not is_foreign()
+  /// \throws EnvironmentError if it cannot be written, InputError if foreign_text() is not empty; the earlier
+  /// checkpoint then stays. \pre not is_foreign()
   template <int Dim>
   void write(const CheckpointView<Dim>& checkpoint, const std::string& pictures);
 
   /// Copies the pictures of the finished levels into the folder `pictures` of a resumed run. \throws EnvironmentError
   void copy_pictures(const std::string& pictures) const;
 
-  /// Removes the files of the checkpoint, after the run has written its output, and the folder unless anything else is in
-  /// it.
+  /// Removes the files of the checkpoint, after the run has written its output, and the folder unless anything else is
+  /// in it.
   void remove();
 
  private:
@@ -90,11 +92,12 @@ class CheckpointFolder {
   RunIdentity identity_;
 };
 
-/// Contents of state.json, the file by which a checkpoint is recognised. Its files stand in files.json, as those of every
-/// output folder.
+/// Contents of state.json, the file by which a checkpoint is recognised. Its files stand in files.json, as those of
+/// every output folder.
 struct CheckpointManifest {
-  int format = 4;  ///< of the checkpoint; format 3 had no levels.bin, format 2 listed the files itself, format 1 had other checksums
-  int level = 0;  ///< the finished level that was kept
+  int format = 4;  ///< of the checkpoint; format 3 had no levels.bin, format 2 listed the files itself, format 1 had
+                   ///< other checksums
+  int level = 0;   ///< the finished level that was kept
   std::string program, reference, template_shape;
   std::optional<std::string> landmarks;
 };

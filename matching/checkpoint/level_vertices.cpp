@@ -25,10 +25,13 @@ std::string head_of(int dimension, std::size_t n_vertices, const std::vector<int
 // The levels that a head names; nothing where it is not one of this dimension and these vertices.
 std::optional<std::vector<int>> levels_of(const std::string& head, int dimension, std::size_t n_vertices) {
   std::vector<int> levels;
-  for (std::size_t at = head.find('['); at != std::string::npos && levels.size() <= finest_level; at = head.find(',', at)) {
+  for (std::size_t at = head.find('['); at != std::string::npos && levels.size() <= finest_level;
+       at = head.find(',', at)) {
     at = head.find_first_not_of(" ", at + 1);
     int level = 0;
-    if (at == std::string::npos || std::from_chars(head.data() + at, head.data() + head.size(), level).ec != std::errc()) return std::nullopt;
+    if (at == std::string::npos ||
+        std::from_chars(head.data() + at, head.data() + head.size(), level).ec != std::errc())
+      return std::nullopt;
     if (level < 1 || level > finest_level) return std::nullopt;
     levels.push_back(level);
   }
@@ -65,7 +68,8 @@ std::vector<LevelVertices<Dim>> read_level_vertices(const std::string& path, std
   std::vector<LevelVertices<Dim>> levels;
   for (const int number : *numbers) {
     LevelVertices<Dim>& level = levels.emplace_back(LevelVertices<Dim>{number, std::vector<Vec<Dim>>(n_vertices)});
-    std::memcpy(static_cast<void*>(level.vertices.data()), bytes.data() + head_size + (levels.size() - 1) * per_level, per_level);
+    std::memcpy(static_cast<void*>(level.vertices.data()), bytes.data() + head_size + (levels.size() - 1) * per_level,
+                per_level);
     if (!std::ranges::all_of(level.vertices, [](const Vec<Dim>& x) { return x.allFinite(); })) fail();
   }
   return levels;

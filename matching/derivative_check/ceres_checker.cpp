@@ -64,7 +64,8 @@ double worst_relative_error(const Cost& cost, const double* z, int n, const cere
   double value;
   std::vector<double> given(static_cast<std::size_t>(n)), found(given);
   double *of_given = given.data(), *of_found = found.data();
-  if (!cost.Evaluate(&z, &value, &of_given) || !numeric.Evaluate(&z, &value, &of_found)) return std::numeric_limits<double>::infinity();
+  if (!cost.Evaluate(&z, &value, &of_given) || !numeric.Evaluate(&z, &value, &of_found))
+    return std::numeric_limits<double>::infinity();
   double worst = 0;
   for (std::size_t i = 0; i < given.size(); ++i)
     if (const double size = std::max(std::abs(given[i]), std::abs(found[i])); size > 0)
@@ -82,7 +83,8 @@ CeresVerdict check_with_ceres(const SmallFunction& function, std::span<const dou
   const ceres::GradientChecker checker(&cost, &none, steps);
   const std::vector<double> origin(dofs.size(), 0.0);
   const double* block = origin.data();
-  // Without its results, which are Eigen matrices: Debian's Ceres, built without AVX, and this file allocate them in different ways.
+  // Without its results, which are Eigen matrices: Debian's Ceres, built without AVX, and this file allocate them in
+  // different ways.
   return {.passed = checker.Probe(&block, relative_precision, nullptr),
           .worst_relative_error = worst_relative_error(cost, block, static_cast<int>(dofs.size()), steps)};
 }

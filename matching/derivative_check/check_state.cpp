@@ -24,7 +24,8 @@ bool read_number(std::string_view text, T& value) {
 
 /// Moves every node at random, by the largest multiple of `noise` that keeps det Dphi above `bound` in every cell.
 template <int Dim>
-void add_noise(const LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& noise, double bound, std::vector<Vec<Dim>>& phi) {
+void add_noise(const LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& noise, double bound,
+               std::vector<Vec<Dim>>& phi) {
   const auto with = [&](double share) {
     std::vector<Vec<Dim>> moved = phi;
     for (std::size_t i = 0; i < phi.size(); ++i) moved[i] += share * noise[i];
@@ -50,12 +51,16 @@ CheckState CheckState::parse(const std::string& text) {
     const std::size_t colon = numbers.find(':');
     if (!read_number(numbers.substr(0, colon), state.amplitude) || !(state.amplitude >= 0 && state.amplitude <= 1) ||
         (colon != std::string_view::npos && !read_number(numbers.substr(colon + 1), state.seed)))
-      throw_input_error("--state {}: expected random:AMPLITUDE or random:AMPLITUDE:SEED with 0 <= AMPLITUDE <= 1 in "
-                        "sides of the domain and an integer SEED >= 0, for example random:0.03:1", text);
+      throw_input_error(
+          "--state {}: expected random:AMPLITUDE or random:AMPLITUDE:SEED with 0 <= AMPLITUDE <= 1 in "
+          "sides of the domain and an integer SEED >= 0, for example random:0.03:1",
+          text);
   } else {
     if (!std::filesystem::exists(text))
-      throw_input_error("--state {}: expected identity, random:AMPLITUDE, random:AMPLITUDE:SEED or the output folder of "
-                        "a run; there is no such folder", text);
+      throw_input_error(
+          "--state {}: expected identity, random:AMPLITUDE, random:AMPLITUDE:SEED or the output folder of "
+          "a run; there is no such folder",
+          text);
     state.kind = Kind::folder;
     state.folder = text;
   }
@@ -91,7 +96,8 @@ std::vector<Vec<Dim>> positions_of(const CheckState& state, const LevelEnergy<Di
     if (fixed)
       for (int k = 0; k < Dim; ++k) damping *= 4 * x[k] * (1 - x[k]);
     phi[i] += state.amplitude * damping * field(x);
-    for (double& n : noise[i]) n = (fixed && level.grid.is_boundary_node(i) ? 0 : 0.4) * level.grid.finest_side() * random_unit(random);
+    for (double& n : noise[i])
+      n = (fixed && level.grid.is_boundary_node(i) ? 0 : 0.4) * level.grid.finest_side() * random_unit(random);
   }
   distribute(level.grid, phi);
   distribute(level.grid, noise);

@@ -17,7 +17,7 @@ struct CheckState {
   Kind kind = Kind::random;
   double amplitude = 0.03;  ///< of the random field, in sides of the domain
   unsigned seed = 1;
-  std::string folder;       ///< output folder of a run, or its deformation.vtu
+  std::string folder;  ///< output folder of a run, or its deformation.vtu
 
   /// Parses "identity", "random:AMPLITUDE", "random:AMPLITUDE:SEED" or the name of a folder. \throws InputError
   static CheckState parse(const std::string& text);

@@ -46,8 +46,13 @@ class Along {
  public:
   Along(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const TermValues& weights,
         const std::vector<double>& direction)
-      : context_(context), energy_(energy), weights_(weights), direction_(direction), x_(direction.size()),
-        y_(direction.size()), phi_(context.phi) {
+      : context_(context),
+        energy_(energy),
+        weights_(weights),
+        direction_(direction),
+        x_(direction.size()),
+        y_(direction.size()),
+        phi_(context.phi) {
     context.level.unknowns.restrict_to(context.phi, x_);
   }
   double operator()(double t) {
@@ -78,16 +83,18 @@ bool is_second_order(const DirectionCheck& d) {
 /// Checks along one direction and returns the direction used in `v`. A shorter reach means that fewer nodes have to be
 /// fixed because of kinks; rounding errors bound it from below, so longer ones are tried in turn.
 template <int Dim>
-DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy, const AssembledTerm& term,
-                               unsigned seed, std::vector<double>& v) {
+DirectionCheck check_direction(const CheckContext<Dim>& context, const CheckedEnergy<Dim>& energy,
+                               const AssembledTerm& term, unsigned seed, std::vector<double>& v) {
   DirectionCheck result;
   for (const double reach : {0.003, 0.02, 0.1}) {
     v = random_direction(context.level, seed);
     result = {};
     if (context.level.energy.terms().read_target(term.weights)) {
-      const HeldPoints held = hold_at_kinks<Dim>(context.level.unknowns, context.costs, context.level.geometry.target, context.level.grid, context.phi, reach, v);
+      const HeldPoints held = hold_at_kinks<Dim>(context.level.unknowns, context.costs, context.level.geometry.target,
+                                                 context.level.grid, context.phi, reach, v);
       result.n_points_near_faces = held.n_points;
-      result.held_share = static_cast<double>(held.n_nodes) / static_cast<double>(context.level.unknowns.nodes().size());
+      result.held_share =
+          static_cast<double>(held.n_nodes) / static_cast<double>(context.level.unknowns.nodes().size());
     }
     result.slope = dot(term.gradient, v);
     Along<Dim> line(context, energy, term.weights, v);
@@ -112,7 +119,8 @@ void check_directions(const CheckContext<Dim>& context, const CheckedEnergy<Dim>
   int n_resolved = 0;
   for (int d = 0; d < context.settings.n_directions; ++d) {
     std::vector<double> v;
-    DirectionCheck direction = check_direction(context, energy, term, context.settings.seed + static_cast<unsigned>(d), v);
+    DirectionCheck direction =
+        check_direction(context, energy, term, context.settings.seed + static_cast<unsigned>(d), v);
     n_resolved += direction.resolved;
     if (direction.resolved && !is_second_order(direction))
       check.faults.push_back(fmt::format("the Taylor remainder along direction {} is of order {:.2f}, not 2", d + 1,
@@ -153,12 +161,13 @@ void check_hessian(const CheckContext<Dim>& context, const AssembledTerm& term, 
   check.hessian = result;
   // The model is stored in single precision.
   if (!(result.asymmetry <= 1e-5)) check.faults.push_back("the Newton model is not symmetric");
-  if (!(result.least_quotient >= -1e-5)) check.faults.push_back("the Newton model has a direction of negative curvature");
+  if (!(result.least_quotient >= -1e-5))
+    check.faults.push_back("the Newton model has a direction of negative curvature");
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
   template void check_directions<Dim>(const CheckContext<Dim>&, const CheckedEnergy<Dim>&, const AssembledTerm&, \
-                                      TermCheck&);                                                            \
+                                      TermCheck&);                                                               \
   template void check_hessian<Dim>(const CheckContext<Dim>&, const AssembledTerm&, TermCheck&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

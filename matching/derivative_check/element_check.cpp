@@ -34,8 +34,12 @@ class ElementComparison {
   static constexpr int n = Costs::n_dofs;
 
   ElementComparison(const CheckContext<Dim>& context, const AssembledTerm& term, TermCheck& check)
-      : context_(context), costs_(context.costs), elements_(context.level.unknowns.elements()),
-        differences_(context, term.weights), term_(term), check_(check) {}
+      : context_(context),
+        costs_(context.costs),
+        elements_(context.level.unknowns.elements()),
+        differences_(context, term.weights),
+        term_(term),
+        check_(check) {}
 
   void run() {
     differentiate();
@@ -47,28 +51,35 @@ class ElementComparison {
   }
 
  private:
-  std::span<const double> assembled(std::size_t e) const { return std::span(term_.element_gradients).subspan(e * n, n); }
+  std::span<const double> assembled(std::size_t e) const {
+    return std::span(term_.element_gradients).subspan(e * n, n);
+  }
 
   void differentiate() {
     by_jets_.resize(elements_.size());
     values_.resize(elements_.size());
     natural_.resize(elements_.size());
     error_.resize(elements_.size());
-    parallel_for(elements_.size(), [&](std::size_t e) {
-      values_[e] = costs_.gradient(term_.weights, e, costs_.dofs_of(e, context_.phi), by_jets_[e]);
-      natural_[e] = costs_.natural_size(term_.weights, e);
-      // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size only.
-      const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
-      double difference = 0;
-      for (int i = 0; i < n; ++i) difference = std::max(difference, magnitude(by_jets_[e][i] - assembled(e)[i]));
-      error_[e] = difference == 0 ? 0 : magnitude(difference / tolerance);
-    }, 16);
+    parallel_for(
+        elements_.size(),
+        [&](std::size_t e) {
+          values_[e] = costs_.gradient(term_.weights, e, costs_.dofs_of(e, context_.phi), by_jets_[e]);
+          natural_[e] = costs_.natural_size(term_.weights, e);
+          // Where the entries are the result of a cancellation, they agree up to rounding errors of the natural size
+          // only.
+          const double tolerance = 1e-9 * largest(by_jets_[e]) + 1e-12 * natural_[e];
+          double difference = 0;
+          for (int i = 0; i < n; ++i) difference = std::max(difference, magnitude(by_jets_[e][i] - assembled(e)[i]));
+          error_[e] = difference == 0 ? 0 : magnitude(difference / tolerance);
+        },
+        16);
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       if (largest(by_jets_[e]) > 0 || largest(assembled(e)) > 0) acting_.push_back(e);
       check_.element_error = std::max(check_.element_error, error_[e]);
     }
     check_.n_elements = acting_.size();
-    if (!(check_.element_error <= 1)) check_.faults.push_back("element gradients differ from the functor's by dual numbers");
+    if (!(check_.element_error <= 1))
+      check_.faults.push_back("element gradients differ from the functor's by dual numbers");
   }
 
   // Compares value and gradient with the sums over the element functors, whose hanging nodes are eliminated by
@@ -95,8 +106,10 @@ class ElementComparison {
     check_.gradient_error = difference / std::max(largest(free), 1e-3 * natural);
     if (difference == 0) check_.gradient_error = 0;
     if (value == term_.value) check_.value_error = 0;
-    if (!(check_.value_error <= 1e-9)) check_.faults.push_back("the value differs from the sum of the element functors");
-    if (!(check_.gradient_error <= 1e-9)) check_.faults.push_back("the gradient differs from the sum of the element functors'");
+    if (!(check_.value_error <= 1e-9))
+      check_.faults.push_back("the value differs from the sum of the element functors");
+    if (!(check_.gradient_error <= 1e-9))
+      check_.faults.push_back("the gradient differs from the sum of the element functors'");
     if (largest(term_.gradient) < 1e-10 * natural && !acting_.empty()) check_.state = TermCheck::State::vanishing;
   }
 
@@ -111,7 +124,8 @@ class ElementComparison {
     for (std::size_t k = 0; k < most; ++k) chosen.push_back(acting_[k * acting_.size() / most]);
     std::vector<std::size_t> worst = acting_;
     const auto middle = worst.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(32, most));
-    std::partial_sort(worst.begin(), middle, worst.end(), [&](std::size_t a, std::size_t b) { return error_[a] > error_[b]; });
+    std::partial_sort(worst.begin(), middle, worst.end(),
+                      [&](std::size_t a, std::size_t b) { return error_[a] > error_[b]; });
     chosen.insert(chosen.end(), worst.begin(), middle);
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
@@ -121,7 +135,8 @@ class ElementComparison {
   void compare_with_differences() {
     const std::vector<std::size_t> chosen = sample(context_.settings.most_differenced);
     std::vector<DifferenceError> found(chosen.size());
-    parallel_for(chosen.size(), [&](std::size_t k) { found[k] = differences_.compare(chosen[k], gradient_of(chosen[k])); }, 4);
+    parallel_for(
+        chosen.size(), [&](std::size_t k) { found[k] = differences_.compare(chosen[k], gradient_of(chosen[k])); }, 4);
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       check_.n_elements_near_faces += found[k].near_face;
       check_.n_elements_with_kinks += found[k].kink;
@@ -131,7 +146,8 @@ class ElementComparison {
         worst_by_differences_ = chosen[k];
       }
     }
-    if (!(check_.difference_error <= 1)) check_.faults.push_back("element gradients differ from differences of the functor");
+    if (!(check_.difference_error <= 1))
+      check_.faults.push_back("element gradients differ from differences of the functor");
   }
 
   void find_worst() {
@@ -139,7 +155,8 @@ class ElementComparison {
     if (!(check_.element_error <= 1))
       e = static_cast<std::size_t>(std::max_element(error_.begin(), error_.end()) - error_.begin());
     const Dofs dofs = costs_.dofs_of(e, context_.phi);
-    const double side = elements_[e].side, distance = least_distance_to_kinks(costs_, context_.level.geometry.target, e, dofs);
+    const double side = elements_[e].side,
+                 distance = least_distance_to_kinks(costs_, context_.level.geometry.target, e, dofs);
     const double step = distance > 1.1e-4 * side ? 1e-4 * side : 1e-6 * side;
     WorstElement worst;
     worst.element = static_cast<Index>(e);
@@ -150,8 +167,8 @@ class ElementComparison {
     double greatest = -1;
     for (int i = 0; i < n; ++i) {
       const double numeric = differences_.central(e, dofs, i, step);
-      const double difference = check_.element_error <= 1 ? std::abs(assembled(e)[i] - numeric)
-                                                          : std::abs(assembled(e)[i] - by_jets_[e][i]);
+      const double difference =
+          check_.element_error <= 1 ? std::abs(assembled(e)[i] - numeric) : std::abs(assembled(e)[i] - by_jets_[e][i]);
       if (!(difference > greatest)) continue;
       greatest = difference;
       worst.corner = i / Dim;
@@ -172,8 +189,8 @@ class ElementComparison {
       if (!gradient.empty()) std::ranges::copy(assembled(e), gradient.begin());
       return std::isfinite(value);
     };
-    // Ceres compares every component with itself. Rounding errors of its differences are 1e-12 of the natural size, and a
-    // component may be a hundredth of the largest.
+    // Ceres compares every component with itself. Rounding errors of its differences are 1e-12 of the natural size, and
+    // a component may be a hundredth of the largest.
     const double precision = std::max(1e-5, 1e-10 * natural_[e] / largest(by_jets_[e]));
     return check_with_ceres(function, costs_.dofs_of(e, context_.phi), step * elements_[e].side, precision);
   }
@@ -184,7 +201,8 @@ class ElementComparison {
     std::vector<std::size_t> fit;
     for (const std::size_t e : acting_)
       if (largest(by_jets_[e]) >= 1e-3 * greatest && largest(by_jets_[e]) >= 1e-6 * natural_[e] &&
-          least_distance_to_kinks(costs_, context_.level.geometry.target, e, costs_.dofs_of(e, context_.phi)) > 2e-4 * elements_[e].side)
+          least_distance_to_kinks(costs_, context_.level.geometry.target, e, costs_.dofs_of(e, context_.phi)) >
+              2e-4 * elements_[e].side)
         fit.push_back(e);
     std::vector<std::size_t> chosen;
     const std::size_t n_wanted = std::min<std::size_t>(fit.size(), context_.settings.n_ceres_elements);

@@ -42,7 +42,8 @@ TermCheck check_term(const CheckContext<Dim>& context, const CheckedEnergy<Dim>&
 template <int Dim>
 GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>& energy,
                               const std::vector<Vec<Dim>>& phi, const TermValues& weights,
-                              const GradientCheckSettings& settings, const std::function<void(const std::string&)>& next) {
+                              const GradientCheckSettings& settings,
+                              const std::function<void(const std::string&)>& next) {
   SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(level.grid.n_nodes()), "phi has a position for each node");
   GradientReport report;
   report.dimension = Dim;
@@ -65,11 +66,10 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   return report;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                               \
-  template GradientReport check_gradient<Dim>(LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, \
-                                              const std::vector<Vec<Dim>>&, const TermValues&,                    \
-                                              const GradientCheckSettings&,                                       \
-                                              const std::function<void(const std::string&)>&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                  \
+  template GradientReport check_gradient<Dim>(                                                       \
+      LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, const std::vector<Vec<Dim>>&, const TermValues&, \
+      const GradientCheckSettings&, const std::function<void(const std::string&)>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

@@ -6,8 +6,8 @@ namespace shellmatch {
 namespace {
 
 Json to_json(const DirectionCheck& d) {
-  Json json = {{"resolved", d.resolved}, {"steps", d.steps}, {"remainders", d.remainders}, {"orders", d.orders},
-               {"slope", d.slope}, {"second_derivative", d.curvature}};
+  Json json = {{"resolved", d.resolved}, {"steps", d.steps}, {"remainders", d.remainders},
+               {"orders", d.orders},     {"slope", d.slope}, {"second_derivative", d.curvature}};
   if (d.model_curvature) json["model_second_derivative"] = *d.model_curvature;
   json["points_near_faces"] = d.n_points_near_faces;
   json["held_share"] = d.held_share;
@@ -15,8 +15,9 @@ Json to_json(const DirectionCheck& d) {
 }
 
 Json to_json(const WorstElement& w) {
-  return {{"element", w.element}, {"level", w.level}, {"centre", w.centre}, {"corner", w.corner}, {"axis", w.axis},
-          {"analytic", w.analytic}, {"dual_numbers", w.by_jets}, {"differences", w.by_differences}};
+  return {
+      {"element", w.element}, {"level", w.level},       {"centre", w.centre},        {"corner", w.corner},
+      {"axis", w.axis},       {"analytic", w.analytic}, {"dual_numbers", w.by_jets}, {"differences", w.by_differences}};
 }
 
 Json to_json(const TermCheck& t) {
@@ -26,13 +27,19 @@ Json to_json(const TermCheck& t) {
   json["gradient_norm"] = t.gradient_norm;
   json["directions"] = Json::array();
   for (const DirectionCheck& d : t.directions) json["directions"].push_back(to_json(d));
-  json["functors"] = {{"value_error", t.value_error}, {"gradient_error", t.gradient_error},
+  json["functors"] = {{"value_error", t.value_error},
+                      {"gradient_error", t.gradient_error},
                       {"element_error_in_tolerances", t.element_error}};
-  json["differences"] = {{"error_in_tolerances", t.difference_error}, {"elements", t.n_elements}, {"compared", t.n_differenced},
-                         {"left_out_near_faces", t.n_elements_near_faces}, {"with_kinks", t.n_elements_with_kinks}};
-  json["ceres"] = {{"elements", t.ceres.n_elements}, {"failed", t.ceres.n_failed},
+  json["differences"] = {{"error_in_tolerances", t.difference_error},
+                         {"elements", t.n_elements},
+                         {"compared", t.n_differenced},
+                         {"left_out_near_faces", t.n_elements_near_faces},
+                         {"with_kinks", t.n_elements_with_kinks}};
+  json["ceres"] = {{"elements", t.ceres.n_elements},
+                   {"failed", t.ceres.n_failed},
                    {"worst_relative_error", t.ceres.worst_relative_error}};
-  if (t.hessian) json["newton_model"] = {{"asymmetry", t.hessian->asymmetry}, {"least_quotient", t.hessian->least_quotient}};
+  if (t.hessian)
+    json["newton_model"] = {{"asymmetry", t.hessian->asymmetry}, {"least_quotient", t.hessian->least_quotient}};
   if (t.worst) json["worst_element"] = to_json(*t.worst);
   json["faults"] = t.faults;
   json["notes"] = t.notes;
@@ -42,9 +49,16 @@ Json to_json(const TermCheck& t) {
 }  // namespace
 
 std::string gradient_report_json(const GradientReport& r) {
-  Json json = {{"passed", r.passed()}, {"experiment", r.source}, {"state", r.state}, {"dimension", r.dimension},
-               {"level", r.level}, {"nodes", r.n_nodes}, {"free_nodes", r.n_free_nodes}, {"nu", r.nu},
-               {"volume_weight", r.volume_weight}, {"terms", Json::array()}};
+  Json json = {{"passed", r.passed()},
+               {"experiment", r.source},
+               {"state", r.state},
+               {"dimension", r.dimension},
+               {"level", r.level},
+               {"nodes", r.n_nodes},
+               {"free_nodes", r.n_free_nodes},
+               {"nu", r.nu},
+               {"volume_weight", r.volume_weight},
+               {"terms", Json::array()}};
   for (const TermCheck& t : r.terms) json["terms"].push_back(to_json(t));
   // File names may hold arbitrary bytes, which JSON does not allow.
   return json_text(json);

@@ -33,12 +33,18 @@ using Row = std::array<std::string, 8>;
 
 Row row_of(const TermCheck& t) {
   const std::string state(t.state == TermCheck::State::failed ? "FAILED" : name_of(t.state));
-  if (t.state == TermCheck::State::off || t.state == TermCheck::State::inactive) return {t.name, "", "", "", "", "", "", state};
+  if (t.state == TermCheck::State::off || t.state == TermCheck::State::inactive)
+    return {t.name, "", "", "", "", "", "", state};
   const std::string ceres =
       t.ceres.n_elements > 0 ? fmt::format("{:.0e} ({})", t.ceres.worst_relative_error, t.ceres.n_elements) : "-";
-  return {t.name, fmt::format("{:.4e}", t.value), fmt::format("{:.2e}", t.gradient_norm), orders_text(t),
+  return {t.name,
+          fmt::format("{:.4e}", t.value),
+          fmt::format("{:.2e}", t.gradient_norm),
+          orders_text(t),
           fmt::format("{:.0e}", std::max(t.gradient_error, t.value_error)),
-          fmt::format("{:.0e} ({})", t.difference_error, t.n_differenced), ceres, state};
+          fmt::format("{:.0e} ({})", t.difference_error, t.n_differenced),
+          ceres,
+          state};
 }
 
 std::string table(const GradientReport& report) {
@@ -73,8 +79,9 @@ std::string remarks(const TermCheck& t) {
     line += fmt::format("second derivative {:.2e}", c.curvature);
     if (c.model_curvature) line += fmt::format(", Newton model {:.2e}", *c.model_curvature);
     if (c.n_points_near_faces > 0)
-      line += fmt::format("; kinks: {} points within the greatest step of a cell's face, {:.1f} % of the nodes held still for them",
-                          c.n_points_near_faces, 100 * c.held_share);
+      line += fmt::format(
+          "; kinks: {} points within the greatest step of a cell's face, {:.1f} % of the nodes held still for them",
+          c.n_points_near_faces, 100 * c.held_share);
     say(line);
   }
   if (t.n_elements > 0) {
@@ -90,9 +97,10 @@ std::string remarks(const TermCheck& t) {
   }
   if (t.worst) {
     const WorstElement& w = *t.worst;
-    say(fmt::format("worst element {} (level {}, centre {:.4f}): d/d corner {} axis {}: {:.9e}, by dual numbers {:.9e}, "
-                    "by differences {:.9e}", w.element, w.level, fmt::join(w.centre, " "), w.corner, w.axis, w.analytic,
-                    w.by_jets, w.by_differences));
+    say(fmt::format(
+        "worst element {} (level {}, centre {:.4f}): d/d corner {} axis {}: {:.9e}, by dual numbers {:.9e}, "
+        "by differences {:.9e}",
+        w.element, w.level, fmt::join(w.centre, " "), w.corner, w.axis, w.analytic, w.by_jets, w.by_differences));
   }
   return text;
 }
@@ -100,7 +108,8 @@ std::string remarks(const TermCheck& t) {
 }  // namespace
 
 bool GradientReport::passed() const {
-  return std::none_of(terms.begin(), terms.end(), [](const TermCheck& t) { return t.state == TermCheck::State::failed; });
+  return std::none_of(terms.begin(), terms.end(),
+                      [](const TermCheck& t) { return t.state == TermCheck::State::failed; });
 }
 
 std::string GradientReport::failed_terms() const {
@@ -114,13 +123,15 @@ std::string GradientReport::faults() const {
   std::string text;
   for (const TermCheck& t : terms)
     if (t.state == TermCheck::State::failed)
-      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", t.name, t.faults.empty() ? "no details" : t.faults.front());
+      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", t.name,
+                          t.faults.empty() ? "no details" : t.faults.front());
   return text;
 }
 
 std::string gradient_report_text(const GradientReport& r) {
-  std::string text = fmt::format("{} at level {}, deformation {}: {} nodes, {} of them free, nu {:.3g}, c_vol {:.3g}\n\n", r.source,
-                                 r.level, r.state, r.n_nodes, r.n_free_nodes, r.nu, r.volume_weight);
+  std::string text =
+      fmt::format("{} at level {}, deformation {}: {} nodes, {} of them free, nu {:.3g}, c_vol {:.3g}\n\n", r.source,
+                  r.level, r.state, r.n_nodes, r.n_free_nodes, r.nu, r.volume_weight);
   text += table(r) + "\n";
   for (const TermCheck& t : r.terms) text += remarks(t);
   text += r.passed() ? "\npassed\n" : fmt::format("\nFAILED: {}\n", r.failed_terms());

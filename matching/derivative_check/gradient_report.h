@@ -15,19 +15,19 @@ namespace shellmatch {
 /// the side of the cells around it.
 struct DirectionCheck {
   std::vector<double> steps, remainders, orders;
-  double slope = 0;            ///< derivative along the direction, by the gradient
-  double curvature = 0;        ///< second derivative along the direction, by differences
+  double slope = 0;                       ///< derivative along the direction, by the gradient
+  double curvature = 0;                   ///< second derivative along the direction, by differences
   std::optional<double> model_curvature;  ///< by the Newton model, which may drop terms of the second derivative
   /// Number of quadrature points that would cross a kink of the energy within the largest step. The direction is set to
   /// zero at the nodes of their elements.
   std::size_t n_points_near_faces = 0;
-  double held_share = 0;       ///< share of the unknowns where the direction is zero for that reason, in [0, 1]
-  bool resolved = false;       ///< whether three decades of steps lie above the rounding errors
+  double held_share = 0;  ///< share of the unknowns where the direction is zero for that reason, in [0, 1]
+  bool resolved = false;  ///< whether three decades of steps lie above the rounding errors
 };
 
 /// The element whose gradient differs most from its reference, and the entry that differs most.
 struct WorstElement {
-  Index element = no_index;    ///< number in the order of the grid's leaves
+  Index element = no_index;  ///< number in the order of the grid's leaves
   int level = 0;
   std::vector<double> centre;  ///< unit domain, reference frame
   int corner = 0, axis = 0;    ///< of the degree of freedom
@@ -54,11 +54,11 @@ struct TermCheck {
   State state = State::off;
   double value = 0, gradient_norm = 0;
   std::vector<DirectionCheck> directions;
-  double value_error = 0;      ///< value of the assembly against the sum of element functors, relative
-  double gradient_error = 0;   ///< the same for the gradient by the unknowns, relative to its largest entry
-  double element_error = 0;    ///< largest error of an element gradient against dual numbers, in units of its tolerance
-  double difference_error = 0; ///< largest error of an element gradient against differences, in units of its tolerance
-  std::size_t n_elements = 0;  ///< elements on which the term is not zero
+  double value_error = 0;     ///< value of the assembly against the sum of element functors, relative
+  double gradient_error = 0;  ///< the same for the gradient by the unknowns, relative to its largest entry
+  double element_error = 0;   ///< largest error of an element gradient against dual numbers, in units of its tolerance
+  double difference_error = 0;  ///< largest error of an element gradient against differences, in units of its tolerance
+  std::size_t n_elements = 0;   ///< elements on which the term is not zero
   std::size_t n_differenced = 0;          ///< of these, compared with differences
   std::size_t n_elements_near_faces = 0;  ///< of these, not compared: a point lies within one step of a kink
   std::size_t n_elements_with_kinks = 0;  ///< of these, with different one-sided derivatives, one the assembly's

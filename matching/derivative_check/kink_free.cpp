@@ -27,7 +27,7 @@ Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y) {
 
 template <int Dim>
 double least_distance_to_kinks(const CeresEvaluator<Dim>& costs, const GeometryField<Dim>& target, std::size_t e,
-                       const typename CeresEvaluator<Dim>::Dofs& dofs) {
+                               const typename CeresEvaluator<Dim>::Dofs& dofs) {
   double distance = std::numeric_limits<double>::infinity();
   for (const int q : costs.band_points(e))
     distance = std::min(distance, distance_to_kinks<Dim>(target, costs.position(dofs, q)).minCoeff());
@@ -36,12 +36,11 @@ double least_distance_to_kinks(const CeresEvaluator<Dim>& costs, const GeometryF
 
 template <int Dim>
 HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim>& costs,
-                         const GeometryField<Dim>& target, const Octree<Dim>& grid,
-                         std::span<const Vec<Dim>> phi, double reach, std::vector<double>& direction) {
+                         const GeometryField<Dim>& target, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+                         double reach, std::vector<double>& direction) {
   const auto elements = unknowns.elements();
   std::vector<Index> unknown_of(phi.size(), no_index);
-  for (std::size_t i = 0; i < unknowns.nodes().size(); ++i)
-    unknown_of[unknowns.nodes()[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < unknowns.nodes().size(); ++i) unknown_of[unknowns.nodes()[i]] = static_cast<Index>(i);
   std::vector<const HangingNode<Dim>*> hanging_of(phi.size(), nullptr);
   for (const auto& h : grid.hanging_nodes()) hanging_of[h.node] = &h;
 
@@ -88,14 +87,13 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim
   return held;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
-  template Vec<Dim> distance_to_cell_faces<Dim>(const Octree<Dim>&, const Vec<Dim>&);                           \
-  template Vec<Dim> distance_to_kinks<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                       \
-  template double least_distance_to_kinks<Dim>(const CeresEvaluator<Dim>&, const GeometryField<Dim>&, std::size_t, \
-                                       const CeresEvaluator<Dim>::Dofs&);                                  \
-  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const CeresEvaluator<Dim>&,                 \
-                                         const GeometryField<Dim>&, const Octree<Dim>&,                   \
-                                         std::span<const Vec<Dim>>, double, std::vector<double>&);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template Vec<Dim> distance_to_cell_faces<Dim>(const Octree<Dim>&, const Vec<Dim>&);                                 \
+  template Vec<Dim> distance_to_kinks<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                               \
+  template double least_distance_to_kinks<Dim>(const CeresEvaluator<Dim>&, const GeometryField<Dim>&, std::size_t,    \
+                                               const CeresEvaluator<Dim>::Dofs&);                                     \
+  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const CeresEvaluator<Dim>&, const GeometryField<Dim>&, \
+                                         const Octree<Dim>&, std::span<const Vec<Dim>>, double, std::vector<double>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

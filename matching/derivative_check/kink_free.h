@@ -23,7 +23,7 @@ Vec<Dim> distance_to_kinks(const GeometryField<Dim>& field, const Vec<Dim>& y);
 /// Smallest distance to a kink over the element's points in the band and all coordinates; infinity without such points.
 template <int Dim>
 double least_distance_to_kinks(const CeresEvaluator<Dim>& costs, const GeometryField<Dim>& target, std::size_t e,
-                       const typename CeresEvaluator<Dim>::Dofs& dofs);
+                               const typename CeresEvaluator<Dim>::Dofs& dofs);
 
 struct HeldPoints {
   std::size_t n_points = 0,
@@ -34,7 +34,7 @@ struct HeldPoints {
 /// the direction. Repeats this until there is none. \param direction by the unknowns
 template <int Dim>
 HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim>& costs,
-                         const GeometryField<Dim>& target, const Octree<Dim>& grid,
-                         std::span<const Vec<Dim>> phi, double reach, std::vector<double>& direction);
+                         const GeometryField<Dim>& target, const Octree<Dim>& grid, std::span<const Vec<Dim>> phi,
+                         double reach, std::vector<double>& direction);
 
 }  // namespace shellmatch

@@ -13,7 +13,9 @@ struct LevelwiseSolverOptions : SolverOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     SolverOptions::describe(self, visit);
-    visit("levels", self.levels, {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
+    visit(
+        "levels", self.levels,
+        {.meaning = "options of this section that hold on some levels only, as {3-5: {name: lbfgs}, 6: {metric: h1}}"});
   }
 };
 

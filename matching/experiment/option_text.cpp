@@ -193,7 +193,8 @@ std::string unknown_key_text(const OptionNode& root, const OptionNode& section, 
   if (key.size() <= 60) {
     const std::string near = nearest_word(key, names), elsewhere = path_of_name(root, key);
     if (!elsewhere.empty()) text += fmt::format("; did you mean {}?", elsewhere);
-    else if (!near.empty()) text += fmt::format("; did you mean {}{}?", section.path.empty() ? "" : section.path + ".", near);
+    else if (!near.empty())
+      text += fmt::format("; did you mean {}{}?", section.path.empty() ? "" : section.path + ".", near);
   }
   return fmt::format("{}{} allowed {}: {}", text, text.ends_with('?') ? "" : ";",
                      section.path.empty() ? "at the top" : "in " + section.path, fmt::join(names, ", "));

@@ -47,8 +47,8 @@ std::string unknown_key_text(const OptionNode& root, const OptionNode& section, 
 /// All options below `root` as YAML, with their meanings as comments if wanted.
 std::string yaml_text(const OptionNode& root, bool with_comments);
 
-/// Those whose values differ from the same options of `defaults`, as YAML indented by 2 `depth`; empty if there are none.
-/// \pre both are trees of one struct
+/// Those whose values differ from the same options of `defaults`, as YAML indented by 2 `depth`; empty if there are
+/// none. \pre both are trees of one struct
 std::string changed_yaml_text(const OptionNode& root, const OptionNode& defaults, int depth);
 
 }  // namespace shellmatch

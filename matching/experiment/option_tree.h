@@ -21,13 +21,13 @@ using OptionScalar = LevelOverrides::Value;
 
 /// One option or section, bound to a member of an option struct.
 struct OptionNode {
-  std::string name;   ///< "nu"; "" at the root
-  std::string path;   ///< "cascade.nu"
+  std::string name;  ///< "nu"; "" at the root
+  std::string path;  ///< "cascade.nu"
   OptionInfo info;
   OptionKind kind = OptionKind::section;
   bool is_list = false;
-  std::vector<std::string> choices;   ///< names of the enumerators, in their order
-  std::vector<OptionNode> children;   ///< options and subsections of a section
+  std::vector<std::string> choices;  ///< names of the enumerators, in their order
+  std::vector<OptionNode> children;  ///< options and subsections of a section
 
   /// The member itself where the kind is level_overrides; its paths are relative to the section that holds the option.
   LevelOverrides* level_overrides = nullptr;
@@ -41,7 +41,9 @@ struct OptionNode {
 namespace detail {
 
 template <class T>
-concept DescribedEnum = std::is_enum_v<T> && requires { EnumNames<T>::names; };
+concept DescribedEnum = std::is_enum_v<T> && requires {
+  EnumNames<T>::names;
+};
 
 template <class T>
 constexpr OptionKind scalar_kind() {
@@ -80,7 +82,8 @@ struct IsVector<std::vector<T>> : std::true_type {
 template <class T>
 void set_kind(OptionNode& node) {
   node.kind = scalar_kind<T>();
-  static_assert(scalar_kind<T>() != OptionKind::section, "options are bool, int, double, string, enum or vectors of them");
+  static_assert(scalar_kind<T>() != OptionKind::section,
+                "options are bool, int, double, string, enum or vectors of them");
   if constexpr (DescribedEnum<T>)
     for (const auto& [value, name] : EnumNames<T>::names) node.choices.emplace_back(name);
 }

@@ -8,8 +8,9 @@ ExperimentOptions profile_defaults(Profile profile) {
   ExperimentOptions options;
   options.profile = profile;
   options.solver.name = "newton";
-  // Newton's method takes few, expensive steps; it stops at the first one that gains little. The others have more. Nothing builds on the last
-  // minimisation, which may stop before those that others begin from (cascade.intermediate_decrease), and sooner where its steps are restrained.
+  // Newton's method takes few, expensive steps; it stops at the first one that gains little. The others have more.
+  // Nothing builds on the last minimisation, which may stop before those that others begin from
+  // (cascade.intermediate_decrease), and sooner where its steps are restrained.
   options.solver.stop.relative_decrease = 3e-3;
   options.solver.stop.restrained_factor = 3;
   options.solver.stop.decrease_window = 0;

@@ -20,18 +20,21 @@ namespace shellmatch {
 enum class Profile { standard, paper };
 template <>
 struct EnumNames<Profile> {
-  static constexpr std::pair<Profile, std::string_view> names[] = {{Profile::standard, "default"}, {Profile::paper, "paper"}};
+  static constexpr std::pair<Profile, std::string_view> names[] = {{Profile::standard, "default"},
+                                                                   {Profile::paper, "paper"}};
 };
 
 enum class PlacementKind { fit, as_is };
 template <>
 struct EnumNames<PlacementKind> {
-  static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"}, {PlacementKind::as_is, "as-is"}};
+  static constexpr std::pair<PlacementKind, std::string_view> names[] = {{PlacementKind::fit, "fit"},
+                                                                         {PlacementKind::as_is, "as-is"}};
 };
 
 template <>
 struct EnumNames<Closing> {
-  static constexpr std::pair<Closing, std::string_view> names[] = {{Closing::automatic, "auto"}, {Closing::never, "never"}};
+  static constexpr std::pair<Closing, std::string_view> names[] = {{Closing::automatic, "auto"},
+                                                                   {Closing::never, "never"}};
 };
 
 /// The frame of shapes out of volumes.
@@ -62,7 +65,8 @@ struct EnumNames<RefineWhere> {
 enum class Burial { left_out, kept };
 template <>
 struct EnumNames<Burial> {
-  static constexpr std::pair<Burial, std::string_view> names[] = {{Burial::left_out, "leave-out"}, {Burial::kept, "keep"}};
+  static constexpr std::pair<Burial, std::string_view> names[] = {{Burial::left_out, "leave-out"},
+                                                                  {Burial::kept, "keep"}};
 };
 
 /// The files of the shapes, and their placement in the unit domain.
@@ -77,13 +81,33 @@ struct InputOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
-    visit("correspondence", self.correspondence, {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the summary states the error, as it does by itself for two built-in shapes that correspond"});
-    visit("unit", self.unit, {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: that of a volume whose file names it, otherwise coordinates are said to be in units of the file"});
-    visit("placement", self.placement, {.meaning = "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
-    visit("close", self.close, {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); never refuses them, as --strict does"});
-    visit("buried", self.buried, {.meaning = "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
-    visit("margin", self.margin, {.unit = "side of the domain", .min = 0.02, .max = 0.45, .meaning = "free space around the shapes for placement fit"});
-    visit("space", self.space, {.meaning = "frame of shapes out of volumes, and of meshes that name none: ras or lps; auto: that of the other shape, where it is a mesh that names one as 3D Slicer's do; for meshes then that in which points of 3D Slicer lie on them (docs/landmarks.md), for volumes ras (docs/volumes.md)"});
+    visit("correspondence", self.correspondence,
+          {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the "
+                      "summary states the error, as it does by itself for two built-in shapes that correspond"});
+    visit(
+        "unit", self.unit,
+        {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: "
+                    "that of a volume whose file names it, otherwise coordinates are said to be in units of the file"});
+    visit("placement", self.placement,
+          {.meaning =
+               "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
+    visit("close", self.close,
+          {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what "
+                      "else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); "
+                      "never refuses them, as --strict does"});
+    visit("buried", self.buried,
+          {.meaning =
+               "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as "
+               "no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
+    visit("margin", self.margin,
+          {.unit = "side of the domain",
+           .min = 0.02,
+           .max = 0.45,
+           .meaning = "free space around the shapes for placement fit"});
+    visit("space", self.space,
+          {.meaning = "frame of shapes out of volumes, and of meshes that name none: ras or lps; auto: that of the "
+                      "other shape, where it is a mesh that names one as 3D Slicer's do; for meshes then that in which "
+                      "points of 3D Slicer lie on them (docs/landmarks.md), for volumes ras (docs/volumes.md)"});
   }
 };
 
@@ -105,20 +129,64 @@ struct CascadeOptions {
   RefineWhere refine = RefineWhere::reference;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("min_level", self.min_level, {.unit = "level", .min = 1, .max = 12, .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
-    visit("max_level", self.max_level, {.unit = "level", .min = 1, .max = finest_level, .meaning = "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
-    visit("nu", self.nu, {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
-    visit("nu_factor", self.nu_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
-    visit("nu_substeps", self.nu_substeps, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to win; 1 is the paper's"});
-    visit("negligible_start_rise", self.negligible_start_rise, {.min = 0, .max = 10, .meaning = "a level begins with its last nu where that, in place of its first one, raises the energy of the map that it begins with, coverage aside, by less than this share; 0 asks for all steps"});
-    visit("negligible_rise", self.negligible_rise, {.min = 0, .max = 1, .meaning = "steps of nu between are left out where the last nu raises the energy by less than this share of it; 0 leaves out none"});
-    visit("intermediate_decrease", self.intermediate_decrease, {.min = 0, .max = 0.1, .meaning = "relative decrease at which the last minimisation of each level but the finest stops, instead of solver.stop.relative_decrease; 0 asks for the same of all"});
-    visit("substep_decrease", self.substep_decrease, {.min = 0, .max = 0.1, .meaning = "the same within a level, where the next nu, or pairs that are made anew, follow, if it is more; with methods other than Newton's a tenth of it"});
+    visit("min_level", self.min_level,
+          {.unit = "level",
+           .min = 1,
+           .max = 12,
+           .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
+    visit(
+        "max_level", self.max_level,
+        {.unit = "level",
+         .min = 1,
+         .max = finest_level,
+         .meaning =
+             "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
+    visit("nu", self.nu,
+          {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
+    visit("nu_factor", self.nu_factor,
+          {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on nu from one level to the next"});
+    visit("nu_substeps", self.nu_substeps,
+          {.unit = "minimisations",
+           .min = 1,
+           .max = 20,
+           .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to "
+                      "win; 1 is the paper's"});
+    visit("negligible_start_rise", self.negligible_start_rise,
+          {.min = 0,
+           .max = 10,
+           .meaning = "a level begins with its last nu where that, in place of its first one, raises the energy of the "
+                      "map that it begins with, coverage aside, by less than this share; 0 asks for all steps"});
+    visit("negligible_rise", self.negligible_rise,
+          {.min = 0,
+           .max = 1,
+           .meaning = "steps of nu between are left out where the last nu raises the energy by less than this share of "
+                      "it; 0 leaves out none"});
+    visit("intermediate_decrease", self.intermediate_decrease,
+          {.min = 0,
+           .max = 0.1,
+           .meaning = "relative decrease at which the last minimisation of each level but the finest stops, instead of "
+                      "solver.stop.relative_decrease; 0 asks for the same of all"});
+    visit("substep_decrease", self.substep_decrease,
+          {.min = 0,
+           .max = 0.1,
+           .meaning = "the same within a level, where the next nu, or pairs that are made anew, follow, if it is more; "
+                      "with methods other than Newton's a tenth of it"});
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
-    visit("volume_factor", self.volume_factor, {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
-    visit("sigma_cells", self.sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
-    visit("coarse_sigma_cells", self.coarse_sigma_cells, {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the limb's tip; surfaces with pairs have align.coarse_sigma_cells instead"});
-    visit("refine", self.refine, {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads of it besides the volume term, or where it meets either shape, as the paper; with coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
+    visit("volume_factor", self.volume_factor,
+          {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
+    visit("sigma_cells", self.sigma_cells,
+          {.unit = "finest cells", .min = 1, .max = 16, .meaning = "half width sigma of the band on the finest level"});
+    visit("coarse_sigma_cells", self.coarse_sigma_cells,
+          {.unit = "finest cells",
+           .min = 1,
+           .max = 16,
+           .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the "
+                      "limb's tip; surfaces with pairs have align.coarse_sigma_cells instead"});
+    visit(
+        "refine", self.refine,
+        {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads "
+                    "of it besides the volume term, or where it meets either shape, as the paper; with "
+                    "coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
   }
 };
 
@@ -128,8 +196,19 @@ struct StartOptions {
   int level = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("map", self.map, {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not fit the run begins as without, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
-    visit("level", self.level, {.unit = "level", .min = 0, .max = finest_level, .meaning = "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
+    visit(
+        "map", self.map,
+        {.meaning =
+             "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose "
+             "pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not "
+             "fit the run begins as without, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
+    visit(
+        "level", self.level,
+        {.unit = "level",
+         .min = 0,
+         .max = finest_level,
+         .meaning =
+             "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
   }
 };
 
@@ -139,8 +218,15 @@ struct ResumeOptions {
   double min_seconds = 10;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("enabled", self.enabled, {.meaning = "keep the last finished level (see min_seconds) in NAME.unfinished beside the output folder NAME, so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
-    visit("min_seconds", self.min_seconds, {.unit = "seconds", .min = 0, .meaning = "a finished level is kept, in the place of the one before, where so much time has passed since the run began or the last one that was kept: short runs leave no trace"});
+    visit(
+        "enabled", self.enabled,
+        {.meaning = "keep the last finished level (see min_seconds) in NAME.unfinished beside the output folder NAME, "
+                    "so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+    visit("min_seconds", self.min_seconds,
+          {.unit = "seconds",
+           .min = 0,
+           .meaning = "a finished level is kept, in the place of the one before, where so much time has passed since "
+                      "the run began or the last one that was kept: short runs leave no trace"});
   }
 };
 
@@ -163,7 +249,9 @@ struct ExperimentOptions {
   int threads = 0;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("profile", self.profile, {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
+    visit("profile", self.profile,
+          {.meaning =
+               "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
     visit("input", self.input, {.meaning = "the two shapes"});
     visit("start", self.start, {.meaning = "beginning with an earlier result"});
     visit("cascade", self.cascade, {.meaning = "coarse to fine"});
@@ -173,12 +261,22 @@ struct ExperimentOptions {
     visit("align", self.align, {.meaning = "pose and pairs of points, found before the cascade"});
     visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
-    visit("pictures", self.pictures, {.meaning = "which pictures are drawn: result, those of the end; all, one for each level, too; none"});
-    visit("report", self.report, {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network (docs/report.md)"});
-    visit("vertex_table", self.vertex_table, {.meaning = "of meshes write deformed.csv and template.csv, too: vertices and what is known at each, in the columns of deformed.ply and template.ply (docs/output.md); of contours they are always written"});
+    visit("pictures", self.pictures,
+          {.meaning = "which pictures are drawn: result, those of the end; all, one for each level, too; none"});
+    visit("report", self.report,
+          {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network "
+                      "(docs/report.md)"});
+    visit(
+        "vertex_table", self.vertex_table,
+        {.meaning = "of meshes write deformed.csv and template.csv, too: vertices and what is known at each, in the "
+                    "columns of deformed.ply and template.ply (docs/output.md); of contours they are always written"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
-    visit("threads", self.threads, {.unit = "threads", .min = 0, .max = 1024, .meaning = "0 uses all of the machine; the result does not depend on it"});
+    visit("threads", self.threads,
+          {.unit = "threads",
+           .min = 0,
+           .max = 1024,
+           .meaning = "0 uses all of the machine; the result does not depend on it"});
   }
 };
 
@@ -188,8 +286,8 @@ inline bool refines_at_template(const ExperimentOptions& options) {
          options.coefficients.interpolation == FieldInterpolation::multilinear;
 }
 
-/// Whether coverage acts on a level: on the finest ones, but not on cascade.min_level, whose minimisation begins with the identity. Its
-/// closest points are no correspondences yet.
+/// Whether coverage acts on a level: on the finest ones, but not on cascade.min_level, whose minimisation begins with
+/// the identity. Its closest points are no correspondences yet.
 inline bool covers(const ExperimentOptions& options, int level) {
   return level > std::max(options.cascade.min_level, options.cascade.max_level - options.coverage.levels);
 }

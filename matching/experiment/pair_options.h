@@ -14,8 +14,8 @@ namespace shellmatch {
 enum class UnpairedLandmarks { are_refused, are_left_out };
 template <>
 struct EnumNames<UnpairedLandmarks> {
-  static constexpr std::pair<UnpairedLandmarks, std::string_view> names[] = {{UnpairedLandmarks::are_refused, "refuse"},
-                                                                             {UnpairedLandmarks::are_left_out, "leave-out"}};
+  static constexpr std::pair<UnpairedLandmarks, std::string_view> names[] = {
+      {UnpairedLandmarks::are_refused, "refuse"}, {UnpairedLandmarks::are_left_out, "leave-out"}};
 };
 
 /// Points that the user knows to correspond.
@@ -28,13 +28,31 @@ struct LandmarkOptions {
   UnpairedLandmarks unpaired = UnpairedLandmarks::are_refused;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("file", self.file, {.meaning = "CSV file of points of both shapes, or CSV, .fcsv, .mrk.json or .tps of those of the reference alone; relative to the YAML file (docs/landmarks.md)"});
-    visit("template_file", self.template_file, {.meaning = "CSV, .fcsv or .mrk.json file of the points of the template, which have their names from `file`; empty: `file` holds both"});
-    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on all landmarks together, which weigh the reference's area (length) over nu at min_level, on all levels"});
-    visit("loss", self.loss, {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so that wrong landmarks do little harm"});
-    visit("scale", self.scale, {.unit = "diagonal of the template", .min = 0, .min_excluded = true, .meaning = "distance from which on a landmark counts less, for the losses huber and cauchy"});
-    visit("max_distance", self.max_distance, {.unit = "diagonal of the template", .min = 0, .meaning = "a landmark that lies farther from its own shape is refused"});
-    visit("unpaired", self.unpaired, {.meaning = "a name that one of two files lacks: refuse, as it may be misspelt, or leave-out"});
+    visit("file", self.file,
+          {.meaning = "CSV file of points of both shapes, or CSV, .fcsv, .mrk.json or .tps of those of the reference "
+                      "alone; relative to the YAML file (docs/landmarks.md)"});
+    visit("template_file", self.template_file,
+          {.meaning = "CSV, .fcsv or .mrk.json file of the points of the template, which have their names from `file`; "
+                      "empty: `file` holds both"});
+    visit("weight", self.weight,
+          {.min = 0,
+           .min_excluded = true,
+           .meaning = "factor on all landmarks together, which weigh the reference's area (length) over nu at "
+                      "min_level, on all levels"});
+    visit("loss", self.loss,
+          {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so "
+                      "that wrong landmarks do little harm"});
+    visit("scale", self.scale,
+          {.unit = "diagonal of the template",
+           .min = 0,
+           .min_excluded = true,
+           .meaning = "distance from which on a landmark counts less, for the losses huber and cauchy"});
+    visit("max_distance", self.max_distance,
+          {.unit = "diagonal of the template",
+           .min = 0,
+           .meaning = "a landmark that lies farther from its own shape is refused"});
+    visit("unpaired", self.unpaired,
+          {.meaning = "a name that one of two files lacks: refuse, as it may be misspelt, or leave-out"});
   }
 };
 
@@ -50,14 +68,47 @@ struct CoverageOptions {
   int rounds = 1;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("levels", self.levels, {.unit = "levels", .min = 0, .max = finest_level, .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper. Never on cascade.min_level, which begins with the identity"});
-    visit("weight", self.weight, {.min = 0, .min_excluded = true, .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
-    visit("loss_scale", self.loss_scale, {.unit = "sides of the finest cells", .min = 0, .min_excluded = true, .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
-    visit("point_distance", self.point_distance, {.unit = "sides of the finest cells", .min = 0, .meaning = "a sample of the template that is farther from the deformed reference pulls it towards itself, a nearer one along its normal only"});
-    visit("tolerance", self.tolerance, {.unit = "diagonal of the template", .min = 0, .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
-    visit("coarse_tolerance", self.coarse_tolerance, {.unit = "sides of the finest cells", .min = 0, .meaning = "on levels before the last a pair that is so close does not pull, either: coverage is there for parts that are not reached, and would hold the others where they lie"});
-    visit("samples", self.samples, {.unit = "points", .min = 10, .max = 1000000, .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that are large against cells and samples"});
-    visit("rounds", self.rounds, {.unit = "minimisations", .min = 1, .max = 20, .meaning = "minimisations for each nu; before each the closest points are found anew"});
+    visit("levels", self.levels,
+          {.unit = "levels",
+           .min = 0,
+           .max = finest_level,
+           .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper. Never on "
+                      "cascade.min_level, which begins with the identity"});
+    visit("weight", self.weight,
+          {.min = 0,
+           .min_excluded = true,
+           .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
+    visit(
+        "loss_scale", self.loss_scale,
+        {.unit = "sides of the finest cells",
+         .min = 0,
+         .min_excluded = true,
+         .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
+    visit("point_distance", self.point_distance,
+          {.unit = "sides of the finest cells",
+           .min = 0,
+           .meaning = "a sample of the template that is farther from the deformed reference pulls it towards itself, a "
+                      "nearer one along its normal only"});
+    visit("tolerance", self.tolerance,
+          {.unit = "diagonal of the template",
+           .min = 0,
+           .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
+    visit("coarse_tolerance", self.coarse_tolerance,
+          {.unit = "sides of the finest cells",
+           .min = 0,
+           .meaning = "on levels before the last a pair that is so close does not pull, either: coverage is there for "
+                      "parts that are not reached, and would hold the others where they lie"});
+    visit("samples", self.samples,
+          {.unit = "points",
+           .min = 10,
+           .max = 1000000,
+           .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that "
+                      "are large against cells and samples"});
+    visit("rounds", self.rounds,
+          {.unit = "minimisations",
+           .min = 1,
+           .max = 20,
+           .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }
 };
 

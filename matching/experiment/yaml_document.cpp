@@ -30,8 +30,7 @@ std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node&
   std::vector<OptionScalar> values;
   if (!option.is_list) return {scalar(value)};
   if (value.IsScalar() && option.kind == OptionKind::text) return {scalar(value)};  // a scalar is a list of one text
-  if (!value.IsSequence())
-    throw_input_error("{}: a list is missing; expected {}", where, allowed_text(option));
+  if (!value.IsSequence()) throw_input_error("{}: a list is missing; expected {}", where, allowed_text(option));
   for (const YAML::Node& element : value) values.push_back(scalar(element));
   return values;
 }
@@ -40,8 +39,7 @@ std::vector<OptionScalar> parse_node(const OptionNode& option, const YAML::Node&
 YamlValue copy_of(const YAML::Node& node, const std::string& name, int& budget, int depth = 0) {
   YamlValue value;
   value.line = node.Mark().line + 1;
-  if (--budget < 0 || depth > 50)
-    throw_input_error("{}:{}: the document unfolds to too many values", name, value.line);
+  if (--budget < 0 || depth > 50) throw_input_error("{}:{}: the document unfolds to too many values", name, value.line);
   if (const std::string& tag = node.Tag(); !tag.empty() && tag != "?" && tag != "!")
     throw_input_error("{}:{}: the tag {} is not allowed", name, value.line, tag);
   if (node.IsScalar()) {
@@ -103,7 +101,8 @@ struct YamlDocument::Content {
   std::vector<std::string> mistakes;  // of the entries filled so far
 
   void fill_section(const YAML::Node& map, const OptionNode& root, const OptionNode& section);
-  void fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root, const OptionNode& section);
+  void fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root,
+                  const OptionNode& section);
   void fill_levels(const YAML::Node& map, const OptionNode& section, const OptionNode& option);
   void fill_settings(const YAML::Node& map, const OptionNode& section, const std::string& entry_path,
                      const std::string& prefix, LevelOverrides::Entry& entry);
@@ -125,7 +124,8 @@ void YamlDocument::Content::fill_levels(const YAML::Node& map, const OptionNode&
     if (!entry.first.IsScalar()) throw_input_error("{}: a key must be a range of levels, as 3-5", where);
     const std::string path = option.path + "." + entry.first.Scalar();
     note_line(path, line);
-    LevelOverrides::Entry& levels = option.level_overrides->at(entry.first.Scalar(), fmt::format("{}:{}: {}", name, line, option.path));
+    LevelOverrides::Entry& levels =
+        option.level_overrides->at(entry.first.Scalar(), fmt::format("{}:{}: {}", name, line, option.path));
     if (!entry.second.IsMap())
       throw_input_error("{}: expected options of {}, as {{name: lbfgs}}", place(path), section.path);
     fill_settings(entry.second, section, path, "", levels);
@@ -162,7 +162,8 @@ void YamlDocument::Content::fill_section(const YAML::Node& map, const OptionNode
   }
 }
 
-void YamlDocument::Content::fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root, const OptionNode& section) {
+void YamlDocument::Content::fill_entry(const YAML::Node& key_node, const YAML::Node& value, const OptionNode& root,
+                                       const OptionNode& section) {
   const int line = key_node.Mark().line + 1;
   if (!key_node.IsScalar())
     throw_input_error("{}:{}: {}: a key must be a word", name, line,

@@ -23,9 +23,9 @@ struct YamlValue {
 
   enum class Kind { nothing, scalar, list, map };
   Kind kind = Kind::nothing;
-  std::string text;     ///< text of a scalar
-  bool quoted = false;  ///< whether the scalar was quoted
-  int line = 0;         ///< counted from 1
+  std::string text;                                        ///< text of a scalar
+  bool quoted = false;                                     ///< whether the scalar was quoted
+  int line = 0;                                            ///< counted from 1
   std::vector<YamlValue> items;                            ///< items of a list
   std::vector<std::pair<std::string, YamlValue>> entries;  ///< entries of a map in their order, with distinct keys
 
@@ -48,8 +48,8 @@ class YamlDocument {
   /// Sets the one top-level option `key` if the document has it, and checks nothing else.
   void fill_one(const OptionNode& root, const std::string& key);
 
-  /// Sets every option that the document has. \throws InputError for unknown or repeated keys, missing values, wrong types and
-  /// values out of range: a line for each, up to ten
+  /// Sets every option that the document has. \throws InputError for unknown or repeated keys, missing values, wrong
+  /// types and values out of range: a line for each, up to ten
   void fill(const OptionNode& root);
 
   /// The whole document. \throws InputError for repeated keys, keys that are no scalars, and tags

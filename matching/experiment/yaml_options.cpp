@@ -56,8 +56,8 @@ void apply(const OptionNode& root, const Override& change) {
 
 // The options that are names of files.
 std::array<std::string*, 6> paths_of(ExperimentOptions& options) {
-  return {&options.input.reference, &options.input.template_file, &options.input.correspondence, &options.landmarks.file,
-          &options.landmarks.template_file, &options.start.map};
+  return {&options.input.reference, &options.input.template_file,     &options.input.correspondence,
+          &options.landmarks.file,  &options.landmarks.template_file, &options.start.map};
 }
 
 std::string beside(const std::string& file, const std::string& shape) {
@@ -92,9 +92,11 @@ std::optional<Conflict> find_conflict(const ExperimentOptions& options) {
   if (options.start.level != 0 && options.start.map.empty())
     return Conflict{"start.level", "is the level that a map of an earlier run begins at, and start.map names none"};
   if (const int level = options.start.level; level != 0 && (level < cascade.min_level || level > cascade.max_level))
-    return Conflict{"start.level", fmt::format("{} is not from cascade.min_level = {} to cascade.max_level = {}", level, cascade.min_level, cascade.max_level)};
+    return Conflict{"start.level", fmt::format("{} is not from cascade.min_level = {} to cascade.max_level = {}", level,
+                                               cascade.min_level, cascade.max_level)};
   if (options.energy.terms.factor("match"_term) == 0 && options.landmarks.file.empty())
-    return Conflict{"energy.match_weight", "0 leaves nothing that moves the reference; expected a number > 0, or landmarks"};
+    return Conflict{"energy.match_weight",
+                    "0 leaves nothing that moves the reference; expected a number > 0, or landmarks"};
   if (auto conflict = solver_conflict(options.solver, "solver")) return conflict;
   for (const LevelOverrides::Entry& e : options.solver.levels.entries)
     if (auto conflict = solver_conflict(solver_at_level(options.solver, e.first), "solver.levels." + e.key()))

@@ -27,9 +27,13 @@ struct DocumentStart final : YAML::EventHandler {
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnAlias(const YAML::Mark& at, YAML::anchor_t) override { begin(at); }
   void OnScalar(const YAML::Mark& at, const std::string&, YAML::anchor_t, const std::string&) override { begin(at); }
-  void OnSequenceStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { begin(at); }
+  void OnSequenceStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    begin(at);
+  }
   void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override { begin(at); }
+  void OnMapStart(const YAML::Mark& at, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    begin(at);
+  }
   void OnMapEnd() override {}
   void begin(const YAML::Mark& at) {
     if (!value) value = at;
@@ -59,8 +63,7 @@ std::string line_of(const std::string& text, int number) {
 std::string read_yaml_file(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw_input_error("{}: no such file", path);
-  if (std::filesystem::is_directory(path, error))
-    throw_input_error("{}: is a folder; expected a YAML file", path);
+  if (std::filesystem::is_directory(path, error)) throw_input_error("{}: is a folder; expected a YAML file", path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw_input_error("{}: cannot be opened: {}", path, std::strerror(errno));
   std::string text(max_bytes + 1, '\0');
@@ -89,12 +92,12 @@ YAML::Node parse_yaml_map(const std::string& text, const std::string& name) {
     if (line_of(text, second->mark.line).starts_with("---"))
       throw_input_error("{}:{}: a second YAML document begins; expected one per file", name,
                         second->value.value_or(second->mark).line + 1);
-    throw_input_error("{}:{}: the options end before column {}, and something follows; remove it", name, second->mark.line + 1,
-                      second->mark.column + 1);
+    throw_input_error("{}:{}: the options end before column {}, and something follows; remove it", name,
+                      second->mark.line + 1, second->mark.column + 1);
   }
   if (!document.IsMap())
-    throw_input_error("{}:{}: expected a map of options, as 'key: value', but found {}", name,
-                      document.Mark().line + 1, document.IsSequence() ? "a list" : "a single value");
+    throw_input_error("{}:{}: expected a map of options, as 'key: value', but found {}", name, document.Mark().line + 1,
+                      document.IsSequence() ? "a list" : "a single value");
   return document;
 }
 

@@ -18,7 +18,8 @@ std::string limits_text(const OptionNode& option) {
 }
 
 std::string any_value_text(const OptionNode& section, const OptionNode& option) {
-  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides) : value_text(option);
+  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides)
+                                           : value_text(option);
 }
 
 void write_section(std::string& text, const OptionNode& section, int depth, bool with_comments) {
@@ -56,9 +57,9 @@ void write_table(std::string& text, const OptionNode& section) {
       continue;
     }
     const bool number = option.kind == OptionKind::integer || option.kind == OptionKind::real;
-    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)), any_value_text(section, option),
-                        number ? cell(range_text(option.info)) : "", cell(option.info.unit),
-                        cell(option.info.meaning));
+    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)),
+                        any_value_text(section, option), number ? cell(range_text(option.info)) : "",
+                        cell(option.info.unit), cell(option.info.meaning));
   }
 }
 

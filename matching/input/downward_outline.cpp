@@ -73,9 +73,11 @@ std::string turn_downward_outline(Shape<2>& outline, const Shape<2>& picture, do
   std::string unit = std::move(outline.unit);
   outline = make_shape(std::move(outline.original), outline.source, std::move(outline.notes));
   outline.unit = std::move(unit);
-  return fmt::format("{}: fits {} as it lies with y downward ({:.0f} % in common, {:.0f} % {}): used as y = {:g} - y, the frame of pictures, with its "
-                     "landmarks; give points that `apply` is to move in that frame (docs/pictures.md)",
-                     outline.source, picture.source, 100 * downward, 100 * upward, is_turned ? "otherwise" : "with y upward", height);
+  return fmt::format(
+      "{}: fits {} as it lies with y downward ({:.0f} % in common, {:.0f} % {}): used as y = {:g} - y, the frame of "
+      "pictures, with its "
+      "landmarks; give points that `apply` is to move in that frame (docs/pictures.md)",
+      outline.source, picture.source, 100 * downward, 100 * upward, is_turned ? "otherwise" : "with y upward", height);
 }
 
 }  // namespace shellmatch

@@ -23,8 +23,10 @@ bool ShapeInput::is_volume() const {
 }
 
 AnyShape open_shape(ShapeInput input, Closing closing, Space space) {
-  if (auto* outline = std::get_if<OriginalShape<2>>(&input.contents)) return make_shape(std::move(*outline), input.name);
-  if (auto* mesh = std::get_if<OriginalShape<3>>(&input.contents)) return make_shape(std::move(*mesh), input.name, {}, closing);
+  if (auto* outline = std::get_if<OriginalShape<2>>(&input.contents))
+    return make_shape(std::move(*outline), input.name);
+  if (auto* mesh = std::get_if<OriginalShape<3>>(&input.contents))
+    return make_shape(std::move(*mesh), input.name, {}, closing);
   if (auto* part = std::get_if<VolumePart>(&input.contents)) return volume_shape(std::move(*part), input.name, space);
   return open_shape(input.name, closing, space);
 }

@@ -20,7 +20,8 @@ AnyShape open_shape(const std::string& source, Closing closing = Closing::never,
 /// A shape as a program hands it over: the name of a source, or what a file would hold, under a name for messages.
 struct ShapeInput {
   std::string name;
-  std::variant<std::monostate, OriginalShape<2>, OriginalShape<3>, VolumePart> contents = {};  ///< none: what `name` names is opened
+  std::variant<std::monostate, OriginalShape<2>, OriginalShape<3>, VolumePart> contents =
+      {};  ///< none: what `name` names is opened
 
   /// Whether the frame of its coordinates is chosen where it is opened.
   bool is_volume() const;
@@ -29,8 +30,8 @@ struct ShapeInput {
 /// The same of such an input. \throws InputError
 AnyShape open_shape(ShapeInput input, Closing closing = Closing::never, Space space = default_space);
 
-/// The files that `source` names, without what is chosen of a volume; of a volume whose values lie in a file of their own also that one.
-/// \throws InputError where a volume's header cannot be read
+/// The files that `source` names, without what is chosen of a volume; of a volume whose values lie in a file of their
+/// own also that one. \throws InputError where a volume's header cannot be read
 std::vector<std::string> files_of_shape(const std::string& source);
 
 }  // namespace shellmatch

@@ -58,16 +58,17 @@ Json json_of(const T& value) {
   }
 }
 
-/// Sets a value from JSON; null becomes NaN. \throws Json::exception for a missing key, a value of another type or an integer
-/// that is out of its type's range
+/// Sets a value from JSON; null becomes NaN. \throws Json::exception for a missing key, a value of another type or an
+/// integer that is out of its type's range
 template <class T>
 void set_from_json(const Json& json, T& value) {
   if constexpr (std::is_same_v<T, double>) {
     value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
   } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
     // The library would cast any number, also one that no integer of the type can have.
-    const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
-                                                : json.is_number_integer() && std::in_range<T>(json.get<std::int64_t>());
+    const bool fits = json.is_number_unsigned()
+                          ? std::in_range<T>(json.get<std::uint64_t>())
+                          : json.is_number_integer() && std::in_range<T>(json.get<std::int64_t>());
     if (!fits) throw Json::out_of_range::create(406, "an integer is missing or out of range", &json);
     value = json.get<T>();
   } else if constexpr (json_detail::Plain<T>) {

@@ -11,8 +11,9 @@ namespace shellmatch {
 
 namespace {
 
-// Builds the document and keeps its limits: objects keep their keys in a list, which is searched for each of them, and writing goes down by
-// calls of itself. The library's own filter of events asks at the end of each entry about all entries of the list around it.
+// Builds the document and keeps its limits: objects keep their keys in a list, which is searched for each of them, and
+// writing goes down by calls of itself. The library's own filter of events asks at the end of each entry about all
+// entries of the list around it.
 class LimitedBuilder : public nlohmann::detail::json_sax_dom_parser<Json> {
  public:
   using Base = nlohmann::detail::json_sax_dom_parser<Json>;

@@ -11,7 +11,8 @@ namespace shellmatch {
 template <int Dim>
 std::vector<Vec<Dim>> sampled_map(const Deformation<Dim>& map, const Octree<Dim>& grid) {
   std::vector<Vec<Dim>> phi(static_cast<std::size_t>(grid.n_nodes()));
-  parallel_for(phi.size(), [&](std::size_t i) { phi[i] = map.apply_in_unit_domain(grid.node_position(static_cast<Index>(i))); });
+  parallel_for(phi.size(),
+               [&](std::size_t i) { phi[i] = map.apply_in_unit_domain(grid.node_position(static_cast<Index>(i))); });
   distribute(grid, phi);
   return phi;
 }
@@ -19,7 +20,8 @@ std::vector<Vec<Dim>> sampled_map(const Deformation<Dim>& map, const Octree<Dim>
 template <int Dim>
 Surface<Dim> deformed_surface(const Surface<Dim>& surface, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi) {
   Surface<Dim> deformed = surface;
-  parallel_for(deformed.vertices.size(), [&](std::size_t i) { deformed.vertices[i] = evaluate(grid, phi, surface.vertices[i]); });
+  parallel_for(deformed.vertices.size(),
+               [&](std::size_t i) { deformed.vertices[i] = evaluate(grid, phi, surface.vertices[i]); });
   return deformed;
 }
 

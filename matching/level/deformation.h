@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The result of a matching: a volumetric map phi on its grid, the similarity between the user's coordinates and the unit
-/// domain, and the pose that was taken out before.
+/// The result of a matching: a volumetric map phi on its grid, the similarity between the user's coordinates and the
+/// unit domain, and the pose that was taken out before.
 
 #include "geometry/surface/placement.h"
 #include "geometry/surface/space.h"
@@ -18,16 +18,16 @@ namespace shellmatch {
 template <int Dim>
 struct MapFrame {
   Similarity<Dim> placement = {};
-  Similarity<Dim> pose = {};     ///< moves points before anything else; user's coordinates
-  /// The matching was solved backward: phi carries the template onto the reference, and its inverse is the map of the reference
-  /// (PointMap).
+  Similarity<Dim> pose = {};  ///< moves points before anything else; user's coordinates
+  /// The matching was solved backward: phi carries the template onto the reference, and its inverse is the map of the
+  /// reference (PointMap).
   bool is_backward = false;
   Space space = Space::unsaid;  ///< the frame of the user's coordinates, where the shapes named it
 
   Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
 
-  /// A point of the template moved by the inverse of the pose of the reference onto the template: from where the template lies
-  /// to where the reference does.
+  /// A point of the template moved by the inverse of the pose of the reference onto the template: from where the
+  /// template lies to where the reference does.
   Vec<Dim> to_reference_pose(const Vec<Dim>& y) const { return is_backward ? pose(y) : pose.inverse(y); }
   Vec<Dim> from_reference_pose(const Vec<Dim>& y) const { return is_backward ? pose.inverse(y) : pose(y); }
 };
@@ -38,10 +38,12 @@ struct Deformation : MapFrame<Dim> {
   std::vector<Vec<Dim>> phi;  ///< deformed positions of all nodes, hanging nodes included; unit domain
 
   /// The image of a point under phi, both in the user's coordinates.
-  Vec<Dim> apply(const Vec<Dim>& x) const { return this->placement.inverse(apply_in_unit_domain(this->to_unit_domain(x))); }
+  Vec<Dim> apply(const Vec<Dim>& x) const {
+    return this->placement.inverse(apply_in_unit_domain(this->to_unit_domain(x)));
+  }
 
-  /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point of
-  /// the domain.
+  /// The same in coordinates of the unit domain: phi(x). A point outside it gets the displacement of the nearest point
+  /// of the domain.
   Vec<Dim> apply_in_unit_domain(const Vec<Dim>& x) const;
 
   /// The derivative of apply_in_unit_domain(): Dphi, on a face between cells its limit from inside one of them.

@@ -9,8 +9,7 @@
 namespace shellmatch {
 
 template <int Dim>
-void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<Dim>& shape,
-                                 DistanceMethod method) {
+void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<Dim>& shape, DistanceMethod method) {
   if (method == DistanceMethod::fast_marching) {
     values_ = march_distance<Dim>(grid, std::cref(shape));
     return;
@@ -19,7 +18,8 @@ void NodalDistance<Dim>::compute(const Octree<Dim>& grid, const SignedDistance<D
   values_.resize(static_cast<std::size_t>(grid.n_nodes()));
   parallel_chunks(values_.size() - known, 256, [&](const Chunk& chunk) {
     std::vector<Vec<Dim>> nodes;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) nodes.push_back(grid.node_position(static_cast<Index>(known + i)));
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+      nodes.push_back(grid.node_position(static_cast<Index>(known + i)));
     shape(nodes, std::span(values_).subspan(known + chunk.begin, nodes.size()));
   });
 }

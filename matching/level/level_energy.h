@@ -33,7 +33,7 @@ struct LevelEnergy {
   std::shared_ptr<EnergyTerms<Dim>> terms;
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
-  std::optional<Term> coverage;      ///< its pairs are remade as phi moves; present where the constructor was asked for it
+  std::optional<Term> coverage;  ///< its pairs are remade as phi moves; present where the constructor was asked for it
 
   /// \param pairs terms of their own, on all levels
   /// \param with_coverage adds the term of coverage, without pairs until refresh() gives it some
@@ -47,11 +47,12 @@ struct LevelEnergy {
         energy(unknowns, geometry, terms, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns) {
     for (const PairSet<Dim>& set : pairs)
-      terms->add(set.name, PairTerm<Dim>(g, set.pairs), [weight = set.factor / options.cascade.nu](const TermScales&) { return weight; });
+      terms->add(set.name, PairTerm<Dim>(g, set.pairs),
+                 [weight = set.factor / options.cascade.nu](const TermScales&) { return weight; });
     if (with_coverage)
-      coverage = terms->add("coverage", PairTerm<Dim>(), [factor = is_covered(options) ? options.coverage.weight : 0](const TermScales& s) {
-        return factor / s.nu;
-      });
+      coverage = terms->add(
+          "coverage", PairTerm<Dim>(),
+          [factor = is_covered(options) ? options.coverage.weight : 0](const TermScales& s) { return factor / s.nu; });
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;

@@ -21,9 +21,8 @@ std::vector<ElementDamping> as_elements(std::span<const RegionDamping> regions) 
 
 template <int Dim>
 LevelProblem<Dim>::LevelProblem(const Unknowns<Dim>& unknowns, const MatchingEnergy<Dim>& energy,
-                                EnergyHessian<Dim>& hessian, const TermValues& weights,
-                                std::span<const double> mass, std::vector<Vec<Dim>> phi,
-                                std::function<Eigen::SparseMatrix<double>(Metric)> metric)
+                                EnergyHessian<Dim>& hessian, const TermValues& weights, std::span<const double> mass,
+                                std::vector<Vec<Dim>> phi, std::function<Eigen::SparseMatrix<double>(Metric)> metric)
     : unknowns_(&unknowns),
       energy_(&energy),
       hessian_(hessian),
@@ -81,10 +80,12 @@ std::string LevelProblem<Dim>::what_of_model_is_not_finite(std::span<const doubl
 }
 
 template <int Dim>
-std::vector<RegionDamping> LevelProblem<Dim>::regions_beyond_model(std::span<const double> x, std::span<const double> d) {
+std::vector<RegionDamping> LevelProblem<Dim>::regions_beyond_model(std::span<const double> x,
+                                                                   std::span<const double> d) {
   unknowns_->expand(x, phi_);
   std::vector<RegionDamping> regions;
-  for (const ElementDamping& one : hessian_.elements_beyond_margin(phi_, d)) regions.push_back({one.element, one.factor});
+  for (const ElementDamping& one : hessian_.elements_beyond_margin(phi_, d))
+    regions.push_back({one.element, one.factor});
   return regions;
 }
 

@@ -25,8 +25,8 @@ class LevelProblem final : public SecondOrderObjective {
 
   std::size_t size() const override { return unknowns_->size(); }
   bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override;
-  /// Evaluates value and gradient, which the next call of evaluate() returns if its x is the same. False as there; then term_values()
-  /// are not defined.
+  /// Evaluates value and gradient, which the next call of evaluate() returns if its x is the same. False as there; then
+  /// term_values() are not defined.
   bool evaluate_ahead(std::span<const double> x);
   std::vector<std::string> term_names() const override;
   std::vector<double> term_values() const override { return {values_.begin(), values_.end()}; }

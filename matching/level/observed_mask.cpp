@@ -35,7 +35,8 @@ double ObservedMask<Dim>::weight(const Vec<Dim>& x, const Vec<Dim>& y) const {
 }
 
 template <int Dim>
-std::optional<double> ObservedMask<Dim>::constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const {
+std::optional<double> ObservedMask<Dim>::constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y,
+                                                  double y_radius) const {
   const Side of_reference = side_of_ball(parts_.reference, x, x_radius, width_);
   if (of_reference == Side::without_data) return 0;
   const Side of_template = side_of_ball(parts_.template_shape, y, y_radius, width_);

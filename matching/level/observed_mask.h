@@ -16,7 +16,9 @@ struct ObservedPair {
 
   bool is_all() const { return reference.is_all() && template_shape.is_all(); }
   /// Do both shapes have data, the one at x and the other at y?
-  bool contains(const Vec<Dim>& x, const Vec<Dim>& y) const { return reference.contains(x) && template_shape.contains(y); }
+  bool contains(const Vec<Dim>& x, const Vec<Dim>& y) const {
+    return reference.contains(x) && template_shape.contains(y);
+  }
 };
 
 /// Of shapes whose surfaces and evidence lie in the unit domain; the first is the one that phi deforms.
@@ -35,7 +37,8 @@ ObservedPair<Dim> exchanged(const ObservedPair<Dim>& pair) {
 template <int Dim>
 class ObservedMask final : public BandMask<Dim> {
  public:
-  /// \param width > 0; unit domain. Half of the band's, within which coefficients are fitted to data and gap alike: half of that and twice as
+  /// \param width > 0; unit domain. Half of the band's, within which coefficients are fitted to data and gap alike:
+  /// half of that and twice as
   ///   much made errors larger on five pairs of which a third had been cut away
   ObservedMask(ObservedPair<Dim> parts, double width) : parts_(std::move(parts)), width_(width) {}
   double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override;

@@ -76,8 +76,7 @@ double ShapeFields<Dim>::n_new_field_nodes(const Octree<Dim>& grid) const {
 template <int Dim>
 CoefficientPair<Dim> ShapeFields<Dim>::coefficients(const GridPair<Dim>& grids,
                                                     std::array<NodalGeometry<Dim>, 2> geometry) const {
-  const auto compute =
-      reads_shape_operators(options_->energy) ? shape_operator_pair<Dim> : coefficient_pair<Dim>;
+  const auto compute = reads_shape_operators(options_->energy) ? shape_operator_pair<Dim> : coefficient_pair<Dim>;
   return compute(grids, std::move(geometry), options_->coefficients);
 }
 
@@ -85,10 +84,9 @@ template <int Dim>
 GeometryPair<Dim> ShapeFields<Dim>::geometry(const Octree<Dim>& grid) {
   if (!is_smooth()) {
     const auto nodal = coefficients(
-        {&grid, &grid}, nodal_geometry<Dim>(grid,
-                                            {conforming(grid, on_grid_[0].values()),
-                                             conforming(grid, on_grid_[1].values())},
-                                            options_->coefficients));
+        {&grid, &grid},
+        nodal_geometry<Dim>(grid, {conforming(grid, on_grid_[0].values()), conforming(grid, on_grid_[1].values())},
+                            options_->coefficients));
     return multilinear_geometry(grid, nodal.reference, nodal.target, *options_);
   }
   if (!smooth_) smooth_ = smooth_geometry();
@@ -130,8 +128,7 @@ void ShapeFields<Dim>::refine(Octree<Dim>& grid) {
 
 template <int Dim>
 GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
-                                       const CoefficientFields<Dim>& target,
-                                       const ExperimentOptions& options) {
+                                       const CoefficientFields<Dim>& target, const ExperimentOptions& options) {
   return {{grid, reference.distance, reference.normal, reference.root},
           {grid, target.distance, target.normal, target.root},
           takes_inverse_root(options)};
@@ -171,12 +168,11 @@ std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid) {
   return phi;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                       \
-  template class ShapeFields<Dim>;                                                                        \
-  template GeometryPair<Dim> multilinear_geometry<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, \
-                                                       const CoefficientFields<Dim>&,                     \
-                                                       const ExperimentOptions&);                         \
-  template CoefficientFields<Dim> at_nodes<Dim>(const GeometryField<Dim>&, const Octree<Dim>&);           \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
+  template class ShapeFields<Dim>;                                                                               \
+  template GeometryPair<Dim> multilinear_geometry<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&,        \
+                                                       const CoefficientFields<Dim>&, const ExperimentOptions&); \
+  template CoefficientFields<Dim> at_nodes<Dim>(const GeometryField<Dim>&, const Octree<Dim>&);                  \
   template std::vector<Vec<Dim>> identity_map<Dim>(const Octree<Dim>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -47,18 +47,17 @@ class ShapeFields {
 
   std::array<const SignedDistance<Dim>*, 2> shapes_;
   const ExperimentOptions* options_;
-  std::array<NodalDistance<Dim>, 2> on_grid_;         ///< at the nodes of phi's grid
+  std::array<NodalDistance<Dim>, 2> on_grid_;  ///< at the nodes of phi's grid
   /// The shapes' own grids, for smooth fields; released once the fields of the finest level have been made.
   std::array<std::optional<FieldGrid<Dim>>, 2> own_;
-  std::optional<GeometryPair<Dim>> smooth_;           ///< of the present state of the shapes' own grids
-  std::vector<double> n_field_nodes_{0};  ///< of the states of the own grids, from coarse to fine
+  std::optional<GeometryPair<Dim>> smooth_;  ///< of the present state of the shapes' own grids
+  std::vector<double> n_field_nodes_{0};     ///< of the states of the own grids, from coarse to fine
 };
 
 /// Multilinear geometry on one grid, from the fields at its nodes.
 template <int Dim>
 GeometryPair<Dim> multilinear_geometry(const Octree<Dim>& grid, const CoefficientFields<Dim>& reference,
-                                       const CoefficientFields<Dim>& target,
-                                       const ExperimentOptions& options);
+                                       const CoefficientFields<Dim>& target, const ExperimentOptions& options);
 
 /// The values of a field at the nodes of a grid.
 template <int Dim>

@@ -21,17 +21,22 @@ constexpr std::uint8_t vtk_pixel = 8, vtk_voxel = 11;
 std::string file_in(const std::string& path) {
   std::error_code error;  // as of a name that is too long: the file cannot be opened then
   return std::filesystem::is_directory(path, error) ? (std::filesystem::path(path) / deformation_file_name).string()
-                                             : path;
+                                                    : path;
 }
 
 // The bytes of a file that is whole.
 std::string checked_bytes(const std::string& path) {
   const FileChecksum checksum = verify_checksum(path);
   if (checksum == FileChecksum::earlier)
-    throw_input_error("{}: written by an earlier version of this program, whose checksums this one does not verify; match the shapes again", path);
+    throw_input_error(
+        "{}: written by an earlier version of this program, whose checksums this one does not verify; match the shapes "
+        "again",
+        path);
   if (checksum != FileChecksum::matches)
-    throw_input_error("{}: damaged, cut off, or no deformation that this program wrote (the checksum at its end is missing or "
-                      "wrong); give the deformation.vtu of an output folder, or the folder", path);
+    throw_input_error(
+        "{}: damaged, cut off, or no deformation that this program wrote (the checksum at its end is missing or "
+        "wrong); give the deformation.vtu of an output folder, or the folder",
+        path);
   return InputFile(path).read();
 }
 
@@ -52,7 +57,8 @@ std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<dou
   const auto corners = file.values<std::int64_t>("Cells", "connectivity", 1, n * n_corners<Dim>);
   std::vector<LeafPlace<Dim>> places(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (types[i] != (Dim == 2 ? vtk_pixel : vtk_voxel) || ends[i] != static_cast<std::int64_t>((i + 1) * n_corners<Dim>))
+    if (types[i] != (Dim == 2 ? vtk_pixel : vtk_voxel) ||
+        ends[i] != static_cast<std::int64_t>((i + 1) * n_corners<Dim>))
       file.damaged("a cell is neither a square nor a cube");
     for (std::size_t c = 0; c < n_corners<Dim>; ++c)
       if (const std::int64_t point = corners[i * n_corners<Dim> + c]; point < 0 || point >= file.n_points())
@@ -61,7 +67,8 @@ std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<dou
     place.level = levels[i];
     if (place.level < 0 || place.level > Octree<Dim>::max_level) file.damaged("a cell's level is out of range");
     for (int k = 0; k < Dim; ++k) {
-      const double corner = std::ldexp(positions[3 * static_cast<std::size_t>(corners[i * n_corners<Dim>]) + k], place.level);
+      const double corner =
+          std::ldexp(positions[3 * static_cast<std::size_t>(corners[i * n_corners<Dim>]) + k], place.level);
       if (!(corner >= 0 && corner < std::ldexp(1.0, place.level) && corner == std::floor(corner)))
         file.damaged("a cell is off the lattice");
       place.corner[k] = static_cast<std::int32_t>(corner);
@@ -70,7 +77,9 @@ std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<dou
   return places;
 }
 
-std::vector<double> facts(const VtuFile& file, const char* name, int n) { return file.values<double>("FieldData", name, n, 1); }
+std::vector<double> facts(const VtuFile& file, const char* name, int n) {
+  return file.values<double>("FieldData", name, n, 1);
+}
 
 // The identity where the file has none.
 template <int Dim>
@@ -78,7 +87,8 @@ Similarity<Dim> pose_of(const VtuFile& file) {
   Similarity<Dim> pose;
   if (!file.has("FieldData", "pose_scale")) return pose;
   pose.scale = facts(file, "pose_scale", 1)[0];
-  const std::vector<double> rotation = facts(file, "pose_rotation", Dim * Dim), offset = facts(file, "pose_offset", Dim);
+  const std::vector<double> rotation = facts(file, "pose_rotation", Dim * Dim),
+                            offset = facts(file, "pose_offset", Dim);
   for (int i = 0; i < Dim; ++i) {
     pose.offset[i] = offset[i];
     for (int j = 0; j < Dim; ++j) pose.rotation(i, j) = rotation[i * Dim + j];
@@ -94,8 +104,7 @@ template <int Dim>
 Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
   const VtuFile file(path, std::move(bytes));
   if (const int found = dimension_of(file); found != Dim)
-    throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found,
-                      Dim);
+    throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found, Dim);
   const std::int64_t n = file.n_points();
   const std::vector<double> positions = file.values<double>("Points", "Points", 3, n);
   const std::vector<double> phi = file.values<double>("PointData", "phi", 3, n);

@@ -7,7 +7,8 @@
 namespace shellmatch {
 
 template <int Dim>
-UserMap<Dim>::UserMap(const Deformation<Dim>& map, Toward toward, bool keep_pose) : map_(&map), toward_(toward), keep_pose_(keep_pose), points_(map, toward) {
+UserMap<Dim>::UserMap(const Deformation<Dim>& map, Toward toward, bool keep_pose)
+    : map_(&map), toward_(toward), keep_pose_(keep_pose), points_(map, toward) {
   image_low_ = Vec<Dim>::Constant(infinity);
   image_high_ = -image_low_;
   for (const Vec<Dim>& y : map.phi) {
@@ -48,7 +49,8 @@ std::optional<double> UserMap<Dim>::determinant(const Vec<Dim>& x) const {
   if (!y) return std::nullopt;
   // The placement cancels, and a pose that mirrors is no fold.
   double scale = std::pow(map_->pose.scale, Dim);
-  const double of_phi = map_->jacobian_in_unit_domain(map_->to_unit_domain(points_.is_inverse() ? *y : p)).determinant() * scale;
+  const double of_phi =
+      map_->jacobian_in_unit_domain(map_->to_unit_domain(points_.is_inverse() ? *y : p)).determinant() * scale;
   const double determinant = points_.is_inverse() ? 1 / of_phi : of_phi;
   if (!keep_pose_) return determinant;
   // The pose is that of the template where the map was solved backward.

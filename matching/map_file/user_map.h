@@ -9,8 +9,11 @@
 
 namespace shellmatch {
 
-/// A point in RAS, as volumes are, in the frame of the map; and from there to RAS, as the conversion is its own inverse.
-inline Vec<3> exchange_with_ras(const MapFrame<3>& frame, const Vec<3>& x) { return in_space(x, Space::ras, or_default(frame.space)); }
+/// A point in RAS, as volumes are, in the frame of the map; and from there to RAS, as the conversion is its own
+/// inverse.
+inline Vec<3> exchange_with_ras(const MapFrame<3>& frame, const Vec<3>& x) {
+  return in_space(x, Space::ras, or_default(frame.space));
+}
 
 template <int Dim>
 class UserMap {
@@ -28,8 +31,12 @@ class UserMap {
   std::optional<double> determinant(const Vec<Dim>& x) const;
 
  private:
-  Vec<Dim> entering(const Vec<Dim>& x) const { return keep_pose_ && toward_ == Toward::reference ? map_->from_reference_pose(x) : x; }
-  Vec<Dim> leaving(const Vec<Dim>& y) const { return keep_pose_ && toward_ == Toward::template_shape ? map_->to_reference_pose(y) : y; }
+  Vec<Dim> entering(const Vec<Dim>& x) const {
+    return keep_pose_ && toward_ == Toward::reference ? map_->from_reference_pose(x) : x;
+  }
+  Vec<Dim> leaving(const Vec<Dim>& y) const {
+    return keep_pose_ && toward_ == Toward::template_shape ? map_->to_reference_pose(y) : y;
+  }
 
   const Deformation<Dim>* map_;
   Toward toward_;

@@ -27,7 +27,8 @@ namespace shellmatch {
 
 namespace {
 
-/// VTK's file format and class name, with deflate() in place of zlib. Writing the file is a run's longest part on one thread alone.
+/// VTK's file format and class name, with deflate() in place of zlib. Writing the file is a run's longest part on one
+/// thread alone.
 class Compressor final : public vtkZLibDataCompressor {
  public:
   static Compressor* New() {
@@ -37,7 +38,8 @@ class Compressor final : public vtkZLibDataCompressor {
   }
 
  protected:
-  std::size_t CompressBuffer(const unsigned char* data, std::size_t size, unsigned char* to, std::size_t space) override {
+  std::size_t CompressBuffer(const unsigned char* data, std::size_t size, unsigned char* to,
+                             std::size_t space) override {
     return deflate({data, size}, {to, space});
   }
   std::size_t GetMaximumCompressionSpace(std::size_t size) override { return deflate_bound(size); }
@@ -58,7 +60,8 @@ vtkNew<Array> vector_array(const std::string& name, int n_components, Index n, c
   const int written = n_components == 2 ? 3 : n_components;
   auto array = new_array<Array>(name, written, n);
   for (Index i = 0; i < n; ++i)
-    for (int k = 0; k < written; ++k) array->SetTypedComponent(i, k, k < n_components ? static_cast<typename Array::ValueType>(entry(i, k)) : 0);
+    for (int k = 0; k < written; ++k)
+      array->SetTypedComponent(i, k, k < n_components ? static_cast<typename Array::ValueType>(entry(i, k)) : 0);
   return array;
 }
 
@@ -111,15 +114,13 @@ void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
 
 template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
-                       const std::vector<NodalField>& nodal_fields,
-                       const std::vector<CellField>& cell_fields) {
+                       const std::vector<NodalField>& nodal_fields, const std::vector<CellField>& cell_fields) {
   write_deformation<Dim>(path, deformation.grid, deformation.phi, deformation, nodal_fields, cell_fields);
 }
 
 template <int Dim>
 void write_deformation(const std::string& path, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                       const MapFrame<Dim>& frame,
-                       const std::vector<NodalField>& nodal_fields,
+                       const MapFrame<Dim>& frame, const std::vector<NodalField>& nodal_fields,
                        const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
   SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
@@ -135,9 +136,8 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   add_cells(grid, *data);
   data->GetPointData()->AddArray(
       vector_array<vtkDoubleArray>("phi", Dim, n, [&](Index i, int k) { return phi[i][k]; }));
-  data->GetPointData()->AddArray(vector_array<vtkFloatArray>("displacement", Dim, n, [&](Index i, int k) {
-    return phi[i][k] - grid.node_position(i)[k];
-  }));
+  data->GetPointData()->AddArray(vector_array<vtkFloatArray>(
+      "displacement", Dim, n, [&](Index i, int k) { return phi[i][k] - grid.node_position(i)[k]; }));
   for (const NodalField& field : nodal_fields) {
     const int m = field.n_components;
     SHELLMATCH_CHECK(m > 0 && field.values.size() == static_cast<std::size_t>(n) * m,
@@ -148,7 +148,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   for (const CellField& field : cell_fields) {
     SHELLMATCH_CHECK(field.values.size() == grid.leaves().size(), "a cell field has a value for each leaf");
     data->GetCellData()->AddArray(vector_array<vtkFloatArray>(field.name, 1, static_cast<Index>(field.values.size()),
-                                               [&](Index i, int) { return field.values[i]; }));
+                                                              [&](Index i, int) { return field.values[i]; }));
   }
   add_facts(frame, *data->GetFieldData());
 
@@ -166,12 +166,12 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   append_checksum(path);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                          \
-  template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&,                          \
-                                       const std::vector<NodalField>&, const std::vector<CellField>&);       \
-  template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&, \
-                                       const MapFrame<Dim>&,                                              \
-                                       const std::vector<NodalField>&, const std::vector<CellField>&)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                 \
+  template void write_deformation<Dim>(const std::string&, const Deformation<Dim>&, const std::vector<NodalField>&, \
+                                       const std::vector<CellField>&);                                              \
+  template void write_deformation<Dim>(const std::string&, const Octree<Dim>&, const std::vector<Vec<Dim>>&,        \
+                                       const MapFrame<Dim>&, const std::vector<NodalField>&,                        \
+                                       const std::vector<CellField>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

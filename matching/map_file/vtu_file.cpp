@@ -59,8 +59,10 @@ bool is_section(std::string_view name) {
 }  // namespace
 
 void VtuFile::damaged(std::string_view why) const {
-  throw_input_error("{}: damaged, cut off, or no deformation that this program wrote ({}); give the deformation.vtu of an "
-                    "output folder, or the folder", path_, why);
+  throw_input_error(
+      "{}: damaged, cut off, or no deformation that this program wrote ({}); give the deformation.vtu of an "
+      "output folder, or the folder",
+      path_, why);
 }
 
 VtuFile::VtuFile(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {
@@ -104,7 +106,8 @@ VtuFile::VtuFile(std::string path, std::string bytes) : path_(std::move(path)), 
       VtuArray array{std::string(open.back()), std::string(tag->find("Name").value_or("")),
                      std::string(tag->find("type").value_or("")), count(*tag, "NumberOfComponents", 1),
                      static_cast<std::size_t>(count(*tag, "offset", max_count))};
-      if (find(array.section, array.name) != nullptr) damaged(fmt::format("two arrays of one name in {}", array.section));
+      if (find(array.section, array.name) != nullptr)
+        damaged(fmt::format("two arrays of one name in {}", array.section));
       if (arrays_.size() == max_arrays) damaged("more arrays than it can have");
       arrays_.push_back(std::move(array));
     } else if (tag->name == "AppendedData") {
@@ -119,12 +122,13 @@ VtuFile::VtuFile(std::string path, std::string bytes) : path_(std::move(path)), 
 }
 
 const VtuArray* VtuFile::find(std::string_view section, std::string_view name) const {
-  const auto found = std::ranges::find_if(arrays_, [&](const VtuArray& a) { return a.section == section && a.name == name; });
+  const auto found =
+      std::ranges::find_if(arrays_, [&](const VtuArray& a) { return a.section == section && a.name == name; });
   return found == arrays_.end() ? nullptr : &*found;
 }
 
-// An array is the numbers of blocks, of bytes of a full block and of the last one (0 if that is full), the packed sizes of
-// the blocks, and the blocks.
+// An array is the numbers of blocks, of bytes of a full block and of the last one (0 if that is full), the packed sizes
+// of the blocks, and the blocks.
 std::size_t VtuFile::packed_size(const VtuArray& array, std::size_t n_bytes) const {
   constexpr std::size_t word = sizeof(std::uint64_t), n_head = 3 * word;
   if (array.offset > data_.size() || data_.size() - array.offset < n_head) damaged(array.name);
@@ -162,8 +166,10 @@ std::vector<T> VtuFile::values(std::string_view section, std::string_view name, 
                                std::int64_t n_tuples) const {
   const VtuArray* array = find(section, name);
   if (array == nullptr || array->type != type_name<T>() || array->n_components != n_components) damaged(name);
-  SHELLMATCH_CHECK(n_components > 0 && n_components < 100 && n_tuples >= 0 && n_tuples <= max_count, "an array has a size");
-  const std::size_t n = static_cast<std::size_t>(n_components) * static_cast<std::size_t>(n_tuples), n_bytes = n * sizeof(T);
+  SHELLMATCH_CHECK(n_components > 0 && n_components < 100 && n_tuples >= 0 && n_tuples <= max_count,
+                   "an array has a size");
+  const std::size_t n = static_cast<std::size_t>(n_components) * static_cast<std::size_t>(n_tuples),
+                    n_bytes = n * sizeof(T);
   // Memory is taken only for what the packed bytes can hold.
   if (n_bytes / max_expansion > packed_size(*array, n_bytes)) damaged(name);
   std::vector<T> values(n);
@@ -174,8 +180,11 @@ std::vector<T> VtuFile::values(std::string_view section, std::string_view name, 
 }
 
 template std::vector<double> VtuFile::values(std::string_view, std::string_view, std::int64_t, std::int64_t) const;
-template std::vector<std::int32_t> VtuFile::values(std::string_view, std::string_view, std::int64_t, std::int64_t) const;
-template std::vector<std::int64_t> VtuFile::values(std::string_view, std::string_view, std::int64_t, std::int64_t) const;
-template std::vector<std::uint8_t> VtuFile::values(std::string_view, std::string_view, std::int64_t, std::int64_t) const;
+template std::vector<std::int32_t> VtuFile::values(std::string_view, std::string_view, std::int64_t,
+                                                   std::int64_t) const;
+template std::vector<std::int64_t> VtuFile::values(std::string_view, std::string_view, std::int64_t,
+                                                   std::int64_t) const;
+template std::vector<std::uint8_t> VtuFile::values(std::string_view, std::string_view, std::int64_t,
+                                                   std::int64_t) const;
 
 }  // namespace shellmatch

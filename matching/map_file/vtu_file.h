@@ -1,9 +1,9 @@
 #pragma once
 /// \file
 /// Reads the one form of VTK's XML files that this program writes: an unstructured grid of one piece, whose arrays are
-/// appended as raw blocks compressed by zlib (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html). VTK's
-/// own reader trusts types, counts and offsets of a file; this one checks each against the others and against the bytes
-/// that are there.
+/// appended as raw blocks compressed by zlib (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html).
+/// VTK's own reader trusts types, counts and offsets of a file; this one checks each against the others and against the
+/// bytes that are there.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,8 @@ class VtuFile {
   /// std::int32_t, std::int64_t or std::uint8_t. \throws InputError where the array is missing, is of another type or
   /// number of components, has not `n_tuples` tuples, is damaged, or has a number that is not finite
   template <class T>
-  std::vector<T> values(std::string_view section, std::string_view name, std::int64_t n_components, std::int64_t n_tuples) const;
+  std::vector<T> values(std::string_view section, std::string_view name, std::int64_t n_components,
+                        std::int64_t n_tuples) const;
 
   /// \throws InputError that says what is wrong with the file
   [[noreturn]] void damaged(std::string_view why) const;

@@ -35,8 +35,7 @@ void append_checksum(const std::string& path) {
   std::ofstream out(path, std::ios::binary | std::ios::app);
   if (sum) out << checksum_line(*sum);
   out.close();
-  if (!sum || !out)
-    throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
+  if (!sum || !out) throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
 }
 
 FileChecksum verify_checksum(const std::string& path) {

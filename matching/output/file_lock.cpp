@@ -41,10 +41,11 @@ FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind
     is_own_ = file_ >= 0;
     if (file_ < 0 && errno == EEXIST) file_ = uninterrupted([&] { return open(path.c_str(), flags, 0666); });
     if (file_ < 0)
-      throw_environment_error("{}: {}", path,
-                              errno == ELOOP ? "is a link, but the lock of a run must be a file; remove the link"
-                                             : fmt::format("cannot be written ({}); choose a folder you may write to with -o",
-                                                           std::strerror(errno)));
+      throw_environment_error(
+          "{}: {}", path,
+          errno == ELOOP
+              ? "is a link, but the lock of a run must be a file; remove the link"
+              : fmt::format("cannot be written ({}); choose a folder you may write to with -o", std::strerror(errno)));
     if (uninterrupted([&] { return flock(file_, (kind == Kind::exclusive ? LOCK_EX : LOCK_SH) | LOCK_NB); }) != 0) {
       state_ = errno == EWOULDBLOCK ? State::taken : State::unsupported;
       return;
@@ -56,8 +57,8 @@ FileLock::FileLock(const std::string& path, Kind kind) : path_(path), kind_(kind
 }
 
 FileLock::~FileLock() {
-  // If the file has been removed, the name may belong to another process' lock; it is removed only if it is ours. Where there
-  // are no locks, who created the file removes it.
+  // If the file has been removed, the name may belong to another process' lock; it is removed only if it is ours. Where
+  // there are no locks, who created the file removes it.
   const bool is_ours = state_ == State::held ? kind_ == Kind::exclusive : state_ == State::unsupported && is_own_;
   if (is_ours && is_file_at(file_, path_)) unlink(path_.c_str());
   close(file_);

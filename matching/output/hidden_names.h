@@ -7,8 +7,8 @@
 
 namespace shellmatch {
 
-/// The lock that a run for the output folder `path` holds: `.NAME.lock` beside it. Of long names, which would leave no room
-/// for that, the beginning and a checksum are used.
+/// The lock that a run for the output folder `path` holds: `.NAME.lock` beside it. Of long names, which would leave no
+/// room for that, the beginning and a checksum are used.
 std::string lock_name(const std::string& path);
 
 /// The hidden folder in which the output folder `path` is prepared: `.NAME.partial-PID` beside it.

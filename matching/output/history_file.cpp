@@ -14,7 +14,7 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view before_terms[] = {"level", "substep", "nu", "solver", "iteration", "value"};
-constexpr std::string_view after_terms[] = {"gradient_norm",        "l2_gradient_norm",     "step",
+constexpr std::string_view after_terms[] = {"gradient_norm",     "l2_gradient_norm",     "step",
                                             "value_evaluations", "gradient_evaluations", "seconds"};
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -41,11 +41,9 @@ std::vector<std::string> term_names_of(std::string_view header, const std::strin
   const std::size_t n_before = std::size(before_terms), n_after = std::size(after_terms);
   bool good = names.size() >= n_before + n_after;
   for (std::size_t i = 0; good && i < n_before; ++i) good = names[i] == before_terms[i];
-  for (std::size_t i = 0; good && i < n_after; ++i)
-    good = names[names.size() - n_after + i] == after_terms[i];
+  for (std::size_t i = 0; good && i < n_after; ++i) good = names[names.size() - n_after + i] == after_terms[i];
   if (!good)
-    throw_input_error("{}, line 1: not the head line of a history; give the history.csv of an output folder",
-                      path);
+    throw_input_error("{}, line 1: not the head line of a history; give the history.csv of an output folder", path);
   return {names.begin() + n_before, names.end() - n_after};
 }
 
@@ -55,12 +53,10 @@ std::string history_csv(const History& history) {
   std::string csv;
   for (const std::string_view name : before_terms) csv += fmt::format("{},", name);
   for (const std::string& name : history.term_names) csv += fmt::format("{},", name);
-  for (const std::string_view name : after_terms)
-    csv += fmt::format("{}{}", name, name == "seconds" ? "\n" : ",");
+  for (const std::string_view name : after_terms) csv += fmt::format("{}{}", name, name == "seconds" ? "\n" : ",");
   for (const HistoryRow& row : history.rows) {
     const IterationRecord& r = row.record;
-    SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(),
-                     "a history's line has a value for each term");
+    SHELLMATCH_CHECK(r.terms.size() == history.term_names.size(), "a history's line has a value for each term");
     csv += fmt::format("{},{},{},{},{},{},", row.level, row.substep, row.nu, r.solver, r.iteration, r.value);
     for (const double term : r.terms) csv += fmt::format("{},", term);
     csv += fmt::format("{},{},{},{},{},{}\n", r.gradient_norm, r.l2_gradient_norm, r.step, r.value_evaluations,
@@ -69,9 +65,7 @@ std::string history_csv(const History& history) {
   return csv;
 }
 
-void write_history(const History& history, const std::string& path) {
-  write_file(path, history_csv(history));
-}
+void write_history(const History& history, const std::string& path) { write_file(path, history_csv(history)); }
 
 History read_history(const std::string& path) {
   std::ifstream in(path);
@@ -84,8 +78,8 @@ History read_history(const std::string& path) {
   for (int line = 2; std::getline(in, text); ++line) {
     const std::vector<std::string_view> fields = split(text);
     if (fields.size() != n_fields)
-      throw_input_error("{}, line {}: {} values where {} belong; the file is damaged", path, line,
-                        fields.size(), n_fields);
+      throw_input_error("{}, line {}: {} values where {} belong; the file is damaged", path, line, fields.size(),
+                        n_fields);
     std::size_t next = 0;
     const auto real = [&] { return parse<double>(fields[next++], path, line); };
     const auto integer = [&] { return parse<int>(fields[next++], path, line); };

@@ -14,8 +14,8 @@ static void describe(S& s, Member&& member) { member("mean", s.mean), member("p9
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, TwoSidedDistance>
 static void describe(S& s, Member&& member) {
-  member("deformed_to_template", s.deformed_to_template),
-      member("template_to_deformed", s.template_to_deformed), member("uncovered", s.uncovered);
+  member("deformed_to_template", s.deformed_to_template), member("template_to_deformed", s.template_to_deformed),
+      member("uncovered", s.uncovered);
 }
 
 template <class S, class Member>
@@ -45,8 +45,7 @@ static void describe(S& s, Member&& member) { member("brief", s.brief), member("
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, LevelSummary>
 static void describe(S& s, Member&& member) {
-  member("level", s.level), member("sigma", s.sigma), member("nu", s.nu),
-      member("volume_weight", s.volume_weight);
+  member("level", s.level), member("sigma", s.sigma), member("nu", s.nu), member("volume_weight", s.volume_weight);
   member("substeps", s.n_substeps), member("nodes", s.n_nodes), member("free_nodes", s.n_free_nodes);
   member("cells", s.n_cells), member("band_cells", s.n_band_cells);
   member("energy_minimised", s.energy_minimised), member("energy", s.energy_reported);
@@ -70,9 +69,9 @@ static void describe(S& s, Member&& member) {
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, ShapeSummary>
 static void describe(S& s, Member&& member) {
-  member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets),
-      member("notes", s.notes);
-  member("components", s.n_components), member("genus", s.genus), member("invented", s.invented), member("buried", s.buried);
+  member("file", s.file), member("vertices", s.n_vertices), member("facets", s.n_facets), member("notes", s.notes);
+  member("components", s.n_components), member("genus", s.genus), member("invented", s.invented),
+      member("buried", s.buried);
 }
 
 template <class S, class Member>
@@ -85,8 +84,10 @@ template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, AlignmentSummary>
 static void describe(S& s, Member&& member) {
   member("mode", s.mode), member("angle", s.angle), member("scale", s.scale), member("mirrored", s.mirrored);
-  member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs), member("doubtful", s.doubtful);
-  member("as_it_lies", s.as_it_lies), member("fits_mirrored", s.fits_mirrored), member("landmark_distance", s.landmark_distance), member("landmark_trust", s.landmark_trust);
+  member("score", s.score), member("margin", s.margin), member("tried", s.n_tried), member("pairs", s.n_pairs),
+      member("doubtful", s.doubtful);
+  member("as_it_lies", s.as_it_lies), member("fits_mirrored", s.fits_mirrored),
+      member("landmark_distance", s.landmark_distance), member("landmark_trust", s.landmark_trust);
 }
 
 template <class S, class Member>
@@ -120,24 +121,20 @@ template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, MatchSummary>
 static void describe(S& s, Member&& member) {
   member("version", s.version), member("profile", s.profile), member("dimension", s.dimension);
-  member("interrupted", s.interrupted), member("reference", s.reference),
-      member("template", s.template_shape);
+  member("interrupted", s.interrupted), member("reference", s.reference), member("template", s.template_shape);
   member("unit", s.unit), member("template_diagonal", s.template_diagonal), member("verdict", s.verdict);
-  member("placement", s.placement), member("direction", s.direction), member("alignment", s.alignment), member("distance_before", s.distance_before),
-      member("distance", s.distance);
+  member("placement", s.placement), member("direction", s.direction), member("alignment", s.alignment),
+      member("distance_before", s.distance_before), member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);
   member("correspondence_error", s.correspondence_error), member("area_distortion", s.area_distortion);
-  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets), member("flipped_share", s.flipped_share), member("spin_difference", s.spin_difference);
+  member("angle_distortion", s.angle_distortion), member("flipped_facets", s.n_flipped_facets),
+      member("flipped_share", s.flipped_share), member("spin_difference", s.spin_difference);
   member("levels", s.levels), member("gradient_checks", s.gradient_checks), member("run", s.run);
 }
 
-std::string summary_json(const MatchSummary& summary) {
-  return json_text(json_of(summary));
-}
+std::string summary_json(const MatchSummary& summary) { return json_text(json_of(summary)); }
 
-void write_summary(const MatchSummary& summary, const std::string& path) {
-  write_file(path, summary_json(summary));
-}
+void write_summary(const MatchSummary& summary, const std::string& path) { write_file(path, summary_json(summary)); }
 
 MatchSummary read_summary(const std::string& path) {
   std::ifstream in(path);

@@ -21,9 +21,9 @@ bool is_filled(const std::string& path) {
   if (!fs::exists(path, error)) return fs::is_symlink(path, error);
   if (!fs::is_directory(path, error)) return true;
   const std::string name = fs::path(path).filename().string();
-  const bool is_filled = std::ranges::any_of(fs::directory_iterator(path, error), [&](const fs::directory_entry& entry) {
-    return !is_hidden_name(entry.path().filename().string(), name);
-  });
+  const bool is_filled = std::ranges::any_of(
+      fs::directory_iterator(path, error),
+      [&](const fs::directory_entry& entry) { return !is_hidden_name(entry.path().filename().string(), name); });
   return is_filled || error;
 }
 
@@ -59,7 +59,8 @@ void remove_leftovers_in(const std::string& parent) {
   std::set<std::string> outputs;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(parent, error))
-    if (std::string name = name_of_output(entry.path().filename().string()); !name.empty()) outputs.insert(std::move(name));
+    if (std::string name = name_of_output(entry.path().filename().string()); !name.empty())
+      outputs.insert(std::move(name));
   for (const std::string& name : outputs) try {
       remove_leftovers((fs::path(parent) / name).string());
     } catch (const EnvironmentError&) {

@@ -6,7 +6,8 @@
 
 namespace shellmatch {
 
-/// Whether the folder is the root of a mounted file system, which can be filled but not renamed. False where it is not there.
+/// Whether the folder is the root of a mounted file system, which can be filled but not renamed. False where it is not
+/// there.
 bool is_mount_point(const std::filesystem::path& folder);
 
 }  // namespace shellmatch

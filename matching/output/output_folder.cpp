@@ -29,7 +29,8 @@ constexpr std::size_t n_reserved_bytes = 3 << 15;
 // Whether an existing folder has to be filled where it is, because nothing beside it can be renamed to it.
 bool is_filled_in_place(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder, error) && (::access(folder.parent_path().c_str(), W_OK) != 0 || is_mount_point(folder));
+  return fs::is_directory(folder, error) &&
+         (::access(folder.parent_path().c_str(), W_OK) != 0 || is_mount_point(folder));
 }
 
 // Moves the entries that belong to no lock or hidden folder of `name`. \return 0, or the system's error
@@ -38,7 +39,8 @@ int move_entries(const fs::path& from, const fs::path& to, const std::string& na
   std::error_code error;
   std::vector<std::string> entries;
   for (const fs::directory_entry& entry : fs::directory_iterator(from, error))
-    if (std::string file = entry.path().filename().string(); !is_hidden_name(file, name)) entries.push_back(std::move(file));
+    if (std::string file = entry.path().filename().string(); !is_hidden_name(file, name))
+      entries.push_back(std::move(file));
   if (error) return error.value();
   std::ranges::partition(entries, [&](const std::string& file) { return (file == written_files_name) == list_first; });
   for (const std::string& file : entries) {
@@ -49,7 +51,8 @@ int move_entries(const fs::path& from, const fs::path& to, const std::string& na
   return 0;
 }
 
-// The list names files alone, so that a folder without any would be of no run: that of pictures, none of which could be drawn.
+// The list names files alone, so that a folder without any would be of no run: that of pictures, none of which could be
+// drawn.
 void remove_empty_folders(const fs::path& top) {
   std::error_code error;
   std::vector<fs::path> folders;
@@ -61,18 +64,21 @@ void remove_empty_folders(const fs::path& top) {
 void check_place(const fs::path& path, bool force, ChangedFiles changed) {
   if (!is_filled(path)) return;
   if (!fs::is_directory(path))
-    throw_input_error("{}: is a file or a link that leads nowhere, but a folder is to be written there; choose another name with -o",
-                      path.string());
+    throw_input_error(
+        "{}: is a file or a link that leads nowhere, but a folder is to be written there; choose another name with -o",
+        path.string());
   std::error_code error;
   const fs::directory_iterator look(path, error);
-  if (error) throw_environment_error("{}: cannot be looked into ({}); choose another folder with -o", path.string(), error.message());
+  if (error)
+    throw_environment_error("{}: cannot be looked into ({}); choose another folder with -o", path.string(),
+                            error.message());
   if (!force)
-    throw_input_error(
-        "{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
-        path.string());
+    throw_input_error("{}: the folder exists and is not empty; choose another with -o, or replace it with --force",
+                      path.string());
   if (const ForeignThing thing = first_foreign_thing(path.string(), changed))
-    throw_input_error("{}: not replaced, since {}; move that elsewhere, remove the folder yourself, or choose another with -o",
-                      path.string(), foreign_text(thing));
+    throw_input_error(
+        "{}: not replaced, since {}; move that elsewhere, remove the folder yourself, or choose another with -o",
+        path.string(), foreign_text(thing));
 }
 
 }  // namespace
@@ -81,8 +87,7 @@ OutputFolder::OutputFolder(const std::string& path, bool force, ChangedFiles cha
     : force_(force), changed_(changed), reserve_(std::make_unique<std::byte[]>(n_reserved_bytes)) {
   if (path.empty()) throw_input_error("the output folder has no name; give one with -o");
   std::error_code error;
-  fs::path place =
-      fs::weakly_canonical(fs::absolute(path), error);  // resolves links, so that their target is replaced
+  fs::path place = fs::weakly_canonical(fs::absolute(path), error);  // resolves links, so that their target is replaced
   if (error) cannot_write(path, error.value());
   if (!place.has_filename()) place = place.parent_path();
   if (!place.has_filename()) throw_input_error("{}: cannot be the output folder; give another with -o", path);
@@ -119,7 +124,8 @@ void OutputFolder::prepare(const std::string& anchor) {
   // Without locks, leftovers may have the name: count up until it is free.
   std::error_code error;
   for (int attempt = 0; partial_.empty(); ++attempt) {
-    const std::string hidden = partial_folder_name(anchor) + (attempt == 0 ? std::string() : fmt::format("-{}", attempt));
+    const std::string hidden =
+        partial_folder_name(anchor) + (attempt == 0 ? std::string() : fmt::format("-{}", attempt));
     if (fs::create_directory(hidden, error)) partial_ = hidden;
     if (error || attempt > 1000) cannot_write(parent, error ? error.value() : EEXIST);
   }
@@ -138,8 +144,7 @@ void OutputFolder::remove_created_parents() noexcept {
   if (first_created_parent_.empty()) return;
   std::error_code error;
   // Removes only folders that are empty: other processes may use them by now.
-  for (fs::path p = fs::path(final_).parent_path();
-       fs::remove(p, error) && p.string() != first_created_parent_;)
+  for (fs::path p = fs::path(final_).parent_path(); fs::remove(p, error) && p.string() != first_created_parent_;)
     p = p.parent_path();
 }
 
@@ -158,10 +163,8 @@ void OutputFolder::commit() {
   write_file_list(partial_);
   std::vector<std::string> folders{partial_};
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(partial_, error)) {
-    if (entry.is_directory())
-      folders.push_back(entry.path().string());
-    else
-      synchronise_file(entry.path().string());
+    if (entry.is_directory()) folders.push_back(entry.path().string());
+    else synchronise_file(entry.path().string());
   }
   if (error) cannot_write(partial_, error.value());
   for (const std::string& folder : folders) synchronise_file(folder);
@@ -180,8 +183,8 @@ void OutputFolder::commit() {
   lock_.reset();
 }
 
-// Exchanges both folders in one step. File systems without this operation need two, between which the old folder is kept
-// under a hidden name.
+// Exchanges both folders in one step. File systems without this operation need two, between which the old folder is
+// kept under a hidden name.
 void OutputFolder::exchange() {
   if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) {
     committed_ = true;
@@ -204,8 +207,9 @@ void OutputFolder::exchange() {
   remove_earlier(old);
 }
 
-// Moves the files one by one. Where a kill comes between, the files that are in the final folder stand in its list: that of
-// the earlier result goes last, that of this one comes first. If moving fails, everything goes back to where it was.
+// Moves the files one by one. Where a kill comes between, the files that are in the final folder stand in its list:
+// that of the earlier result goes last, that of this one comes first. If moving fails, everything goes back to where it
+// was.
 void OutputFolder::fill_in_place() {
   const std::string name = fs::path(final_).filename().string(), old = partial_ + std::string(set_aside);
   std::error_code error;
@@ -228,8 +232,8 @@ void OutputFolder::fill_in_place() {
   if (!earlier.empty()) remove_earlier(old);
 }
 
-// What came into the folder after it was checked is kept under a name that no run uses. Files of the earlier run that the
-// system does not remove stay under the hidden name, and the next run removes them.
+// What came into the folder after it was checked is kept under a name that no run uses. Files of the earlier run that
+// the system does not remove stay under the hidden name, and the next run removes them.
 void OutputFolder::remove_earlier(const std::string& folder) {
   remove_written_files(folder);
   std::error_code error;

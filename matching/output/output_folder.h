@@ -13,13 +13,13 @@
 
 namespace shellmatch {
 
-/// Files are written to a hidden folder beside the final one, on the same file system; commit() lists them in files.json
-/// (matching/output/written_files.h) and renames the folder. A run that fails leaves the earlier contents unchanged. A run
-/// that is killed leaves the hidden folder `.NAME.partial-PID` and a lock file `.NAME.lock` that nobody holds; the next run
-/// for the same output removes both.
+/// Files are written to a hidden folder beside the final one, on the same file system; commit() lists them in
+/// files.json (matching/output/written_files.h) and renames the folder. A run that fails leaves the earlier contents
+/// unchanged. A run that is killed leaves the hidden folder `.NAME.partial-PID` and a lock file `.NAME.lock` that
+/// nobody holds; the next run for the same output removes both.
 ///
-/// Where the final folder exists and cannot be renamed, being a mount point or in a folder that may not be written, both are
-/// in it, and commit() moves the files one by one, files.json first.
+/// Where the final folder exists and cannot be renamed, being a mount point or in a folder that may not be written,
+/// both are in it, and commit() moves the files one by one, files.json first.
 class OutputFolder {
  public:
   /// \param path the final folder; missing parents are created
@@ -41,8 +41,8 @@ class OutputFolder {
   /// The absolute path of the final folder.
   const std::string& final_path() const { return final_; }
 
-  /// Writes files.json, flushes everything to the disk and renames the folder. \throws EnvironmentError if writing fails; the destructor
-  /// then cleans up. InputError if the final folder has been filled in the meantime
+  /// Writes files.json, flushes everything to the disk and renames the folder. \throws EnvironmentError if writing
+  /// fails; the destructor then cleans up. InputError if the final folder has been filled in the meantime
   void commit();
 
  private:
@@ -57,7 +57,8 @@ class OutputFolder {
   bool committed_ = false;  ///< the result is in its place: partial_ holds what it has replaced, or nothing
   ChangedFiles changed_;
   std::optional<FileLock> lock_;
-  std::unique_ptr<std::byte[]> reserve_;  ///< memory with which the destructor can list the hidden folder where there is no more
+  std::unique_ptr<std::byte[]>
+      reserve_;  ///< memory with which the destructor can list the hidden folder where there is no more
 };
 
 }  // namespace shellmatch

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string name_in(const fs::path& folder, const fs::path& path) { return path.lexically_relative(folder).generic_string(); }
+std::string name_in(const fs::path& folder, const fs::path& path) {
+  return path.lexically_relative(folder).generic_string();
+}
 
 bool is_real_file(const fs::directory_entry& entry) {
   std::error_code error;
@@ -48,7 +50,8 @@ struct Listed {
 template <class Visit>
 std::error_code for_each_entry(const std::string& folder, Visit&& visit) {
   std::error_code error;
-  for (auto at = fs::recursive_directory_iterator(folder, error); !error && at != fs::end(at); at.increment(error)) visit(*at);
+  for (auto at = fs::recursive_directory_iterator(folder, error); !error && at != fs::end(at); at.increment(error))
+    visit(*at);
   return error;
 }
 
@@ -67,7 +70,8 @@ std::vector<WrittenFile> list_files(const std::string& folder) {
   std::vector<WrittenFile> files;
   const std::error_code error = for_each_entry(folder, [&](const fs::directory_entry& entry) {
     // Throws where the status cannot be had: a file that is left out of the list would be of no run.
-    if (const std::string name = name_in(folder, entry.path()); fs::is_regular_file(entry.symlink_status()) && name != written_files_name)
+    if (const std::string name = name_in(folder, entry.path());
+        fs::is_regular_file(entry.symlink_status()) && name != written_files_name)
       files.push_back({name, entry.file_size(), file_checksum(entry.path().string())});
   });
   if (error) cannot_write(folder, error.value());
@@ -99,7 +103,8 @@ ForeignThing first_foreign_thing(const std::string& folder, ChangedFiles changed
       continue;
     }
     if (!list) return {.name = name, .no_list = true};
-    if (is_real_folder(entry) ? listed.folders.contains(name) : is_real_file(entry) && name == written_files_name) continue;
+    if (is_real_folder(entry) ? listed.folders.contains(name) : is_real_file(entry) && name == written_files_name)
+      continue;
     const auto file = listed.files.find(name);
     if (file == listed.files.end() || !is_real_file(entry)) return {.name = name};
     if (changed == ChangedFiles::are_foreign && !has_contents(entry.path(), file->second))
@@ -114,15 +119,16 @@ bool holds_result(const std::string& folder) {
   const auto list = read_file_list(folder);
   std::error_code error;
   return list && std::ranges::all_of(*list, [&](const WrittenFile& file) {
-    return fs::is_regular_file(fs::symlink_status(fs::path(folder) / file.name, error));
-  });
+           return fs::is_regular_file(fs::symlink_status(fs::path(folder) / file.name, error));
+         });
 }
 
 std::string foreign_text(const ForeignThing& thing) {
   if (thing.no_list)
-    return fmt::format("it has no {}, in which a run lists what it wrote, so that '{}' in it may be of no run", written_files_name,
-                       printable(thing.name));
-  return fmt::format("'{}' in it {}", printable(thing.name), thing.has_changed ? "has changed since the run" : "is of no run");
+    return fmt::format("it has no {}, in which a run lists what it wrote, so that '{}' in it may be of no run",
+                       written_files_name, printable(thing.name));
+  return fmt::format("'{}' in it {}", printable(thing.name),
+                     thing.has_changed ? "has changed since the run" : "is of no run");
 }
 
 void remove_written_files(const std::string& folder) {

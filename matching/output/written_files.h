@@ -44,12 +44,12 @@ ForeignThing first_foreign_thing(const std::string& folder, ChangedFiles changed
 /// "'thesis' in it is of no run", to be continued with what to do.
 std::string foreign_text(const ForeignThing& thing);
 
-/// Whether the folder has a list and each of its files, whatever their contents: a run has ended there, and nothing of its
-/// result is still elsewhere.
+/// Whether the folder has a list and each of its files, whatever their contents: a run has ended there, and nothing of
+/// its result is still elsewhere.
 bool holds_result(const std::string& folder);
 
-/// Removes the files of the list, the list itself and the folders that are empty then. Everything else stays, also if it
-/// came after a check, and so does what cannot be removed, with the list; a folder without list stays as it is.
+/// Removes the files of the list, the list itself and the folders that are empty then. Everything else stays, also if
+/// it came after a check, and so does what cannot be removed, with the list; a folder without list stays as it is.
 void remove_written_files(const std::string& folder);
 
 /// The text of the list, and its contents; nothing for text that is no list.

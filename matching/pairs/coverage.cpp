@@ -34,7 +34,8 @@ Surface<Dim> resolved(const Surface<Dim>& surface, double side, const CoverageOp
 template <int Dim, class Pair>
 void append_pairs(std::size_t n, const Pair& pair, std::vector<PointPair<Dim>>& found) {
   std::vector<PointPair<Dim>> made(n);
-  parallel_for(n, [&](std::size_t i) { made[i] = pair(i); }, 64);
+  parallel_for(
+      n, [&](std::size_t i) { made[i] = pair(i); }, 64);
   for (const PointPair<Dim>& p : made)
     if (p.weight > 0) found.push_back(p);
 }
@@ -50,14 +51,15 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>
       side_(side),
       tolerance_(options.tolerance * bounding_box(template_shape.surface().vertices).diagonal()) {
   const auto most = static_cast<std::size_t>(options.samples);
-  on_reference_ = sample_vertices<Dim>(reference_, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
+  on_reference_ =
+      sample_vertices<Dim>(reference_, most, [&](const Vec<Dim>& x) { return observed.reference.contains(x); });
   on_template_ = sample_vertices<Dim>(resolved(template_shape.surface(), side, options), most,
                                       [&](const Vec<Dim>& x) { return observed.template_shape.contains(x); });
 }
 
 template <int Dim>
-void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                                      std::vector<PointPair<Dim>>& found) const {
+void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid,
+                                      const std::vector<Vec<Dim>>& phi, std::vector<PointPair<Dim>>& found) const {
   const double far = options_.point_distance * grid.finest_side();
   const FacetTree<Dim> tree(deformed);
   append_pairs<Dim>(
@@ -68,8 +70,8 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree
         const Index f = tree.nearest(pair.y);
         if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
         pair.p = preimage(reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y));
-        // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The distance is that of
-        // phi(p), which lies beside the facet through the moved vertices where phi bends it.
+        // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The
+        // distance is that of phi(p), which lies beside the facet through the moved vertices where phi bends it.
         if ((evaluate(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
         pair.weight = sample.area;
         return pair;
@@ -97,13 +99,15 @@ void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector
 }
 
 template <int Dim>
-PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask) const {
+PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                                     const BandMask<Dim>* mask) const {
   const Surface<Dim> deformed = deformed_surface(reference_, grid, phi);
   PointPairs<Dim> result;
   add_from_template(deformed, grid, phi, result.pairs);
   add_from_reference(deformed, result.pairs);
   if (mask) {
-    parallel_for(result.pairs.size(), [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });
+    parallel_for(result.pairs.size(),
+                 [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });
     std::erase_if(result.pairs, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });
   }
   const bool is_coarse = grid.finest_side() > side_;
@@ -114,9 +118,11 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
 }
 
 template <int Dim>
-void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask, const Coverage<Dim>* coverage) {
+void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask,
+            const Coverage<Dim>* coverage) {
   if (mask) level.energy.set_mask(phi, *mask);
-  if (coverage) level.terms->refresh(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
+  if (coverage)
+    level.terms->refresh(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
 }
 
 template void follow(LevelEnergy<2>&, const std::vector<Vec<2>>&, const BandMask<2>*, const Coverage<2>*);

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Coverage: the match term asks every point of phi(M1) to lie on M2, and no other term asks every point of M2 to be reached. Pairs of
-/// closest points ask for both, point to plane as in the iterative closest point method of Chen and Medioni (1992).
+/// Coverage: the match term asks every point of phi(M1) to lie on M2, and no other term asks every point of M2 to be
+/// reached. Pairs of closest points ask for both, point to plane as in the iterative closest point method of Chen and
+/// Medioni (1992).
 
 #include "energies/elements/band_mask.h"
 #include "energies/pairs/point_pairs.h"
@@ -20,20 +21,22 @@ namespace shellmatch {
 template <int Dim>
 class Coverage {
  public:
-  /// Samples at most options.samples vertices of each shape, where it has data. Facets larger than samples are apart, and than cells, are
-  /// subdivided before. \param reference, template_shape in the unit domain; the latter must outlive this object
-  /// \param side of the finest cells of the last level
-  Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, double side, const CoverageOptions& options,
-           const ObservedPair<Dim>& observed = {});
+  /// Samples at most options.samples vertices of each shape, where it has data. Facets larger than samples are apart,
+  /// and than cells, are subdivided before. \param reference, template_shape in the unit domain; the latter must
+  /// outlive this object \param side of the finest cells of the last level
+  Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape, double side,
+           const CoverageOptions& options, const ObservedPair<Dim>& observed = {});
 
-  /// Pairs for the present phi, weighted by the area that each sample stands for: each sample of M2 with the nearest point of phi(M1),
-  /// and each of M1 with the point of M2 nearest to its image. They pull the point of M1 into the plane that touches M2 at the other
-  /// point, or to that point itself where a sample of M2 is farther than options.point_distance. No pair is made where the nearest
-  /// part of the other shape faces away, which belongs to another limb or to the other side of this one. On a grid coarser
-  /// than that of the last level, options.coarse_tolerance counts where it is larger than options.tolerance.
-  /// \param mask null where both shapes have data everywhere; else another factor on the weights, so that points near the edge of a gap,
+  /// Pairs for the present phi, weighted by the area that each sample stands for: each sample of M2 with the nearest
+  /// point of phi(M1), and each of M1 with the point of M2 nearest to its image. They pull the point of M1 into the
+  /// plane that touches M2 at the other point, or to that point itself where a sample of M2 is farther than
+  /// options.point_distance. No pair is made where the nearest part of the other shape faces away, which belongs to
+  /// another limb or to the other side of this one. On a grid coarser than that of the last level,
+  /// options.coarse_tolerance counts where it is larger than options.tolerance. \param mask null where both shapes have
+  /// data everywhere; else another factor on the weights, so that points near the edge of a gap,
   ///   whose counterpart may lie beyond it, weigh little here as in the match term
-  PointPairs<Dim> pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask = nullptr) const;
+  PointPairs<Dim> pairs(const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                        const BandMask<Dim>* mask = nullptr) const;
 
  private:
   void add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
@@ -48,9 +51,10 @@ class Coverage {
   double tolerance_;  ///< sides of the domain
 };
 
-/// What is made anew as phi moves becomes that for this phi: the mask of the terms of the band, and the pairs of coverage. Each may be null,
-/// and is where a shape has no gaps, or coverage does not act on this level.
+/// What is made anew as phi moves becomes that for this phi: the mask of the terms of the band, and the pairs of
+/// coverage. Each may be null, and is where a shape has no gaps, or coverage does not act on this level.
 template <int Dim>
-void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask, const Coverage<Dim>* coverage);
+void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask,
+            const Coverage<Dim>* coverage);
 
 }  // namespace shellmatch

@@ -45,23 +45,31 @@ FcsvColumns fcsv_columns(const LineReader& lines, std::string_view list) {
   const std::vector<std::string_view> names = csv_fields(list);
   const auto column = [&](std::string_view name) {
     const auto at = std::ranges::find(names, name);
-    if (at == names.end()) lines.fail("the columns have no '{}'; expected a list such as id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc", name);
+    if (at == names.end())
+      lines.fail("the columns have no '{}'; expected a list such as id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc",
+                 name);
     return static_cast<std::size_t>(at - names.begin());
   };
   FcsvColumns columns;
-  if (const auto at = std::ranges::find(names, "positionStatus"); at != names.end()) columns.status = static_cast<std::size_t>(at - names.begin());
+  if (const auto at = std::ranges::find(names, "positionStatus"); at != names.end())
+    columns.status = static_cast<std::size_t>(at - names.begin());
   // A list of other columns than Slicer's says what there is.
-  else if (names.size() < columns.status || names[columns.status - 1] != "associatedNodeID") columns.status = std::string_view::npos;
+  else if (names.size() < columns.status || names[columns.status - 1] != "associatedNodeID")
+    columns.status = std::string_view::npos;
   for (std::size_t k = 0; k < 3; ++k) columns.axes[k] = column(fcsv_axes[k]);
   columns.label = column("label");
   return columns;
 }
 
-// Of a file that names none: Slicer before 4.11 wrote RAS without saying so, and takes files that name no version for those of Slicer 3.
+// Of a file that names none: Slicer before 4.11 wrote RAS without saying so, and takes files that name no version for
+// those of Slicer 3.
 Space space_of_version(std::string_view version) {
   const std::size_t dot = version.find('.');
   const auto major = to_integer(version.substr(0, dot));
-  const auto minor = dot == version.npos ? std::nullopt : to_integer(version.substr(dot + 1, version.find_first_not_of("0123456789", dot + 1) - dot - 1));
+  const auto minor =
+      dot == version.npos
+          ? std::nullopt
+          : to_integer(version.substr(dot + 1, version.find_first_not_of("0123456789", dot + 1) - dot - 1));
   return major && (*major > 4 || (*major == 4 && minor && *minor >= 11)) ? Space::lps : Space::ras;
 }
 
@@ -70,13 +78,15 @@ bool is_placed(const LineReader& lines, const std::vector<std::string_view>& fie
   if (columns.status >= fields.size() || fields[columns.status].empty()) return true;
   const std::string_view status = fields[columns.status];
   if (status.size() != 1 || status[0] < '0' || status[0] > '3')
-    lines.fail("the status of the position is '{}'; expected 0 (undefined), 1 (preview), 2 (defined) or 3 (missing)", printable(status));
+    lines.fail("the status of the position is '{}'; expected 0 (undefined), 1 (preview), 2 (defined) or 3 (missing)",
+               printable(status));
   return status == "2";
 }
 
 /// Calls point(lines, fields, columns, space) for each point.
 void for_each_fcsv_point(const std::string& path, const std::string& text,
-                         const std::function<void(const LineReader&, const std::vector<std::string_view>&, const FcsvColumns&, Space)>& point) {
+                         const std::function<void(const LineReader&, const std::vector<std::string_view>&,
+                                                  const FcsvColumns&, Space)>& point) {
   LineReader lines(path, text, '\0');
   FcsvColumns columns;
   Space space = Space::ras;
@@ -84,7 +94,8 @@ void for_each_fcsv_point(const std::string& path, const std::string& text,
   while (lines.next()) {
     if (lines.number() % 1024 == 0) stop_if_wanted();
     if (lines.line().starts_with('#')) {
-      if (const auto version = value_of(lines.line(), "Markups fiducial file version"); version && !says_space) space = space_of_version(*version);
+      if (const auto version = value_of(lines.line(), "Markups fiducial file version"); version && !says_space)
+        space = space_of_version(*version);
       if (const auto name = value_of(lines.line(), "CoordinateSystem")) {
         space = fcsv_space(lines, *name);
         says_space = true;
@@ -103,17 +114,18 @@ void for_each_fcsv_point(const std::string& path, const std::string& text,
 
 std::vector<SlicerPoint> parse_fcsv(const std::string& path, const std::string& text) {
   std::vector<SlicerPoint> points;
-  for_each_fcsv_point(path, text, [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space space) {
-    SlicerPoint point{csv_text(fields[columns.label]), Vec<3>::Zero(), space, is_placed(lines, fields, columns),
-                      fmt::format("{}, line {}", path, lines.number())};
-    for (std::size_t k = 0; k < 3 && point.has_position; ++k) {
-      const auto value = to_double(fields[columns.axes[k]]);
-      if (!value || !std::isfinite(*value))
-        lines.fail("{} is '{}'; expected a number", fcsv_axes[k], printable(fields[columns.axes[k]]));
-      point.position[static_cast<int>(k)] = *value;
-    }
-    points.push_back(std::move(point));
-  });
+  for_each_fcsv_point(
+      path, text, [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space space) {
+        SlicerPoint point{csv_text(fields[columns.label]), Vec<3>::Zero(), space, is_placed(lines, fields, columns),
+                          fmt::format("{}, line {}", path, lines.number())};
+        for (std::size_t k = 0; k < 3 && point.has_position; ++k) {
+          const auto value = to_double(fields[columns.axes[k]]);
+          if (!value || !std::isfinite(*value))
+            lines.fail("{} is '{}'; expected a number", fcsv_axes[k], printable(fields[columns.axes[k]]));
+          point.position[static_cast<int>(k)] = *value;
+        }
+        points.push_back(std::move(point));
+      });
   return points;
 }
 
@@ -124,13 +136,15 @@ std::string fcsv_with_positions(const SlicerPoints& file, const std::vector<Vec<
   };
   std::vector<Change> changes;
   std::size_t i = 0;
-  for_each_fcsv_point(file.path, file.text, [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space) {
-    for (std::size_t k = 0; k < 3 && is_placed(lines, fields, columns); ++k) {
-      const std::string_view field = fields[columns.axes[k]];
-      changes.push_back({static_cast<std::size_t>(field.data() - file.text.data()), field.size(), positions[i][static_cast<int>(k)]});
-    }
-    ++i;
-  });
+  for_each_fcsv_point(file.path, file.text,
+                      [&](const LineReader& lines, const auto& fields, const FcsvColumns& columns, Space) {
+                        for (std::size_t k = 0; k < 3 && is_placed(lines, fields, columns); ++k) {
+                          const std::string_view field = fields[columns.axes[k]];
+                          changes.push_back({static_cast<std::size_t>(field.data() - file.text.data()), field.size(),
+                                             positions[i][static_cast<int>(k)]});
+                        }
+                        ++i;
+                      });
   std::ranges::sort(changes, {}, &Change::begin);
   std::string text;
   std::size_t taken = 0;

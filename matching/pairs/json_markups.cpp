@@ -14,8 +14,8 @@ namespace shellmatch {
 namespace {
 
 [[noreturn]] void no_markups(const std::string& path, std::string_view why) {
-  throw_input_error("{}: damaged, or no markups of 3D Slicer ({}); save the points from Slicer as .mrk.json or .fcsv", path,
-                    printable(why));
+  throw_input_error("{}: damaged, or no markups of 3D Slicer ({}); save the points from Slicer as .mrk.json or .fcsv",
+                    path, printable(why));
 }
 
 // Old files have numbers, as .fcsv has.
@@ -24,7 +24,8 @@ Space markups_space(const Json& markup, const std::string& path) {
   if (at == markup.end()) return Space::lps;  // Slicer's default for this format
   if (*at == "LPS" || *at == "1" || *at == 1) return Space::lps;
   if (*at == "RAS" || *at == "0" || *at == 0) return Space::ras;
-  throw_input_error("{}: the coordinate system is {}; expected \"LPS\" or \"RAS\"", path, printable(at->dump(-1, ' ', true), 60));
+  throw_input_error("{}: the coordinate system is {}; expected \"LPS\" or \"RAS\"", path,
+                    printable(at->dump(-1, ' ', true), 60));
 }
 
 bool is_placed(const Json& point) {
@@ -40,7 +41,8 @@ std::string text_of(const Json& point, const char* key) {
 /// Calls visit(point, place, space) for each control point of the document, which may be constant.
 template <class Document, class Visit>
 void for_each_control_point(const std::string& path, Document& document, const Visit& visit) {
-  if (!document.is_object() || !document.contains("markups") || !document.at("markups").is_array()) no_markups(path, "there is no list 'markups'");
+  if (!document.is_object() || !document.contains("markups") || !document.at("markups").is_array())
+    no_markups(path, "there is no list 'markups'");
   std::size_t n = 0;
   for (auto& markup : document.at("markups")) {
     if (!markup.is_object()) no_markups(path, "an entry of 'markups' is no object");
@@ -75,7 +77,8 @@ std::vector<SlicerPoint> parse_markups(const std::string& path, const std::strin
       const auto position = json.find("position");
       const bool is_list = position != json.end() && position->is_array() && position->size() == 3;
       for (std::size_t k = 0; k < 3; ++k) {
-        if (!is_list || !(*position)[k].is_number()) throw_input_error("{}: its position is no list of three numbers", place);
+        if (!is_list || !(*position)[k].is_number())
+          throw_input_error("{}: its position is no list of three numbers", place);
         point.position[static_cast<int>(k)] = (*position)[k].get<double>();
       }
       if (!point.position.allFinite()) throw_input_error("{}: its position is not finite", place);
@@ -126,7 +129,9 @@ std::string markups_text(const PointSet<3>& set, Space space) {
   markup["labelFormat"] = "%N-%d";
   markup["controlPoints"] = std::move(points);
   Json document;
-  document["@schema"] = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#";
+  document["@schema"] =
+      "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
+      "markups-schema-v1.0.3.json#";
   document["markups"] = Json::array({std::move(markup)});
   return json_text(document);
 }

@@ -41,12 +41,20 @@ std::string specimens_text(const std::string& source, const std::vector<TpsSpeci
   std::vector<std::string> names;
   for (const TpsSpecimen& s : specimens)
     if (const std::string name = name_of(s); !name.empty()) names.push_back(name);
-  const auto missing = [](const TpsSpecimen& s) { return static_cast<std::size_t>(std::ranges::count_if(s.landmarks, [](const auto& x) { return !x; })); };
-  const auto n_scales = static_cast<std::size_t>(std::ranges::count_if(specimens, [](const TpsSpecimen& s) { return s.scale.has_value(); }));
-  std::string text = fmt::format("{}: {} of TPS\n", printable(source, max_message_length), counted(specimens.size(), "specimen", "specimens"));
-  const auto line = [&](std::string_view what, const std::string& value) { text += fmt::format("  {:<22}{}\n", what, value); };
-  line("landmarks", fmt::format("{} of {}, of which {} without position", range_of(specimens, [](const TpsSpecimen& s) { return s.landmarks.size(); }),
-                                specimens.front().dimension == 2 ? "the plane" : "space", range_of(specimens, missing)));
+  const auto missing = [](const TpsSpecimen& s) {
+    return static_cast<std::size_t>(std::ranges::count_if(s.landmarks, [](const auto& x) { return !x; }));
+  };
+  const auto n_scales = static_cast<std::size_t>(
+      std::ranges::count_if(specimens, [](const TpsSpecimen& s) { return s.scale.has_value(); }));
+  std::string text = fmt::format("{}: {} of TPS\n", printable(source, max_message_length),
+                                 counted(specimens.size(), "specimen", "specimens"));
+  const auto line = [&](std::string_view what, const std::string& value) {
+    text += fmt::format("  {:<22}{}\n", what, value);
+  };
+  line("landmarks",
+       fmt::format("{} of {}, of which {} without position",
+                   range_of(specimens, [](const TpsSpecimen& s) { return s.landmarks.size(); }),
+                   specimens.front().dimension == 2 ? "the plane" : "space", range_of(specimens, missing)));
   line("outlines and curves", range_of(specimens, [](const TpsSpecimen& s) { return s.curves.size(); }));
   line("with SCALE=", fmt::format("{}", n_scales));
   line("names", names.empty() ? "none: give each an ID=, by which one can be chosen" : some_names(names));

@@ -20,7 +20,8 @@ void note_left_out(const std::string& path, std::size_t n, std::vector<std::stri
   if (n > 0) notes.push_back(fmt::format("{}: {} without position left out", path, counted(n, "point", "points")));
 }
 
-std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes, std::set<std::string>& unplaced) {
+std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shapes, std::vector<std::string>& notes,
+                                            std::set<std::string>& unplaced) {
   const SlicerPoints file = read_slicer_points(path);
   std::vector<NamedPoint<3>> points;
   std::map<std::string, std::string> place_of;
@@ -29,7 +30,8 @@ std::vector<NamedPoint<3>> slicer_landmarks(const std::string& path, Space shape
       unplaced.insert(point.name);
       continue;
     }
-    if (point.name.empty()) throw_input_error("{}: the label is empty, by which points of two files belong together", point.place);
+    if (point.name.empty())
+      throw_input_error("{}: the label is empty, by which points of two files belong together", point.place);
     if (const auto [at, is_new] = place_of.emplace(point.name, point.place); !is_new)
       throw_input_error("{}: the name '{}' stands in {} already", point.place, point.name, at->second);
     points.push_back({point.name, in_space(point.position, point.space, or_default(shapes)), point.place});
@@ -44,8 +46,8 @@ bool is_tps(const std::string& path) { return format_of(split_part(path).file) =
 
 // In y upward and the file's own scale, whatever the shape's file has.
 template <int Dim>
-std::vector<NamedPoint<Dim>> tps_landmarks(const std::string& path, Space file_space, Space shapes, std::vector<std::string>& notes,
-                                           std::set<std::string>& unplaced) {
+std::vector<NamedPoint<Dim>> tps_landmarks(const std::string& path, Space file_space, Space shapes,
+                                           std::vector<std::string>& notes, std::set<std::string>& unplaced) {
   const PartName name = split_part(path);
   const std::vector<TpsSpecimen> specimens = parse_tps(name.file, InputFile(name.file).read());
   const TpsSpecimen& specimen = chosen_specimen(specimens, name.file, name.part);
@@ -63,16 +65,17 @@ std::vector<NamedPoint<Dim>> tps_landmarks(const std::string& path, Space file_s
   }
   if (points.empty()) throw_input_error("{}: none of its points has a position", path);
   note_left_out(path, positions.size() - points.size(), notes);
-  if (const std::string note = scale_note(specimens, specimen); !note.empty()) notes.push_back(fmt::format("{}: {}", path, note));
+  if (const std::string note = scale_note(specimens, specimen); !note.empty())
+    notes.push_back(fmt::format("{}: {}", path, note));
   return points;
 }
 
 }  // namespace
 
 template <int Dim>
-std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices, Space file_space,
-                                               Space shapes, std::vector<std::string>& notes, std::set<std::string>* unplaced,
-                                               const PlaneFrame& frame) {
+std::vector<NamedPoint<Dim>> read_named_points(const std::string& path, const std::vector<Vec<Dim>>& vertices,
+                                               Space file_space, Space shapes, std::vector<std::string>& notes,
+                                               std::set<std::string>* unplaced, const PlaneFrame& frame) {
   std::set<std::string> none;
   std::set<std::string>& without = unplaced ? *unplaced : none;
   if (is_slicer_file(path)) {
@@ -113,8 +116,9 @@ FileLandmarks<Dim> landmarks_of_both(const std::string& path, const std::vector<
     throw_input_error("{}: holds points of one shape; give those of the template, too (--template-landmarks)", path);
   FileLandmarks<Dim> read;
   for_each_landmark_row<Dim>(path, {"1", "2"}, false, [&](const LandmarkRow& row, const std::string& name) {
-    Landmark<Dim> landmark{name, row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes, spaces.reference_frame),
-                          row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes, spaces.template_frame)};
+    Landmark<Dim> landmark{name,
+                           row.point<Dim>("1", reference, spaces.reference_file, spaces.shapes, spaces.reference_frame),
+                           row.point<Dim>("2", template_shape, spaces.shapes, spaces.shapes, spaces.template_frame)};
     if (row.find("sd")) read.deviations[name] = row.positive("sd");
     if (row.find("weight")) landmark.weight = row.positive("weight");
     landmark.reference_origin = landmark.template_origin = row.place();
@@ -126,11 +130,12 @@ FileLandmarks<Dim> landmarks_of_both(const std::string& path, const std::vector<
 /// The landmarks of two files, which belong together by name.
 template <int Dim>
 FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::vector<Vec<Dim>>& reference,
-                                     const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces, std::vector<std::string>& notes) {
+                                     const std::vector<Vec<Dim>>& template_shape, const LandmarkSpaces& spaces,
+                                     std::vector<std::string>& notes) {
   std::map<std::string, Landmark<Dim>*> landmark_of;
   std::set<std::string> unplaced_here, unplaced_there;
-  const std::vector<NamedPoint<Dim>> here =
-      read_named_points<Dim>(options.file, reference, spaces.reference_file, spaces.shapes, notes, &unplaced_here, spaces.reference_frame);
+  const std::vector<NamedPoint<Dim>> here = read_named_points<Dim>(
+      options.file, reference, spaces.reference_file, spaces.shapes, notes, &unplaced_here, spaces.reference_frame);
   FileLandmarks<Dim> read;
   std::vector<Landmark<Dim>>& landmarks = read.landmarks;
   landmarks.reserve(here.size());  // the map keeps addresses
@@ -140,7 +145,8 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
     landmark_of[point.name] = &landmarks.back();
   }
   for (const NamedPoint<Dim>& point :
-       read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes, &unplaced_there, spaces.template_frame)) {
+       read_named_points<Dim>(options.template_file, template_shape, spaces.shapes, spaces.shapes, notes,
+                              &unplaced_there, spaces.template_frame)) {
     const auto at = landmark_of.find(point.name);
     if (at == landmark_of.end()) {
       if (unplaced_here.contains(point.name) || options.unpaired == UnpairedLandmarks::are_left_out) continue;
@@ -152,13 +158,16 @@ FileLandmarks<Dim> landmarks_of_each(const LandmarkOptions& options, const std::
   }
   const auto is_unpaired = [](const Landmark<Dim>& landmark) { return landmark.template_origin.empty(); };
   std::erase_if(landmarks, [&](const Landmark<Dim>& landmark) {
-    return is_unpaired(landmark) && (options.unpaired == UnpairedLandmarks::are_left_out || unplaced_there.contains(landmark.name));
+    return is_unpaired(landmark) &&
+           (options.unpaired == UnpairedLandmarks::are_left_out || unplaced_there.contains(landmark.name));
   });
   for (const Landmark<Dim>& landmark : landmarks)
     if (is_unpaired(landmark))
-      throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name, options.template_file);
+      throw_input_error("{}: the name '{}' is unknown to {}", landmark.reference_origin, landmark.name,
+                        options.template_file);
   if (landmarks.empty())
-    throw_input_error("{}: has no name in common with {}; leave the landmarks out, or name them alike", options.template_file, options.file);
+    throw_input_error("{}: has no name in common with {}; leave the landmarks out, or name them alike",
+                      options.template_file, options.file);
   return read;
 }
 
@@ -183,7 +192,8 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
                                           std::vector<std::string>* notes) {
   if (options.file.empty()) {
     if (!options.template_file.empty())
-      throw_input_error("landmarks.template_file: {}: landmarks.file, the points of the reference, is missing", options.template_file);
+      throw_input_error("landmarks.template_file: {}: landmarks.file, the points of the reference, is missing",
+                        options.template_file);
     return {};
   }
   std::vector<std::string> own_notes;
@@ -192,11 +202,13 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
                       : landmarks_of_each<Dim>(options, reference, template_shape, spaces, notes ? *notes : own_notes));
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
-  template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,         \
-                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&, std::vector<std::string>*); \
-  template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
-                                                               std::vector<std::string>&, std::set<std::string>*, const PlaneFrame&)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
+  template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,  \
+                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&,   \
+                                                          std::vector<std::string>*);                            \
+  template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, \
+                                                               Space, Space, std::vector<std::string>&,          \
+                                                               std::set<std::string>*, const PlaneFrame&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

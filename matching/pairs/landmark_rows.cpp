@@ -27,18 +27,20 @@ std::vector<std::string> fields_of(std::string_view line) {
 
 /// Checks the head line: every column is known, named once, and no point lacks a coordinate.
 template <int Dim>
-void check_columns(const LineReader& reader, const std::vector<std::string>& columns, const std::vector<std::string>& suffixes,
-                   bool names_needed) {
+void check_columns(const LineReader& reader, const std::vector<std::string>& columns,
+                   const std::vector<std::string>& suffixes, bool names_needed) {
   std::vector<std::string> known = {"name", "weight", "sd"};
   for (const std::string& suffix : suffixes) {
     known.push_back("vertex" + suffix);
     for (int k = 0; k < Dim; ++k) known.push_back(axes[static_cast<std::size_t>(k)] + suffix);
   }
-  const auto has = [&](const std::string& name) { return std::find(columns.begin(), columns.end(), name) != columns.end(); };
+  const auto has = [&](const std::string& name) {
+    return std::find(columns.begin(), columns.end(), name) != columns.end();
+  };
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (std::find(known.begin(), known.end(), columns[i]) == known.end())
-      reader.fail("unknown column '{}'; of a {}-dimensional shape expected a head line with some of {}", columns[i], Dim,
-                  fmt::format("{}", fmt::join(known, ",")));
+      reader.fail("unknown column '{}'; of a {}-dimensional shape expected a head line with some of {}", columns[i],
+                  Dim, fmt::format("{}", fmt::join(known, ",")));
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i))
       reader.fail("two columns are named '{}'", columns[i]);
@@ -47,15 +49,18 @@ void check_columns(const LineReader& reader, const std::vector<std::string>& col
     if (has("vertex" + suffix)) continue;
     for (int k = 0; k < Dim; ++k)
       if (const std::string name = axes[static_cast<std::size_t>(k)] + suffix; !has(name))
-        reader.fail("there is no column '{}'; too few columns for a point in {} dimensions, and no 'vertex{}'", name, Dim, suffix);
+        reader.fail("there is no column '{}'; too few columns for a point in {} dimensions, and no 'vertex{}'", name,
+                    Dim, suffix);
   }
-  if (names_needed && !has("name")) reader.fail("there is no column 'name', by which points of two files belong together");
+  if (names_needed && !has("name"))
+    reader.fail("there is no column 'name', by which points of two files belong together");
   if (has("weight") && has("sd")) reader.fail("'weight' and 'sd' exclude each other");
 }
 
 }  // namespace
 
-LandmarkRow::LandmarkRow(const LineReader& reader, const std::vector<std::string>& columns, std::vector<std::string> fields)
+LandmarkRow::LandmarkRow(const LineReader& reader, const std::vector<std::string>& columns,
+                         std::vector<std::string> fields)
     : reader_(reader), columns_(columns), fields_(std::move(fields)) {
   if (fields_.size() != columns_.size())
     reader.fail("{} values where the head line has {} columns ({})", fields_.size(), columns_.size(),
@@ -78,7 +83,8 @@ double LandmarkRow::positive(std::string_view column) const {
   const double value = number(column);
   if (!(value > 0)) reader_.fail("{} is {}; expected a number > 0", column, value);
   constexpr double least = 1e-50, most = 1e50;
-  if (!(value >= least && value <= most)) reader_.fail("{} is {}; expected a number from {:g} to {:g}", column, value, least, most);
+  if (!(value >= least && value <= most))
+    reader_.fail("{} is {}; expected a number from {:g} to {:g}", column, value, least, most);
   return value;
 }
 
@@ -116,7 +122,8 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
                            const std::function<void(const LandmarkRow&, const std::string& name)>& body) {
   const std::string text = InputFile(path).read();
   LineReader reader(path, text);
-  if (!reader.next()) throw_input_error("{}: holds no landmark; expected a head line with the names of the columns", path);
+  if (!reader.next())
+    throw_input_error("{}: holds no landmark; expected a head line with the names of the columns", path);
   std::vector<std::string> columns = fields_of(reader.line());
   for (std::string& column : columns)
     for (const std::string_view known : {"name", "label"})
@@ -136,10 +143,11 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
   if (line_of.empty()) throw_input_error("{}: holds no landmark besides its head line", path);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                                \
-  template bool LandmarkRow::is_missing<Dim>(const std::string&) const;                                                            \
-  template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, const PlaneFrame&) const;                 \
-  template void for_each_landmark_row<Dim>(const std::string&, const std::vector<std::string>&, bool,                              \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
+  template bool LandmarkRow::is_missing<Dim>(const std::string&) const;                                     \
+  template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
+                                            const PlaneFrame&) const;                                       \
+  template void for_each_landmark_row<Dim>(const std::string&, const std::vector<std::string>&, bool,       \
                                            const std::function<void(const LandmarkRow&, const std::string&)>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

@@ -24,10 +24,11 @@ class LandmarkRow {
   double number(std::string_view column) const;
   /// From 1e-50 to 1e50, so that the square of a ratio of two neither overflows nor vanishes. \pre the column exists
   double positive(std::string_view column) const;
-  /// The point of the columns vertexS or xS, yS (and zS) for a suffix S. Coordinates are converted from one frame to the other,
-  /// or, in the plane, as those of the shape's file were.
+  /// The point of the columns vertexS or xS, yS (and zS) for a suffix S. Coordinates are converted from one frame to
+  /// the other, or, in the plane, as those of the shape's file were.
   template <int Dim>
-  Vec<Dim> point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to, const PlaneFrame& frame) const;
+  Vec<Dim> point(const std::string& suffix, const std::vector<Vec<Dim>>& vertices, Space from, Space to,
+                 const PlaneFrame& frame) const;
   /// Whether the file lists the point without a position: all coordinates are empty, NA or nan.
   template <int Dim>
   bool is_missing(const std::string& suffix) const;

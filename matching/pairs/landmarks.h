@@ -27,20 +27,23 @@ struct Landmark {
 
 /// Checks landmarks before the shapes are placed, so that nothing is searched with wrong ones.
 /// \param reference, template_surface in the user's coordinates
-/// \throws InputError that names the landmark whose point is not finite, or farther from its shape than options.max_distance, or whose
+/// \throws InputError that names the landmark whose point is not finite, or farther from its shape than
+/// options.max_distance, or whose
 ///   weight is not positive
 template <int Dim>
-void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options, const Surface<Dim>& reference,
-                     const Surface<Dim>& template_surface);
+void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options,
+                     const Surface<Dim>& reference, const Surface<Dim>& template_surface);
 
 /// The landmarks as a term of a cascade: N landmarks of weight 1 have area(M1) / N each.
 /// \param name of the term \param pose of the reference, before the placement
 /// \param reference, template_shape in the unit domain, as `placement` has moved them
-/// \throws InputError that names the landmark which is not finite, outside of the domain, or farther from its shape than
+/// \throws InputError that names the landmark which is not finite, outside of the domain, or farther from its shape
+/// than
 ///   options.max_distance
 template <int Dim>
 PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<Dim>>& landmarks,
-                            const LandmarkOptions& options, const Similarity<Dim>& pose, const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
+                            const LandmarkOptions& options, const Similarity<Dim>& pose,
+                            const Similarity<Dim>& placement, const SignedDistance<Dim>& reference,
                             const SignedDistance<Dim>& template_shape);
 
 }  // namespace shellmatch

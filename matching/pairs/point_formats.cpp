@@ -34,11 +34,14 @@ void append_coordinates(std::string& text, const std::optional<Vec<Dim>>& x, std
 
 // The last field of the position's status and that of points placed by the program, as Slicer 5 writes them.
 std::string fcsv_text(const PointSet<3>& set, Space space) {
-  std::string text = fmt::format("# Markups fiducial file version = 5.0\n# CoordinateSystem = {}\n"
-                                 "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n", space_name(space));
+  std::string text = fmt::format(
+      "# Markups fiducial file version = 5.0\n# CoordinateSystem = {}\n"
+      "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n",
+      space_name(space));
   for (std::size_t i = 0; i < set.points.size(); ++i) {
     const Vec<3> x = set.points[i].value_or(Vec<3>::Zero());
-    text += fmt::format("{},{},{},{},0,0,0,1,1,1,0,{},,,{},0\n", i + 1, x.x(), x.y(), x.z(), csv_field(on_a_line(set.names[i])), set.points[i] ? 2 : 3);
+    text += fmt::format("{},{},{},{},0,0,0,1,1,1,0,{},,,{},0\n", i + 1, x.x(), x.y(), x.z(),
+                        csv_field(on_a_line(set.names[i])), set.points[i] ? 2 : 3);
   }
   return text;
 }
@@ -58,7 +61,8 @@ std::string tps_text(const std::vector<PointSet<Dim>>& sets, Space space) {
 // The frame is a label of each individual, as the format has no comments.
 template <int Dim>
 std::string morphologika_text(const std::vector<PointSet<Dim>>& sets, Space space) {
-  std::string text = fmt::format("[individuals]\n{}\n[landmarks]\n{}\n[dimensions]\n{}\n[names]\n", sets.size(), sets.empty() ? 0 : sets.front().points.size(), Dim);
+  std::string text = fmt::format("[individuals]\n{}\n[landmarks]\n{}\n[dimensions]\n{}\n[names]\n", sets.size(),
+                                 sets.empty() ? 0 : sets.front().points.size(), Dim);
   for (const PointSet<Dim>& set : sets) text += on_a_line(set.individual) + "\n";
   if (space != Space::unsaid) {
     text += "[labels]\nSPACE\n[labelvalues]\n";
@@ -82,10 +86,12 @@ PointFormat point_format(const std::string& path) {
 
 template <int Dim>
 std::string point_sets_text(PointFormat format, const std::vector<PointSet<Dim>>& sets, Space space) {
-  for (const PointSet<Dim>& set : sets) SHELLMATCH_CHECK(set.names.size() == set.points.size(), "each point has a name");
+  for (const PointSet<Dim>& set : sets)
+    SHELLMATCH_CHECK(set.names.size() == set.points.size(), "each point has a name");
   if constexpr (Dim == 3) {
-    SHELLMATCH_CHECK((format != PointFormat::fcsv && format != PointFormat::markups) || (sets.size() == 1 && space != Space::unsaid),
-                     "files of 3D Slicer hold one set of points, in a frame");
+    SHELLMATCH_CHECK(
+        (format != PointFormat::fcsv && format != PointFormat::markups) || (sets.size() == 1 && space != Space::unsaid),
+        "files of 3D Slicer hold one set of points, in a frame");
     if (format == PointFormat::fcsv) return fcsv_text(sets.front(), space);
     if (format == PointFormat::markups) return markups_text(sets.front(), space);
   }

@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// Sets of named points in the formats of other programs: control points of 3D Slicer (.fcsv, .mrk.json), landmarks for morphometrics
-/// (.tps as of Rohlf's tps programs, .txt as of Morphologika 2.5; geomorph reads both). Each names the frame of the coordinates.
+/// Sets of named points in the formats of other programs: control points of 3D Slicer (.fcsv, .mrk.json), landmarks for
+/// morphometrics
+/// (.tps as of Rohlf's tps programs, .txt as of Morphologika 2.5; geomorph reads both). Each names the frame of the
+/// coordinates.
 
 #include "geometry/surface/space.h"
 
@@ -20,9 +22,9 @@ PointFormat point_format(const std::string& path);
 /// The points of one individual; homologous points of several have the same place in each.
 template <int Dim>
 struct PointSet {
-  std::string individual;                         ///< its id
-  std::vector<std::string> names;                 ///< of the points, one for each
-  std::vector<std::optional<Vec<Dim>>> points;    ///< none where it is not known
+  std::string individual;                       ///< its id
+  std::vector<std::string> names;               ///< of the points, one for each
+  std::vector<std::optional<Vec<Dim>>> points;  ///< none where it is not known
 };
 
 /// The text of the file. \param space of the coordinates; may be unsaid but for Slicer's formats

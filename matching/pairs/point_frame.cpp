@@ -12,18 +12,20 @@ namespace shellmatch {
 
 namespace {
 
-constexpr double near = 0.05;         // of the diagonal: as far as landmarks.max_distance lets a landmark lie from its shape
-constexpr double same = 0.003;        // of the diagonal: distances below tell nothing from one another
+constexpr double near = 0.05;   // of the diagonal: as far as landmarks.max_distance lets a landmark lie from its shape
+constexpr double same = 0.003;  // of the diagonal: distances below tell nothing from one another
 constexpr double much_nearer = 1 / 3.0;
 constexpr std::size_t most_points = 1000;
 
-double median_distance(const Surface<3>& surface, const FacetTree<3>& tree, const std::vector<Vec<3>>& points, const PointImage& image) {
+double median_distance(const Surface<3>& surface, const FacetTree<3>& tree, const std::vector<Vec<3>>& points,
+                       const PointImage& image) {
   std::vector<double> distances;
   for (const Vec<3>& point : points) {
     stop_if_wanted();
     const std::optional<Vec<3>> x = image ? image(point) : point;
     const Index facet = x ? tree.nearest(*x) : no_index;
-    distances.push_back(facet == no_index ? std::numeric_limits<double>::infinity() : (closest_point_on_facet<3>(surface, facet, *x).point - *x).norm());
+    distances.push_back(facet == no_index ? std::numeric_limits<double>::infinity()
+                                          : (closest_point_on_facet<3>(surface, facet, *x).point - *x).norm());
   }
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::ranges::nth_element(distances, middle);
@@ -34,7 +36,8 @@ Space other(Space space) { return space == Space::ras ? Space::lps : Space::ras;
 
 }  // namespace
 
-Space frame_of_points(const Surface<3>& surface, const std::vector<Vec<3>>& points, Space own, const PointImage& image) {
+Space frame_of_points(const Surface<3>& surface, const std::vector<Vec<3>>& points, Space own,
+                      const PointImage& image) {
   if (surface.facets.empty() || points.empty()) return Space::unsaid;
   std::vector<Vec<3>> as_they_are;
   for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / most_points) as_they_are.push_back(points[i]);

@@ -15,7 +15,8 @@ namespace shellmatch {
 namespace {
 
 bool ends_in(const std::string& path, std::string_view ending) {
-  return path.size() > ending.size() && equals_ignoring_case(std::string_view(path).substr(path.size() - ending.size()), ending);
+  return path.size() > ending.size() &&
+         equals_ignoring_case(std::string_view(path).substr(path.size() - ending.size()), ending);
 }
 
 bool is_fcsv(const std::string& path) { return ends_in(path, ".fcsv"); }
@@ -61,7 +62,9 @@ std::size_t n_without_position(const SlicerPoints& file) {
 }  // namespace
 
 std::string slicer_points_text(const SlicerPoints& file) {
-  return fmt::format("{}: points of 3D Slicer\n  {:<22}{}, of which {} without position\n  {:<22}{}\n", printable(file.path, max_message_length), "in the file",
-                     counted(file.points.size(), "point", "points"), n_without_position(file), "frame", spaces_of(file));
+  return fmt::format("{}: points of 3D Slicer\n  {:<22}{}, of which {} without position\n  {:<22}{}\n",
+                     printable(file.path, max_message_length), "in the file",
+                     counted(file.points.size(), "point", "points"), n_without_position(file), "frame",
+                     spaces_of(file));
 }
 }  // namespace shellmatch

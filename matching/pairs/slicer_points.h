@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// Control points of 3D Slicer's markups, .fcsv and .mrk.json
-/// (https://slicer.readthedocs.io/en/latest/developer_guide/modules/markups.html). A file goes out as it came in, but for the
-/// positions.
+/// (https://slicer.readthedocs.io/en/latest/developer_guide/modules/markups.html). A file goes out as it came in, but
+/// for the positions.
 
 #include "geometry/surface/space.h"
 
@@ -13,11 +13,11 @@ namespace shellmatch {
 
 /// A control point as it stands in a file.
 struct SlicerPoint {
-  std::string name;                    ///< its label; may be empty
-  Vec<3> position = Vec<3>::Zero();    ///< in `space`, finite
-  Space space = Space::unsaid;         ///< ras or lps
-  bool has_position = true;            ///< false of a point that is listed but not placed yet, or missing
-  std::string place;                   ///< "points.fcsv, line 4", for messages
+  std::string name;                  ///< its label; may be empty
+  Vec<3> position = Vec<3>::Zero();  ///< in `space`, finite
+  Space space = Space::unsaid;       ///< ras or lps
+  bool has_position = true;          ///< false of a point that is listed but not placed yet, or missing
+  std::string place;                 ///< "points.fcsv, line 4", for messages
 };
 
 struct SlicerPoints {
@@ -38,7 +38,8 @@ std::string with_positions(const SlicerPoints& file, const std::vector<Vec<3>>& 
 /// One line that says which positions the frame of the shapes has otherwise; empty where there are none.
 std::string space_note(const SlicerPoints& file, Space shapes);
 
-/// What is in the file, in words and as a JSON object: how many points, how many of them without position, and their frames.
+/// What is in the file, in words and as a JSON object: how many points, how many of them without position, and their
+/// frames.
 std::string slicer_points_text(const SlicerPoints& file);
 std::string slicer_points_json(const SlicerPoints& file);
 

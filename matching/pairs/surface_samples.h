@@ -18,8 +18,9 @@ struct SurfaceSample {
   double area;      ///< that it stands for (length)
 };
 
-/// Samples of the vertices that have an area and a normal and for which `contains` holds: all or, where there are more, at most
-/// `most`, each of which stands for a multiple of total area / most. They are taken along a Morton curve, which spreads them evenly.
+/// Samples of the vertices that have an area and a normal and for which `contains` holds: all or, where there are more,
+/// at most `most`, each of which stands for a multiple of total area / most. They are taken along a Morton curve, which
+/// spreads them evenly.
 template <int Dim>
 std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
                                                 const std::function<bool(const Vec<Dim>&)>& contains);

@@ -10,8 +10,8 @@
 
 namespace shellmatch {
 
-/// The specimens that a name stands for, "wings.tps" or "wings.tps:ID", where that is no outline: several, or one of landmarks alone.
-/// Nothing of other names. \throws InputError where the file cannot be read
+/// The specimens that a name stands for, "wings.tps" or "wings.tps:ID", where that is no outline: several, or one of
+/// landmarks alone. Nothing of other names. \throws InputError where the file cannot be read
 std::optional<std::vector<TpsSpecimen>> listed_specimens(const std::string& source);
 
 /// In words, and as a JSON object with the landmarks times their scale. \pre there are some

@@ -26,8 +26,7 @@ SliceLines slice_grid(const Octree<3>& grid, int axis, double place) {
     const Vec<3> low = grid.node_position(cell.nodes[0]);
     const double side = cell.side();
     if (place < low[axis] || place >= low[axis] + side) continue;
-    const Vec<2> a = in_plane(low, axis), b = a + Vec<2>(side, 0), c = a + Vec<2>(side, side),
-                 d = a + Vec<2>(0, side);
+    const Vec<2> a = in_plane(low, axis), b = a + Vec<2>(side, 0), c = a + Vec<2>(side, side), d = a + Vec<2>(0, side);
     for (const auto& line : {std::array{a, b}, std::array{b, c}, std::array{c, d}, std::array{d, a}})
       lines.push_back(line);
   }
@@ -62,21 +61,20 @@ void write_grid_picture(const Octree<3>& grid, const Surface<3>& reference, cons
   const Vec<3> middle = (0.5 * (box.min + box.max)).cwiseMax(0.0).cwiseMin(1 - 1e-9);
   std::vector<Panel> panels;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<RenderLines> lines = {{.segments = slice_grid(grid, axis, middle[axis]),
-                                             .color = color_from_oklch(0.72, 0.01, 255),
-                                             .width = 0.5},
-                                            {.segments = slice_surface(reference, axis, middle[axis]),
-                                             .color = color_from_oklch(0.55, 0.16, 45),
-                                             .width = 1.6},
-                                            {.segments = slice_surface(template_shape, axis, middle[axis]),
-                                             .color = color_from_oklch(0.5, 0.14, 255),
-                                             .width = 1.6}};
+    const std::vector<RenderLines> lines = {
+        {.segments = slice_grid(grid, axis, middle[axis]), .color = color_from_oklch(0.72, 0.01, 255), .width = 0.5},
+        {.segments = slice_surface(reference, axis, middle[axis]),
+         .color = color_from_oklch(0.55, 0.16, 45),
+         .width = 1.6},
+        {.segments = slice_surface(template_shape, axis, middle[axis]),
+         .color = color_from_oklch(0.5, 0.14, 255),
+         .width = 1.6}};
     const Frame frame{Vec<2>::Constant(-0.01), Vec<2>::Constant(1.01)};
     const auto [a, b] = axes_of_plane(axis);
-    panels.push_back({render_contours({}, frame, size, size, lines),
-                      fmt::format("{} = {:.2f}, {} to the right, {} upwards", names[axis], middle[axis],
-                                  names[a], names[b]),
-                      {}});
+    panels.push_back(
+        {render_contours({}, frame, size, size, lines),
+         fmt::format("{} = {:.2f}, {} to the right, {} upwards", names[axis], middle[axis], names[a], names[b]),
+         {}});
   }
   write_png(compose_panels(panels, title), path);
 }

@@ -12,8 +12,7 @@ namespace shellmatch {
 
 namespace {
 
-const Color template_color = color_from_oklch(0.66, 0.10, 255),
-            deformed_color = color_from_oklch(0.74, 0.13, 55);
+const Color template_color = color_from_oklch(0.66, 0.10, 255), deformed_color = color_from_oklch(0.74, 0.13, 55);
 
 // A quantile of the values, as an upper end of a colour bar that a few outliers do not determine.
 double quantile(std::vector<double> values, double share) {
@@ -59,17 +58,12 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   // All levels are seen from one place; what is between the two lies within the wider margin.
   const Surface<3>* both[] = {picture.reference, picture.template_shape};
   const Camera camera = fit_camera(both, 1, {.margin = 0.08});
-  const RenderOptions options{.width = size,
-                              .height = size,
-                              .samples = picture.draft ? 2 : 3,
-                              .ambient_occlusion = !picture.draft};
-  const auto draw = [&](std::vector<RenderSurface> surfaces) {
-    return render_surfaces(surfaces, camera, options);
-  };
+  const RenderOptions options{
+      .width = size, .height = size, .samples = picture.draft ? 2 : 3, .ambient_occlusion = !picture.draft};
+  const auto draw = [&](std::vector<RenderSurface> surfaces) { return render_surfaces(surfaces, camera, options); };
 
   RenderSurface reference{.surface = picture.reference, .paint = Paint::checker};
-  RenderSurface deformed{
-      .surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
+  RenderSurface deformed{.surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
   RenderSurface template_shape{.surface = picture.template_shape};
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
@@ -99,8 +93,7 @@ RenderLines grid_lines(const Octree<2>& grid, const std::vector<Vec<2>>* phi, do
   for (const Index leaf : grid.leaves()) {
     const auto& cell = grid.cell(leaf);
     if (cell.side() < least_side) continue;
-    for (const auto& [a, b] : sides)
-      lines.segments.push_back({position(cell.nodes[a]), position(cell.nodes[b])});
+    for (const auto& [a, b] : sides) lines.segments.push_back({position(cell.nodes[a]), position(cell.nodes[b])});
   }
   return lines;
 }
@@ -115,10 +108,8 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
     return render_contours(contours, frame, size, size, lines);
   };
 
-  RenderContour reference{
-      .contour = picture.reference, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
-  RenderContour deformed{
-      .contour = picture.deformed, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
+  RenderContour reference{.contour = picture.reference, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
+  RenderContour deformed{.contour = picture.deformed, .fill_alpha = 1, .line_width = 3.5, .vertex_colors = colors};
   RenderContour template_shape{.contour = picture.template_shape, .fill_alpha = 1, .line_width = 1.8};
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
@@ -135,8 +126,7 @@ std::vector<Panel> draw_panels(const LevelPicture<2>& picture) {
   for (const ScalarPanel& scalar : scalar_panels(picture)) {
     RenderContour c{.contour = picture.deformed, .line_width = 4};
     for (const double v : scalar.values)
-      c.vertex_colors.push_back(
-          map_color(scalar.bar.map, (v - scalar.bar.min) / (scalar.bar.max - scalar.bar.min)));
+      c.vertex_colors.push_back(map_color(scalar.bar.map, (v - scalar.bar.min) / (scalar.bar.max - scalar.bar.min)));
     panels.push_back({draw({c}), scalar.caption, scalar.bar});
   }
   if (picture.grid) {
@@ -166,14 +156,14 @@ void add_distances(LevelPicture<Dim>& picture, std::vector<double> distance, con
   for (double& d : distance) d *= scale;
   const bool has_gaps = std::ranges::any_of(distance, [](double d) { return std::isnan(d); });
   picture.distance = std::move(distance);
-  picture.distance_label = fmt::format("distance to template ({}){}", summary.unit.value_or("").empty() ? "unit of the files" : *summary.unit,
+  picture.distance_label = fmt::format("distance to template ({}){}",
+                                       summary.unit.value_or("").empty() ? "unit of the files" : *summary.unit,
                                        has_gaps ? "; grey: no data" : "");
 }
 
 template <int Dim>
 void write_level_picture(const LevelPicture<Dim>& picture, const std::string& path) {
-  SHELLMATCH_CHECK(picture.reference && picture.template_shape && picture.deformed,
-                   "a picture needs three shapes");
+  SHELLMATCH_CHECK(picture.reference && picture.template_shape && picture.deformed, "a picture needs three shapes");
   SHELLMATCH_CHECK(picture.reference->vertices.size() == picture.deformed->vertices.size(),
                    "the deformed shape has the reference's vertices");
   const std::vector<Panel> panels = draw_panels(picture);

@@ -19,11 +19,11 @@ struct LevelPicture {
   const Surface<Dim>* template_shape = nullptr;
   const Surface<Dim>* deformed = nullptr;  ///< vertex by vertex the image of `reference`
   std::string title = {};                  ///< for instance "level 5"; may be empty
-  std::vector<double> distance = {};  ///< of each deformed vertex to the template; empty omits the panel
+  std::vector<double> distance = {};       ///< of each deformed vertex to the template; empty omits the panel
   std::string distance_label = "distance to template";
-  double distance_max = 0;              ///< end of the colour bar; 0 takes the 98 % quantile
-  std::vector<double> area_ratio = {};  ///< at each vertex, deformed over reference; empty omits the panel
-  const Octree<Dim>* grid = nullptr;    ///< drawn with the shapes; in the plane only, in the unit domain
+  double distance_max = 0;                     ///< end of the colour bar; 0 takes the 98 % quantile
+  std::vector<double> area_ratio = {};         ///< at each vertex, deformed over reference; empty omits the panel
+  const Octree<Dim>* grid = nullptr;           ///< drawn with the shapes; in the plane only, in the unit domain
   const std::vector<Vec<Dim>>* phi = nullptr;  ///< positions of the grid's nodes, for drawing it deformed
   int panel_size = 0;                          ///< side of a panel in pixels; 0 chooses one
   bool draft = false;  ///< in space: coarser samples without soft shadows, in a sixth of the time

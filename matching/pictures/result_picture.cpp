@@ -29,14 +29,18 @@ struct Drawn {
   std::string caption;
 };
 
-std::optional<ColorBar> bar_of(const ResultView& view, const std::string& unit, int dimension, const std::vector<double>& all) {
+std::optional<ColorBar> bar_of(const ResultView& view, const std::string& unit, int dimension,
+                               const std::vector<double>& all) {
   std::vector<double> sizes;
   for (const double v : all)
     if (std::isfinite(v)) sizes.push_back(std::abs(v));
   if (sizes.empty()) return std::nullopt;
   const double end = std::max(quantile(sizes, 0.98), 1e-12);
-  if (view.colors == ShownColors::distance) return ColorBar{ColorMap::sequential, 0, end, fmt::format("distance ({})", unit.empty() ? "unit of the files" : unit)};
-  return ColorBar{ColorMap::diverging, -end, end, dimension == 3 ? "log2 of the area ratio" : "log2 of the length ratio"};
+  if (view.colors == ShownColors::distance)
+    return ColorBar{ColorMap::sequential, 0, end,
+                    fmt::format("distance ({})", unit.empty() ? "unit of the files" : unit)};
+  return ColorBar{ColorMap::diverging, -end, end,
+                  dimension == 3 ? "log2 of the area ratio" : "log2 of the length ratio"};
 }
 
 Camera camera_for(const ResultShapes<3>& shapes, const ResultView& view) {
@@ -55,26 +59,31 @@ Camera camera_for(const ResultShapes<3>& shapes, const ResultView& view) {
   return camera;
 }
 
-Image draw_shapes(const ResultShapes<3>& shapes, const std::vector<const Drawn<3>*>& drawn, const ResultView& view, const std::optional<ColorBar>& bar) {
+Image draw_shapes(const ResultShapes<3>& shapes, const std::vector<const Drawn<3>*>& drawn, const ResultView& view,
+                  const std::optional<ColorBar>& bar) {
   std::vector<RenderSurface> surfaces;
   for (const Drawn<3>* d : drawn) {
     RenderSurface s{.surface = &d->surface, .color = d->color};
     if (d->origins != nullptr) s.paint = Paint::checker, s.origins = *d->origins;
-    if (!d->values.empty() && bar) s.paint = Paint::scalar, s.scalars = d->values, s.color_map = bar->map, s.scalar_min = bar->min, s.scalar_max = bar->max;
+    if (!d->values.empty() && bar)
+      s.paint = Paint::scalar, s.scalars = d->values, s.color_map = bar->map, s.scalar_min = bar->min,
+      s.scalar_max = bar->max;
     if (d != drawn.front()) s.opacity = 0.4;
     surfaces.push_back(std::move(s));
   }
   return render_surfaces(surfaces, camera_for(shapes, view), {.width = view.size, .height = view.size, .samples = 3});
 }
 
-Image draw_shapes(const ResultShapes<2>& shapes, const std::vector<const Drawn<2>*>& drawn, const ResultView& view, const std::optional<ColorBar>& bar) {
+Image draw_shapes(const ResultShapes<2>& shapes, const std::vector<const Drawn<2>*>& drawn, const ResultView& view,
+                  const std::optional<ColorBar>& bar) {
   const Surface<2>* all[] = {&shapes.reference, &shapes.deformed, &shapes.template_shape};
   std::vector<RenderContour> contours;
   for (const Drawn<2>* d : drawn) {
     RenderContour c{.contour = &d->surface, .line = d->color, .line_width = view.size / 200.0};
     if (d->origins != nullptr) c.vertex_colors = position_colors(*d->origins, bounding_box(*d->origins));
     if (!d->values.empty() && bar)
-      for (const double v : d->values) c.vertex_colors.push_back(map_color(bar->map, (v - bar->min) / (bar->max - bar->min)));
+      for (const double v : d->values)
+        c.vertex_colors.push_back(map_color(bar->map, (v - bar->min) / (bar->max - bar->min)));
     if (d != drawn.front()) c.fill = d->color, c.fill_alpha = 0.35;
     if (drawn.size() > 1 && d == drawn.front()) c.line_width /= 2;  // over the other one's line
     contours.insert(contours.begin(), std::move(c));
@@ -88,15 +97,18 @@ template <int Dim>
 Canvas draw_result(const ResultShapes<Dim>& shapes, const ResultView& view, CanvasKind kind) {
   const bool by_values = view.colors == ShownColors::distance || view.colors == ShownColors::distortion;
   std::vector<double> values, template_values;
-  if (view.colors == ShownColors::distance) values = shapes.distance_to_template, template_values = shapes.distance_to_deformed;
+  if (view.colors == ShownColors::distance)
+    values = shapes.distance_to_template, template_values = shapes.distance_to_deformed;
   if (view.colors == ShownColors::distortion)
     for (const double ratio : shapes.measure_ratio) values.push_back(std::log2(ratio));
   const auto* pattern = view.colors == ShownColors::checker ? &shapes.reference.vertices : nullptr;
   Drawn<Dim> reference{shapes.reference, pattern, {}, color_of_result, "reference"};
-  Drawn<Dim> result{shapes.deformed, pattern, values, color_of_result, view.time == 1 ? "deformed reference" : fmt::format("deformed reference, t = {:.2f}", view.time)};
+  Drawn<Dim> result{shapes.deformed, pattern, values, color_of_result,
+                    view.time == 1 ? "deformed reference" : fmt::format("deformed reference, t = {:.2f}", view.time)};
   Drawn<Dim> template_shape{shapes.template_shape, nullptr, template_values, color_of_template, "template"};
   for (std::size_t v = 0; v < result.surface.vertices.size(); ++v)
-    result.surface.vertices[v] = (1 - view.time) * shapes.reference.vertices[v] + view.time * shapes.deformed.vertices[v];
+    result.surface.vertices[v] =
+        (1 - view.time) * shapes.reference.vertices[v] + view.time * shapes.deformed.vertices[v];
 
   std::vector<double> all = values;
   all.insert(all.end(), template_values.begin(), template_values.end());

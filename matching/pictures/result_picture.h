@@ -13,25 +13,30 @@ namespace shellmatch {
 enum class ShownShapes { result, reference, template_shape, overlay, all };
 template <>
 struct EnumNames<ShownShapes> {
-  static constexpr std::pair<ShownShapes, std::string_view> names[] = {{ShownShapes::result, "result"}, {ShownShapes::reference, "reference"},
-      {ShownShapes::template_shape, "template"}, {ShownShapes::overlay, "overlay"}, {ShownShapes::all, "all"}};
+  static constexpr std::pair<ShownShapes, std::string_view> names[] = {{ShownShapes::result, "result"},
+                                                                       {ShownShapes::reference, "reference"},
+                                                                       {ShownShapes::template_shape, "template"},
+                                                                       {ShownShapes::overlay, "overlay"},
+                                                                       {ShownShapes::all, "all"}};
 };
 
 enum class ShownColors { checker, distance, distortion, plain };
 template <>
 struct EnumNames<ShownColors> {
-  static constexpr std::pair<ShownColors, std::string_view> names[] = {{ShownColors::checker, "checker"}, {ShownColors::distance, "distance"},
-      {ShownColors::distortion, "distortion"}, {ShownColors::plain, "plain"}};
+  static constexpr std::pair<ShownColors, std::string_view> names[] = {{ShownColors::checker, "checker"},
+                                                                       {ShownColors::distance, "distance"},
+                                                                       {ShownColors::distortion, "distortion"},
+                                                                       {ShownColors::plain, "plain"}};
 };
 
 struct ResultView {
   ShownShapes show = ShownShapes::result;
   ShownColors colors = ShownColors::checker;
   std::optional<double> azimuth, elevation;  ///< degrees, as ViewOptions; chosen if not given
-  double turn = 0;  ///< degrees by which the camera goes around the shapes from there; 0 in the plane
+  double turn = 0;     ///< degrees by which the camera goes around the shapes from there; 0 in the plane
   bool turns = false;  ///< whether other pictures have another turn, so that there is room for all of them
-  double time = 1;  ///< t of phi_t = (1 - t) id + t phi
-  int size = 800;   ///< side of a panel in pixels
+  double time = 1;     ///< t of phi_t = (1 - t) id + t phi
+  int size = 800;      ///< side of a panel in pixels
 };
 
 /// Panels with captions and, where colours have a scale, a bar with its unit.

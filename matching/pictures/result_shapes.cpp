@@ -60,18 +60,25 @@ template <int Dim>
 ResultShapes<Dim> read_result_shapes(const std::string& folder) {
   const std::filesystem::path place = folder;
   const ExperimentOptions options = read_experiment((place / "config.yaml").string());
-  const OriginalShape<Dim> deformed = read_written<Dim>(place, "deformed"), template_shape = read_written<Dim>(place, "template");
+  const OriginalShape<Dim> deformed = read_written<Dim>(place, "deformed"),
+                           template_shape = read_written<Dim>(place, "template");
   const Deformation<Dim> map = read_deformation<Dim>(folder);
   if (options.input.reference.empty())
-    throw_input_error("{}: its config.yaml names no reference, as it was an array in Python; report.html shows the result", folder);
-  AnyShape read = open_shape(options.input.reference, options.input.close, map.space == Space::unsaid ? default_space : map.space);
+    throw_input_error(
+        "{}: its config.yaml names no reference, as it was an array in Python; report.html shows the result", folder);
+  AnyShape read =
+      open_shape(options.input.reference, options.input.close, map.space == Space::unsaid ? default_space : map.space);
   auto* reference = std::get_if<Shape<Dim>>(&read);
   if (reference == nullptr || reference->original.vertices.size() != deformed.vertices.size())
-    throw_input_error("{}: is no longer the reference of {}, which has {} vertices", options.input.reference, folder, deformed.vertices.size());
-  ResultShapes<Dim> shapes{.reference = surface_of(deformed), .deformed = surface_of(deformed), .template_shape = surface_of(template_shape),
+    throw_input_error("{}: is no longer the reference of {}, which has {} vertices", options.input.reference, folder,
+                      deformed.vertices.size());
+  ResultShapes<Dim> shapes{.reference = surface_of(deformed),
+                           .deformed = surface_of(deformed),
+                           .template_shape = surface_of(template_shape),
                            .distance_to_template = values_of(deformed, "distance_to_template"),
                            .measure_ratio = values_of(deformed, Dim == 3 ? "area_ratio" : "length_ratio"),
-                           .distance_to_deformed = values_of(template_shape, "distance_to_deformed"), .unit = read_summary((place / "summary.json").string()).unit.value_or("")};
+                           .distance_to_deformed = values_of(template_shape, "distance_to_deformed"),
+                           .unit = read_summary((place / "summary.json").string()).unit.value_or("")};
   // The run has brought it into the frame of the template.
   if constexpr (Dim == 3) {
     OriginalShape<3>& shape = reference->original;
@@ -80,10 +87,12 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
     if (shape.space == Space::unsaid && map.space != Space::unsaid && !goes_to(map, shape.vertices, deformed.vertices))
       change_space(shape.vertices, Space::ras, Space::lps);
   }
-  for (std::vector<double>* values : {&shapes.distance_to_template, &shapes.measure_ratio}) leave_out(*values, values_of(deformed, "template_observed"));
+  for (std::vector<double>* values : {&shapes.distance_to_template, &shapes.measure_ratio})
+    leave_out(*values, values_of(deformed, "template_observed"));
   leave_out(shapes.distance_to_deformed, values_of(template_shape, "deformed_observed"));
   if (!goes_to(map, reference->original.vertices, deformed.vertices))
-    throw_input_error("{}: has changed since {} was made: its vertices do not go to those of the deformed reference", options.input.reference, folder);
+    throw_input_error("{}: has changed since {} was made: its vertices do not go to those of the deformed reference",
+                      options.input.reference, folder);
   for (std::size_t v = 0; v < deformed.vertices.size(); ++v)
     shapes.reference.vertices[v] = map.from_reference_pose(reference->original.vertices[v]);
   return shapes;

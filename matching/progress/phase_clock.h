@@ -8,8 +8,9 @@
 
 namespace shellmatch {
 
-/// Seconds of wall time by name of the phase: `reading` the shapes; on every level `distances`, `coefficients`, `set-up`,
-/// `minimisation`, `report` and `refinement`; `output`, which is checkpoints, pictures and the files of the result; `page`, which is report.html.
+/// Seconds of wall time by name of the phase: `reading` the shapes; on every level `distances`, `coefficients`,
+/// `set-up`, `minimisation`, `report` and `refinement`; `output`, which is checkpoints, pictures and the files of the
+/// result; `page`, which is report.html.
 using PhaseSeconds = std::map<std::string, double>;
 
 /// Adds the time from start(name) to the next start() or to destruction to seconds[name].

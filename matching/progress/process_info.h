@@ -27,8 +27,8 @@ std::uint64_t free_disk_bytes(const std::string& path);
 /// Name and version of the compiler of this program: "gcc 12.2.0".
 std::string compiler_name();
 
-/// The vector units that this program's code is compiled for, and how: "AVX-512 (-march=native)", "SSE2". In a package of several
-/// variants (cmake/Package.cmake) it is that of the variant that runs.
+/// The vector units that this program's code is compiled for, and how: "AVX-512 (-march=native)", "SSE2". In a package
+/// of several variants (cmake/Package.cmake) it is that of the variant that runs.
 std::string vector_code();
 
 /// The version of this program: "0.1.0".

@@ -22,10 +22,10 @@ struct ReportFrame {
   double domain_side = 1;  ///< side of the unit domain in the template's unit
   /// A point of the unit domain in the coordinates of the template: the images of the origin and of the unit vectors.
   std::vector<std::array<double, 3>> domain;
-  std::optional<PageView> view;           ///< of shapes in space, in those coordinates
-  std::vector<int> levels;                ///< of which the deformed vertices are there
-  std::vector<std::string> term_names;    ///< of the history
-  std::string picture;                    ///< base64 of a PNG; may be empty
+  std::optional<PageView> view;         ///< of shapes in space, in those coordinates
+  std::vector<int> levels;              ///< of which the deformed vertices are there
+  std::vector<std::string> term_names;  ///< of the history
+  std::string picture;                  ///< base64 of a PNG; may be empty
 };
 
 /// As JSON that may stand within an element of a page: it has no '<'.

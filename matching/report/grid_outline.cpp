@@ -16,7 +16,8 @@ struct Corner {
 template <int Dim>
 class Traversal {
  public:
-  Traversal(const Octree<Dim>& grid, int finest_level, GridOutline<Dim>& outline) : grid_(grid), finest_level_(finest_level), outline_(outline) {}
+  Traversal(const Octree<Dim>& grid, int finest_level, GridOutline<Dim>& outline)
+      : grid_(grid), finest_level_(finest_level), outline_(outline) {}
 
   std::vector<Corner> corners() && {
     descend(0);
@@ -36,7 +37,8 @@ class Traversal {
     outline_.levels.push_back(static_cast<std::uint8_t>(cell.level));
     for (const Index node : cell.nodes) {
       std::uint64_t key = 0;
-      for (int k = Dim - 1; k >= 0; --k) key = key << 21 | static_cast<std::uint64_t>(grid_.node_coord(node)[static_cast<std::size_t>(k)]);
+      for (int k = Dim - 1; k >= 0; --k)
+        key = key << 21 | static_cast<std::uint64_t>(grid_.node_coord(node)[static_cast<std::size_t>(k)]);
       corners_.push_back({key, node});
     }
   }

@@ -12,7 +12,8 @@ namespace shellmatch {
 namespace {
 
 std::string any_value_text(const OptionNode& section, const OptionNode& option) {
-  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides) : value_text(option);
+  return option.level_overrides != nullptr ? level_overrides_text(section, *option.level_overrides)
+                                           : value_text(option);
 }
 
 // All options with their values, and the default where that is another one.
@@ -46,7 +47,10 @@ std::string report_json(const MatchSummary& summary, const ExperimentOptions& op
   report["options"] = options_json(options);
   report["levels"] = frame.levels;
   report["terms"] = frame.term_names;
-  report["grid"] = {{"finest_level", frame.grid_level}, {"backward", frame.is_backward}, {"side", frame.domain_side}, {"domain", frame.domain}};
+  report["grid"] = {{"finest_level", frame.grid_level},
+                    {"backward", frame.is_backward},
+                    {"side", frame.domain_side},
+                    {"domain", frame.domain}};
   if (!frame.picture.empty()) report["picture"] = frame.picture;
   add_page_members(report, arrays, frame.view);
   return element_text(report);

@@ -18,8 +18,14 @@ const char* kind_name(PackedKind kind) {
 }
 
 Json array_json(const PackedArray& a) {
-  return {{"name", a.name}, {"kind", kind_name(a.kind)}, {"components", a.n_components}, {"entries", a.n_entries},
-          {"offset", a.offset}, {"bytes", a.n_bytes}, {"low", a.low}, {"step", a.step}};
+  return {{"name", a.name},
+          {"kind", kind_name(a.kind)},
+          {"components", a.n_components},
+          {"entries", a.n_entries},
+          {"offset", a.offset},
+          {"bytes", a.n_bytes},
+          {"low", a.low},
+          {"step", a.step}};
 }
 
 }  // namespace
@@ -28,9 +34,11 @@ void add_page_members(Json& page, const std::vector<PackedArray>& arrays, const 
   page["format"] = 1;
   page["program"] = {{"version", program_version()}, {"compiler", compiler_name()}, {"vector_code", vector_code()}};
   page["libraries"] = Json::array();
-  for (const LinkedLibrary& library : linked_libraries()) page["libraries"].push_back({{"name", library.name}, {"version", library.version}});
+  for (const LinkedLibrary& library : linked_libraries())
+    page["libraries"].push_back({{"name", library.name}, {"version", library.version}});
   if (view)
-    page["camera"] = {{"target", view->target}, {"up", view->up}, {"backward", view->backward}, {"half_height", view->half_height}};
+    page["camera"] = {
+        {"target", view->target}, {"up", view->up}, {"backward", view->backward}, {"half_height", view->half_height}};
   page["arrays"] = Json::array();
   for (const PackedArray& array : arrays) page["arrays"].push_back(array_json(array));
 }

@@ -17,7 +17,8 @@ std::uint32_t rounded_bits(double value) {
   const auto number = static_cast<float>(value);
   if (!std::isfinite(number)) return std::bit_cast<std::uint32_t>(number);
   constexpr int dropped = 24 - PackedArrays::significant_bits;
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(number), rounded = (bits + (1u << (dropped - 1))) & ~((1u << dropped) - 1);
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(number),
+                      rounded = (bits + (1u << (dropped - 1))) & ~((1u << dropped) - 1);
   return std::isfinite(std::bit_cast<float>(rounded)) ? rounded : bits;
 }
 

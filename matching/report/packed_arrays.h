@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Arrays of numbers packed for a page: rounded to what can be seen, ordered so that they compress, compressed, and as text.
-/// report/data/arrays.js reads them.
+/// Arrays of numbers packed for a page: rounded to what can be seen, ordered so that they compress, compressed, and as
+/// text. report/data/arrays.js reads them.
 
 #include "base/types.h"
 
@@ -14,8 +14,8 @@
 
 namespace shellmatch {
 
-/// How the bytes of an array are to be read. All values of several bytes are little-endian; the bytes of the same rank are together,
-/// the lowest first, and so are, before that, the values of the same component.
+/// How the bytes of an array are to be read. All values of several bytes are little-endian; the bytes of the same rank
+/// are together, the lowest first, and so are, before that, the values of the same component.
 enum class PackedKind {
   points,   ///< 16-bit differences from the value before; times `step`, plus `low` of the component
   indices,  ///< 32-bit differences from the index before, zigzag-coded: 2d, or -2d - 1 for d < 0
@@ -27,7 +27,7 @@ struct PackedArray {
   std::string name;
   PackedKind kind = PackedKind::bytes;
   int n_components = 1;
-  std::size_t n_entries = 0;  ///< of n_components values each
+  std::size_t n_entries = 0;            ///< of n_components values each
   std::size_t offset = 0, n_bytes = 0;  ///< in the uncompressed bytes of all arrays
   std::array<double, 3> low{};
   double step = 0;
@@ -36,8 +36,8 @@ struct PackedArray {
 /// Collects arrays.
 class PackedArrays {
  public:
-  static constexpr int significant_bits = 13;   ///< of numbers: to 1/16000
-  static constexpr double n_steps = 65535;      ///< of points, along the longest side of their box
+  static constexpr int significant_bits = 13;  ///< of numbers: to 1/16000
+  static constexpr double n_steps = 65535;     ///< of points, along the longest side of their box
 
   /// Points that are not finite are put where the box begins.
   template <int Dim>

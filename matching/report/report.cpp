@@ -30,7 +30,8 @@ std::vector<Vec<Dim>> shown(const MapFrame<Dim>& frame, std::vector<Vec<Dim>> po
 }
 
 template <int Dim>
-void add_surface(PackedArrays& arrays, const std::string& name, const Surface<Dim>& surface, const MapFrame<Dim>& frame) {
+void add_surface(PackedArrays& arrays, const std::string& name, const Surface<Dim>& surface,
+                 const MapFrame<Dim>& frame) {
   arrays.add_points<Dim>(name, shown(frame, surface.vertices));
   std::vector<Index> corners;
   corners.reserve(Dim * surface.facets.size());
@@ -103,17 +104,20 @@ std::string report_html(const MatchResult<Dim>& result, const ExperimentOptions&
   for (const LevelVertices<Dim>& level : result.levels) frame.levels.push_back(level.level);
   frame.term_names = result.history.term_names;
   frame.picture = base64(picture);
-  return filled_page(report_page, report_json(result.summary, options, frame, arrays.arrays()), base64(arrays.compressed()));
+  return filled_page(report_page, report_json(result.summary, options, frame, arrays.arrays()),
+                     base64(arrays.compressed()));
 }
 
 template <int Dim>
-void write_report(const MatchResult<Dim>& result, const ExperimentOptions& options, std::string_view picture, const std::string& path) {
+void write_report(const MatchResult<Dim>& result, const ExperimentOptions& options, std::string_view picture,
+                  const std::string& path) {
   write_file(path, report_html(result, options, picture));
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                            \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                           \
   template std::string report_html<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, std::string_view); \
-  template void write_report<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, std::string_view, const std::string&)
+  template void write_report<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, std::string_view,        \
+                                  const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -6,7 +6,8 @@
 
 namespace shellmatch {
 
-/// HTML, in which the comments `<!-- data -->` and `<!-- arrays -->` stand for the description of a result and its packed arrays.
+/// HTML, in which the comments `<!-- data -->` and `<!-- arrays -->` stand for the description of a result and its
+/// packed arrays.
 extern const std::string_view report_page;
 
 }  // namespace shellmatch

@@ -16,7 +16,8 @@ namespace shellmatch {
 
 namespace {
 
-// Values for vertices that have none, from others of their facets, where these have some by then; again and again, as long as that finds any.
+// Values for vertices that have none, from others of their facets, where these have some by then; again and again, as
+// long as that finds any.
 void spread(const Surface<3>& surface, std::vector<double>& values) {
   for (bool is_found = true; std::exchange(is_found, false);) {
     const std::vector<double> before = values;  // a value moves by a facet at a time
@@ -58,7 +59,8 @@ std::vector<double> at_vertices(const Surface<Dim>& surface, const std::vector<d
     const double measure = facet_measure(surface, static_cast<Index>(f));
     for (const Index v : surface.facets[f]) sum[v] += measure * of_facets[f], weight[v] += measure;
   }
-  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t v = 0; v < sum.size(); ++v)
+    sum[v] = weight[v] > 0 ? sum[v] / weight[v] : std::numeric_limits<double>::quiet_NaN();
   return sum;
 }
 
@@ -85,7 +87,9 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enoug
     for (std::size_t v = 0; v < values->size(); ++v)
       if (std::isnan(distance[v])) (*values)[v] = distance[v];
   std::array<std::vector<double>, 2> curvatures;
-  for_both([&](int i) { curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape, enough_fits); });
+  for_both([&](int i) {
+    curvatures[static_cast<std::size_t>(i)] = mean_curvatures(i == 0 ? reference : template_shape, enough_fits);
+  });
   const SignedDistance<Dim> template_distance(template_shape);
   figures.curvature_change.resize(deformed.vertices.size());
   parallel_chunks(deformed.vertices.size(), 256, [&](const Chunk& chunk) {
@@ -93,7 +97,9 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enoug
     template_distance.closest(std::span(deformed.vertices).subspan(chunk.begin, closest.size()), closest);
     for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
       const Index there = nearest_corner(template_shape, closest[v - chunk.begin]);
-      figures.curvature_change[v] = std::isnan(distance[v]) ? distance[v] : (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
+      figures.curvature_change[v] = std::isnan(distance[v])
+                                        ? distance[v]
+                                        : (curvatures[1][static_cast<std::size_t>(there)] - curvatures[0][v]) / unit;
     }
   });
   return figures;

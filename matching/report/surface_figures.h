@@ -14,13 +14,16 @@ struct SurfaceFigures {
   // For each vertex of the reference:
   std::vector<double> distance_to_template;  ///< of its image
   std::vector<double> measure_ratio;         ///< area (length in the plane) after over before
-  std::vector<double> angle_change;          ///< largest turn of a tangent direction against the principal ones in degrees, mean over the facets around; empty in the plane
-  std::vector<double> curvature_change;      ///< mean curvature of the template next to the image, minus that of the reference; 1/length
+  std::vector<double> angle_change;  ///< largest turn of a tangent direction against the principal ones in degrees,
+                                     ///< mean over the facets around; empty in the plane
+  std::vector<double>
+      curvature_change;  ///< mean curvature of the template next to the image, minus that of the reference; 1/length
   // For each vertex of the template:
   std::vector<double> distance_to_deformed;
 };
 
-/// \param enough_fits of curvatures of one surface: of larger ones the other vertices have that of one that is near. A picture has no more pixels.
+/// \param enough_fits of curvatures of one surface: of larger ones the other vertices have that of one that is near. A
+/// picture has no more pixels.
 template <int Dim>
 SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enough_fits = 200'000);
 

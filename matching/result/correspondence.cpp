@@ -23,9 +23,11 @@ Correspondence<Dim> read_correspondence(const std::string& path, std::size_t n_v
     bool good = static_cast<bool>(words >> index);
     for (int k = 0; k < Dim; ++k) good = static_cast<bool>(words >> x[k]) && good;
     if (!good || !x.allFinite())
-      throw_input_error("{}:{}: expected the index of a vertex and {} finite coordinates, found '{}'", path, number, Dim, printable(line));
+      throw_input_error("{}:{}: expected the index of a vertex and {} finite coordinates, found '{}'", path, number,
+                        Dim, printable(line));
     if (index < 0 || static_cast<std::size_t>(index) >= n_vertices)
-      throw_input_error("{}:{}: there is no vertex {}; the reference has {}, counted from 0", path, number, index, n_vertices);
+      throw_input_error("{}:{}: there is no vertex {}; the reference has {}, counted from 0", path, number, index,
+                        n_vertices);
     list.emplace_back(static_cast<Index>(index), x);
   }
   if (list.empty()) throw_input_error("{}: holds no correspondence; expected lines 'index x y z'", path);

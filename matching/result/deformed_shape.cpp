@@ -49,7 +49,8 @@ void set_attribute(OriginalShape<Dim>& shape, VertexAttribute attribute) {
 }
 
 template <int Dim>
-OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::vector<Vec<Dim>> carried, const Deformation<Dim>& deformation,
+OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::vector<Vec<Dim>> carried,
+                                     const Deformation<Dim>& deformation,
                                      const SignedDistance<Dim>& template_distance) {
   OriginalShape<Dim> moved = reference;
   moved.vertices = std::move(carried);
@@ -67,9 +68,10 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::v
   return moved;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                                             \
-  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, std::vector<Vec<Dim>>, const Deformation<Dim>&, const SignedDistance<Dim>&)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                    \
+  template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                              \
+  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, std::vector<Vec<Dim>>, \
+                                                     const Deformation<Dim>&, const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -10,7 +10,8 @@
 namespace shellmatch {
 
 template <int Dim>
-InverseCarrier<Dim>::InverseCarrier(const Surface<Dim>& moving, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi)
+InverseCarrier<Dim>::InverseCarrier(const Surface<Dim>& moving, const Octree<Dim>& grid,
+                                    const std::vector<Vec<Dim>>& phi)
     : inverse_(grid, phi),
       moving_(subdivided(moving, grid.finest_side())),
       moved_(deformed_surface(moving_, grid, phi)),
@@ -35,15 +36,18 @@ std::optional<Vec<Dim>> InverseCarrier<Dim>::operator()(const Vec<Dim>& x, const
 }
 
 template <int Dim>
-std::vector<Vec<Dim>> InverseCarrier<Dim>::carried(const std::vector<Vec<Dim>>& points, const std::vector<Vec<Dim>>& normals) const {
+std::vector<Vec<Dim>> InverseCarrier<Dim>::carried(const std::vector<Vec<Dim>>& points,
+                                                   const std::vector<Vec<Dim>>& normals) const {
   std::vector<std::optional<Vec<Dim>>> images(points.size());
-  parallel_for(points.size(), [&](std::size_t i) { images[i] = (*this)(points[i], normals[i]); }, 64);
+  parallel_for(
+      points.size(), [&](std::size_t i) { images[i] = (*this)(points[i], normals[i]); }, 64);
   std::vector<Vec<Dim>> moved = points;
   parallel_for(points.size(), [&](std::size_t i) {
     std::size_t from = i;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; !images[i] && k < points.size(); ++k)
-      if (const double distance = (points[k] - points[i]).squaredNorm(); images[k] && distance < least) from = k, least = distance;
+      if (const double distance = (points[k] - points[i]).squaredNorm(); images[k] && distance < least)
+        from = k, least = distance;
     if (from == i && images[i]) moved[i] = *images[i];
     else if (images[from]) moved[i] += *images[from] - points[from];
   });
@@ -54,9 +58,12 @@ template <int Dim>
 std::vector<Vec<Dim>> nearest_normals(const Surface<Dim>& surface, std::span<const Vec<Dim>> points) {
   const FacetTree<Dim> tree(surface);
   std::vector<Vec<Dim>> normals(points.size(), Vec<Dim>::Zero());
-  parallel_for(points.size(), [&](std::size_t i) {
-    if (const Index f = tree.nearest(points[i]); f != no_index) normals[i] = facet_normal(surface, f);
-  }, 64);
+  parallel_for(
+      points.size(),
+      [&](std::size_t i) {
+        if (const Index f = tree.nearest(points[i]); f != no_index) normals[i] = facet_normal(surface, f);
+      },
+      64);
   return normals;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Carries the reference where the template was deformed: by the inverse of phi, which is kept from stretching what lies beside phi(M2).
+/// Carries the reference where the template was deformed: by the inverse of phi, which is kept from stretching what
+/// lies beside phi(M2).
 
 #include "geometry/distance/oriented_facets.h"
 #include "geometry/surface/surface.h"
@@ -13,11 +14,12 @@
 
 namespace shellmatch {
 
-/// In the unit domain. Vertices of the reference that phi(M2) misses by a hundredth of a diagonal lie in space that phi has compressed, between
-/// limbs that it brought together, and the inverse alone draws them out to spurs of a tenth. Here a point that is d away from the nearest
-/// part of phi(M2) that faces its way, phi(p), stays where the inverse has it up to 2 d from p; one that is drawn out farther comes to lie
-/// between 2 d and d from p, the nearer the more it was drawn out. For this d counts more the larger it is, and ends at four sides
-/// of the finest cells, beyond which a point is part of nothing that was matched. A tenth of a side is added to it.
+/// In the unit domain. Vertices of the reference that phi(M2) misses by a hundredth of a diagonal lie in space that phi
+/// has compressed, between limbs that it brought together, and the inverse alone draws them out to spurs of a tenth.
+/// Here a point that is d away from the nearest part of phi(M2) that faces its way, phi(p), stays where the inverse has
+/// it up to 2 d from p; one that is drawn out farther comes to lie between 2 d and d from p, the nearer the more it was
+/// drawn out. For this d counts more the larger it is, and ends at four sides of the finest cells, beyond which a point
+/// is part of nothing that was matched. A tenth of a side is added to it.
 template <int Dim>
 class InverseCarrier {
  public:
@@ -26,13 +28,16 @@ class InverseCarrier {
   InverseCarrier(const InverseCarrier&) = delete;
   InverseCarrier& operator=(const InverseCarrier&) = delete;
 
-  /// \param normal of the surface at x, of any length; zero where unknown, where the inverse alone decides. \return none where x is no image
+  /// \param normal of the surface at x, of any length; zero where unknown, where the inverse alone decides. \return
+  /// none where x is no image
   std::optional<Vec<Dim>> operator()(const Vec<Dim>& x, const Vec<Dim>& normal) const;
 
   /// Points with their normals. One without an image moves as the nearest one that has one.
   std::vector<Vec<Dim>> carried(const std::vector<Vec<Dim>>& points, const std::vector<Vec<Dim>>& normals) const;
 
-  Surface<Dim> operator()(const Surface<Dim>& surface) const { return {carried(surface.vertices, vertex_normals(surface)), surface.facets}; }
+  Surface<Dim> operator()(const Surface<Dim>& surface) const {
+    return {carried(surface.vertices, vertex_normals(surface)), surface.facets};
+  }
 
  private:
   InverseMap<Dim> inverse_;

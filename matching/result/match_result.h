@@ -17,8 +17,9 @@ namespace shellmatch {
 template <int Dim>
 struct MatchedSurfaces {
   Surface<Dim> reference, template_shape;
-  Surface<Dim> deformed;         ///< vertex by vertex the image of `reference`
-  std::vector<double> distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0; NaN where a shape has no data
+  Surface<Dim> deformed;  ///< vertex by vertex the image of `reference`
+  std::vector<double>
+      distance;  ///< of each vertex of `deformed` to `template_shape`, >= 0; NaN where a shape has no data
   std::vector<double> template_distance;  ///< the same of each vertex of `template_shape` to `deformed`
 };
 
@@ -31,12 +32,12 @@ struct LevelVertices {
 
 template <int Dim>
 struct MatchResult {
-  /// The map phi. PointMap(map, Toward::template_shape) carries points of the reference, in the coordinates of the given shapes; it is
-  /// `map.apply(x)` unless the matching was solved backward (align.direction).
+  /// The map phi. PointMap(map, Toward::template_shape) carries points of the reference, in the coordinates of the
+  /// given shapes; it is `map.apply(x)` unless the matching was solved backward (align.direction).
   Deformation<Dim> map;
   /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
-  /// distance_to_template (unit of the shapes), area_ratio (length_ratio in the plane), and those of the nearest point of the
-  /// template (matching/result/nearest_faces.h).
+  /// distance_to_template (unit of the shapes), area_ratio (length_ratio in the plane), and those of the nearest point
+  /// of the template (matching/result/nearest_faces.h).
   OriginalShape<Dim> deformed;
   /// The template as it was given, with the additional attribute distance_to_deformed (unit of the shapes).
   OriginalShape<Dim> template_shape;
@@ -46,7 +47,8 @@ struct MatchResult {
   History history;  ///< every accepted step
   MatchedSurfaces<Dim> surfaces;
   std::vector<LevelVertices<Dim>> levels;  ///< from coarse to fine, if options.report asks for them
-  /// Distance, normal and classified shape operator at the nodes of `map.grid`, of the shape that phi deforms and of the other one.
+  /// Distance, normal and classified shape operator at the nodes of `map.grid`, of the shape that phi deforms and of
+  /// the other one.
   CoefficientFields<Dim> moving_fields, target_fields;
 };
 
@@ -55,7 +57,7 @@ template <int Dim>
 struct MatchProgress {
   Deformation<Dim> map;
   History history;
-  MatchSummary summary;  ///< `levels`, `gradient_checks` and `run`, whose times are those until then
+  MatchSummary summary;                    ///< `levels`, `gradient_checks` and `run`, whose times are those until then
   std::vector<LevelVertices<Dim>> levels;  ///< those finished, as far as their runs were asked for a report
 };
 

@@ -44,19 +44,19 @@ struct LevelSummary {
   int iterations = 0;            ///< over all substeps, as are the evaluations
   long value_evaluations = 0, gradient_evaluations = 0;
   long linear_iterations = 0, regularised_systems = 0;  ///< of Newton's method
-  double gradient_norm = 0;               ///< at the end, in the metric of the minimisation
-  double l2_gradient_norm = 0;            ///< at the end, in L2
-  std::string solver;                     ///< method that ended the last substep
+  double gradient_norm = 0;                             ///< at the end, in the metric of the minimisation
+  double l2_gradient_norm = 0;                          ///< at the end, in L2
+  std::string solver;                                   ///< method that ended the last substep
   std::string stop_reason, stop_message;  ///< of the last substep; the message is that of the method or library
   std::optional<std::vector<LibraryReport>> library_reports = {};  ///< of Ceres, by minimisation
-  std::vector<std::string> fallbacks;     ///< of all substeps: method that gave up, why, and its successor
+  std::vector<std::string> fallbacks;  ///< of all substeps: method that gave up, why, and its successor
   FoldReport folds;
   BandReport band;
   std::optional<TwoSidedDistance> distance;
 };
 
-/// Share of a surface that was made up to close it from which on the shape may be a part of the other. With more, maps by spectra of whole
-/// surfaces that look right are not.
+/// Share of a surface that was made up to close it from which on the shape may be a part of the other. With more, maps
+/// by spectra of whole surfaces that look right are not.
 inline constexpr double least_of_part = 0.02;
 
 /// A shape as it was read.
@@ -65,9 +65,10 @@ struct ShapeSummary {
   std::size_t n_vertices = 0, n_facets = 0;  ///< of the closed surface that was matched
   std::vector<std::string> notes;            ///< repairs
   std::optional<std::size_t> n_components = {};
-  std::optional<int> genus = {};             ///< sum over the components; 0 in the plane
-  std::optional<double> invented = {};       ///< share of the area that was made up to close it; none where nothing was
-  std::optional<double> buried = {};         ///< share of the area that was left out as it lies inside other parts; none where nothing was
+  std::optional<int> genus = {};        ///< sum over the components; 0 in the plane
+  std::optional<double> invented = {};  ///< share of the area that was made up to close it; none where nothing was
+  std::optional<double> buried =
+      {};  ///< share of the area that was left out as it lies inside other parts; none where nothing was
 
   /// Has so much of it been made up that it may be a part of the other shape?
   bool may_be_part() const { return invented.value_or(0) > least_of_part; }
@@ -86,13 +87,15 @@ struct AlignmentSummary {
   double angle = 0, scale = 1;  ///< of the pose taken out of the reference; degrees, at most 180
   bool mirrored = false;
   std::optional<double> score, margin;  ///< of the map found (docs/alignment.md); no margin without a second map
-  /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor on their weight.
+  /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor
+  /// on their weight.
   std::optional<double> landmark_distance = {}, landmark_trust = {};
-  int n_tried = 0;              ///< maps among which the energy reached chose; 0 where the score alone did
-  int n_pairs = 0;              ///< used in the energy or for the pose
-  bool doubtful = false;        ///< not clearly the best map, or far from isometric
-  bool as_it_lies = false;      ///< nothing is used then: not clearly better than the shapes as they lie
-  bool fits_mirrored = false;   ///< the mirrored reference would fit far better; searched only where the chosen map is strange
+  int n_tried = 0;          ///< maps among which the energy reached chose; 0 where the score alone did
+  int n_pairs = 0;          ///< used in the energy or for the pose
+  bool doubtful = false;    ///< not clearly the best map, or far from isometric
+  bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
+  bool fits_mirrored =
+      false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
 };
 
 /// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above
@@ -100,7 +103,8 @@ struct AlignmentSummary {
 struct DirectionSummary {
   bool backward = false;
   std::optional<double> reference_gaps = {}, template_gaps = {};
-  /// With align.direction auto: sum of the mean distances both ways after a trial of each direction, in diagonals; none where it failed.
+  /// With align.direction auto: sum of the mean distances both ways after a trial of each direction, in diagonals; none
+  /// where it failed.
   std::optional<double> forward_distance = {}, backward_distance = {};
   std::optional<double> forward_energy = {}, backward_energy = {};  ///< at the end of these trials
 };
@@ -123,16 +127,16 @@ struct RunFigures {
 struct GradientCheckSummary {
   int level = 0, substep = 0, iteration = 0;
   bool passed = false;
-  std::string failed_terms;      ///< separated by commas
-  double worst_order = 2;        ///< order of a Taylor remainder that is farthest from 2
+  std::string failed_terms;        ///< separated by commas
+  double worst_order = 2;          ///< order of a Taylor remainder that is farthest from 2
   double worst_functor_error = 0;  ///< relative, of gradients against the element functors
 };
 
 /// One reason for a verdict.
 struct VerdictReason {
-  std::string what;    ///< with the figure, as "3.4 % of the template is not reached"
-  std::string advice;  ///< what to do
-  std::string shape;   ///< "deformed" or "template" where there is a place
+  std::string what;           ///< with the figure, as "3.4 % of the template is not reached"
+  std::string advice;         ///< what to do
+  std::string shape;          ///< "deformed" or "template" where there is a place
   std::vector<double> place;  ///< a point of that shape, where to look; in the coordinates of the template's file
 };
 
@@ -159,13 +163,14 @@ struct MatchSummary {
   std::optional<double> correspondence_error_before, correspondence_error;
   /// Deformed over reference area (length in the plane); 1 means no distortion.
   std::optional<DistortionSummary> area_distortion;
-  /// Largest turn of a tangent direction against the principal ones in degrees, half of the largest change of an angle; 0 means no distortion; none in the plane.
+  /// Largest turn of a tangent direction against the principal ones in degrees, half of the largest change of an angle;
+  /// 0 means no distortion; none in the plane.
   std::optional<DistortionSummary> angle_distortion;
   /// Number of facets of the deformed surface that face away from the template's.
   std::optional<std::size_t> n_flipped_facets;
-  std::optional<double> flipped_share;  ///< of the reference's area (length)
+  std::optional<double> flipped_share;    ///< of the reference's area (length)
   std::optional<double> spin_difference;  ///< of corresponding points (matching/result/spin_difference.h), 0 to 2
-  std::vector<LevelSummary> levels;  ///< from coarse to fine
+  std::vector<LevelSummary> levels;       ///< from coarse to fine
   /// Only if they were requested.
   std::optional<std::vector<GradientCheckSummary>> gradient_checks;
   RunFigures run;

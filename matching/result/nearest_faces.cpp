@@ -44,7 +44,8 @@ FileFacets<Dim> facets_of_file(const OriginalShape<Dim>& shape, const Similarity
 }  // namespace
 
 template <int Dim>
-void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& template_shape, const Similarity<Dim>& placement) {
+void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& template_shape,
+                        const Similarity<Dim>& placement) {
   const FileFacets<Dim> facets = facets_of_file(template_shape, placement);
   if (facets.surface.facets.empty()) return;
   const FacetTree<Dim> tree(facets.surface);
@@ -59,15 +60,17 @@ void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& 
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Index f = nearest[i - chunk.begin];
       SHELLMATCH_CHECK(f != no_index, "a vertex has a nearest face");
-      const std::array<double, Dim> weights =
-          barycentric_coordinates(facets.surface, f, closest_point_on_facet(facets.surface, f, points[i - chunk.begin]));
+      const std::array<double, Dim> weights = barycentric_coordinates(
+          facets.surface, f, closest_point_on_facet(facets.surface, f, points[i - chunk.begin]));
       face[i] = facets.polygon[f];
-      for (int k = 0; k < Dim; ++k) corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
+      for (int k = 0; k < Dim; ++k)
+        corner[k][i] = facets.surface.facets[f][k], weight[k][i] = weights[static_cast<std::size_t>(k)];
     }
   });
   set_attribute(deformed, {Dim == 3 ? "template_face" : "template_ring", "int", std::move(face)});
   for (int k = 0; k < Dim; ++k) set_attribute(deformed, {fmt::format("template_v{}", k), "int", std::move(corner[k])});
-  for (int k = 0; k < Dim; ++k) set_attribute(deformed, {fmt::format("template_b{}", k), "double", std::move(weight[k])});
+  for (int k = 0; k < Dim; ++k)
+    set_attribute(deformed, {fmt::format("template_b{}", k), "double", std::move(weight[k])});
 }
 
 template <int Dim>
@@ -84,9 +87,10 @@ OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_sha
   return covered;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                     \
-  template void add_correspondence<Dim>(OriginalShape<Dim>&, const OriginalShape<Dim>&, const Similarity<Dim>&);        \
-  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&, const SignedDistance<Dim>&)
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
+  template void add_correspondence<Dim>(OriginalShape<Dim>&, const OriginalShape<Dim>&, const Similarity<Dim>&); \
+  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&,       \
+                                                          const SignedDistance<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -7,7 +7,8 @@
 namespace shellmatch {
 
 template <int Dim>
-std::vector<Vec<Dim>> ReferenceMap<Dim>::carried(std::vector<Vec<Dim>> points, const Deformation<Dim>& frame, const Surface<Dim>& reference) const {
+std::vector<Vec<Dim>> ReferenceMap<Dim>::carried(std::vector<Vec<Dim>> points, const Deformation<Dim>& frame,
+                                                 const Surface<Dim>& reference) const {
   if (!inverse_) {
     parallel_for(points.size(), [&](std::size_t i) { points[i] = frame.apply(points[i]); });
     return points;

@@ -21,7 +21,8 @@ constexpr std::size_t n_least_vertices = 500;
 
 /// Points all over a surface with smoothed normals, in a unit of length of its own.
 struct PointCloud {
-  PointCloud(const Surface<3>& surface, double unit) : samples(sample_vertices<3>(surface, n_points, [](const Vec<3>&) { return true; })) {
+  PointCloud(const Surface<3>& surface, double unit)
+      : samples(sample_vertices<3>(surface, n_points, [](const Vec<3>&) { return true; })) {
     const auto n = static_cast<Eigen::Index>(samples.size());
     x.resize(n, 3);
     normals.resize(n, 3);
@@ -34,7 +35,8 @@ struct PointCloud {
     parallel_for(samples.size(), [&](std::size_t i) {
       Vec<3> sum = Vec<3>::Zero();
       for (std::size_t j = 0; j < samples.size(); ++j)
-        if ((samples[j].x - samples[i].x).squaredNorm() < smoothing_radius * smoothing_radius * unit * unit) sum += samples[j].area * samples[j].normal;
+        if ((samples[j].x - samples[i].x).squaredNorm() < smoothing_radius * smoothing_radius * unit * unit)
+          sum += samples[j].area * samples[j].normal;
       normals.row(static_cast<Eigen::Index>(i)) = sum.squaredNorm() > 0 ? sum.normalized() : samples[i].normal;
     });
   }
@@ -44,7 +46,9 @@ struct PointCloud {
   Eigen::VectorXd areas;
 };
 
-bool is_known_around(const ObservedPart<3>& part, const Vec<3>& x, double radius) { return part.is_all() || part.margin(x) > std::max(radius, part.least_margin()); }
+bool is_known_around(const ObservedPart<3>& part, const Vec<3>& x, double radius) {
+  return part.is_all() || part.margin(x) > std::max(radius, part.least_margin());
+}
 
 /// The sample of the template that is nearest to y and faces the side of n; none where there is none.
 std::optional<std::size_t> nearest_facing(const PointCloud& cloud, const Vec<3>& y, const Vec<3>& n) {
@@ -61,13 +65,15 @@ std::optional<std::size_t> nearest_facing(const PointCloud& cloud, const Vec<3>&
 }  // namespace
 
 template <>
-std::optional<double> spin_difference<2>(const Surface<2>&, const Surface<2>&, const Surface<2>&, const ObservedPair<2>&, bool) {
+std::optional<double> spin_difference<2>(const Surface<2>&, const Surface<2>&, const Surface<2>&,
+                                         const ObservedPair<2>&, bool) {
   return std::nullopt;
 }
 
 template <>
-std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surface<3>& deformed, const Surface<3>& template_surface,
-                                         const ObservedPair<3>& observed, bool one_is_part) {
+std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surface<3>& deformed,
+                                         const Surface<3>& template_surface, const ObservedPair<3>& observed,
+                                         bool one_is_part) {
   if (std::min(reference.vertices.size(), template_surface.vertices.size()) < n_least_vertices) return std::nullopt;
   double unit[] = {std::sqrt(surface_measure(reference)), std::sqrt(surface_measure(template_surface))};
   if (one_is_part) unit[0] = unit[1] = std::max(unit[0], unit[1]);
@@ -75,7 +81,8 @@ std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surf
   const double beside = one_is_part ? image_radius * unit[0] : 0;
   const PointCloud from(reference, unit[0]), to(template_surface, unit[1]);
   const std::vector<Vec<3>> normals = vertex_normals(deformed);
-  const SpinImages images[] = {{from.x, from.normals, from.areas, image_radius}, {to.x, to.normals, to.areas, image_radius}};
+  const SpinImages images[] = {{from.x, from.normals, from.areas, image_radius},
+                               {to.x, to.normals, to.areas, image_radius}};
   std::vector<double> squares(std::min(n_compared, from.samples.size()), -1);  // -1: is left out
   parallel_for(squares.size(), [&](std::size_t k) {
     const std::size_t i = k * from.samples.size() / squares.size();

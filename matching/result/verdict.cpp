@@ -13,11 +13,13 @@ namespace shellmatch {
 
 namespace {
 
-// Limits beyond which a figure is unusual, and beyond which the shapes do not match. docs/verdict.md tells on which runs they rest.
+// Limits beyond which a figure is unusual, and beyond which the shapes do not match. docs/verdict.md tells on which
+// runs they rest.
 struct Limits {
   double look, fail;
 };
-/// Of all figures; lengths in diagonals of the template, shares of the area of the shape that is named, angles in degrees.
+/// Of all figures; lengths in diagonals of the template, shares of the area of the shape that is named, angles in
+/// degrees.
 struct AllLimits {
   Limits mean_distance, largest_distance;
   Limits unreached;        // share of the template
@@ -29,9 +31,10 @@ constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08
 // Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
 constexpr double nearly_isometric = 0.8, clear_margin = 1.15, alike = 0.4;
-constexpr double much_invented = 0.5;         // share of a shape's area
-constexpr double apart = 0.25;                // mean distance in diagonals, before a run
-// Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from level to level.
+constexpr double much_invented = 0.5;  // share of a shape's area
+constexpr double apart = 0.25;         // mean distance in diagonals, before a run
+// Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from
+// level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
 
 // Two digits without an exponent.
@@ -74,12 +77,13 @@ class Reasons {
   std::vector<VerdictReason> look_, fail_;
 };
 
-// A search has found a nearly isometric map that is clearly better than any other, and what corresponds in the end looks alike. Exchanged
-// sides look alike, too, but are not clearly better or worse than the right ones.
+// A search has found a nearly isometric map that is clearly better than any other, and what corresponds in the end
+// looks alike. Exchanged sides look alike, too, but are not clearly better or worse than the right ones.
 bool is_vouched_for(const MatchSummary& summary) {
   const auto& a = summary.alignment;
   return a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score && *a->score <= nearly_isometric &&
-         a->margin.value_or(clear_margin) >= clear_margin && summary.spin_difference && *summary.spin_difference <= alike;
+         a->margin.value_or(clear_margin) >= clear_margin && summary.spin_difference &&
+         *summary.spin_difference <= alike;
 }
 
 // What a part lacks cannot reach the other shape: worth a look unless the map is vouched for, and no failure.
@@ -93,70 +97,103 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
   if (!summary.distance) return;
   const auto& [there, back, uncovered] = *summary.distance;
   if (std::isnan(there.mean) || std::isnan(back.mean)) {
-    reasons.fail({"nothing was measured: what the one shape has, the other lacks", "do they lie in one place (shellmatch inspect)?", "", {}});
+    reasons.fail({"nothing was measured: what the one shape has, the other lacks",
+                  "do they lie in one place (shellmatch inspect)?",
+                  "",
+                  {}});
     return;
   }
   const bool is_vouched = is_vouched_for(summary);
   const AllLimits& limits = is_vouched ? of_vouched : usual;
-  const std::string whole = "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " + pose_advice(summary);
-  reasons.add(there.mean, limits.mean_distance,
-              {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)), whole, "deformed",
-               places.deformed});
-  reasons.add(back.mean, limits.mean_distance,
-              {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)), whole, "template",
-               places.template_shape});
+  const std::string whole =
+      "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " +
+      pose_advice(summary);
+  reasons.add(
+      there.mean, limits.mean_distance,
+      {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)),
+       whole, "deformed", places.deformed});
+  reasons.add(
+      back.mean, limits.mean_distance,
+      {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)),
+       whole, "template", places.template_shape});
   if (uncovered)
     reasons.add(*uncovered, limits_beside(summary.reference, limits.unreached, is_vouched),
                 {percent_text(*uncovered) + " of the template is not reached",
                  pose_advice(summary) + " can tell where to go", "template", places.template_shape});
-  reasons.add(there.max, limits_beside(summary.template_shape, limits.largest_distance, is_vouched),
-              {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
-               "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
-  reasons.add(back.max, limits_beside(summary.reference, limits.largest_distance, is_vouched),
-              {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
-               "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
+  reasons.add(
+      there.max, limits_beside(summary.template_shape, limits.largest_distance, is_vouched),
+      {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
+       "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
+  reasons.add(
+      back.max, limits_beside(summary.reference, limits.largest_distance, is_vouched),
+      {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
+       "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }
 
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
-  const std::string wrong = "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
+  const std::string wrong =
+      "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
   const AllLimits& limits = is_vouched_for(summary) ? of_vouched : usual;
   if (summary.flipped_share)
     reasons.add(*summary.flipped_share, limits.flipped,
-                {fmt::format("{} of the {} faces away from the template next to it", percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
-                 "look at the pictures; the parts may belong to different limbs", "", {}});
+                {fmt::format("{} of the {} faces away from the template next to it",
+                             percent_text(*summary.flipped_share), summary.dimension == 2 ? "curve" : "surface"),
+                 "look at the pictures; the parts may belong to different limbs",
+                 "",
+                 {}});
   if (summary.angle_distortion && summary.angle_distortion->p95)
     reasons.add(*summary.angle_distortion->p95, limits.turned_angles,
-                {fmt::format("directions on a twentieth of the surface turn by more than {:.0f} degrees", *summary.angle_distortion->p95), wrong,
-                 "deformed", places.distorted});
+                {fmt::format("directions on a twentieth of the surface turn by more than {:.0f} degrees",
+                             *summary.angle_distortion->p95),
+                 wrong, "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
     const double factor = std::max(*area->p95, 1 / *area->p5);
     reasons.add(summary.dimension == 2 ? factor * factor : factor, limits.stretched_areas,
-                {fmt::format("{} change by a factor of more than {} on a twentieth of the {}", summary.dimension == 2 ? "lengths" : "areas",
-                             figure_text(factor), summary.dimension == 2 ? "curve" : "surface"),
+                {fmt::format("{} change by a factor of more than {} on a twentieth of the {}",
+                             summary.dimension == 2 ? "lengths" : "areas", figure_text(factor),
+                             summary.dimension == 2 ? "curve" : "surface"),
                  wrong, "deformed", places.distorted});
   }
   if (!summary.levels.empty() && summary.levels.back().folds.n_folded_cells > 0)
     reasons.look({fmt::format("folded cells of the grid: {}", summary.levels.back().folds.n_folded_cells),
-                  "the profile default forbids folds", "", {}});
+                  "the profile default forbids folds",
+                  "",
+                  {}});
 }
 
 void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
-  const ShapeSummary&a = summary.reference, &b = summary.template_shape;
+  const ShapeSummary &a = summary.reference, &b = summary.template_shape;
   if (a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
-    reasons.look({fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
-                              *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
-                  "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or squeezed", "", {}});
+    reasons.look(
+        {fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
+                     *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
+         "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or "
+         "squeezed",
+         "",
+         {}});
   for (const auto& [shape, name] : {std::pair{&a, "reference"}, std::pair{&b, "template"}})
     if (shape->invented && *shape->invented > much_invented)
       reasons.look({fmt::format("{} of the {}'s surface was made up to close it", percent_text(*shape->invented), name),
-                    "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)", "", {}});
+                    "that part weighs nothing, and little else is left; --strict refuses such files (docs/closing.md)",
+                    "",
+                    {}});
   if (summary.alignment && summary.alignment->doubtful)
-    reasons.look({"the alignment has found no pose that is clearly the best", "compare with landmarks, or with the better of both directions (--set align.direction=auto; docs/alignment.md)", "", {}});
+    reasons.look({"the alignment has found no pose that is clearly the best",
+                  "compare with landmarks, or with the better of both directions (--set align.direction=auto; "
+                  "docs/alignment.md)",
+                  "",
+                  {}});
   if (summary.alignment && summary.alignment->fits_mirrored)
-    reasons.look({"the mirrored reference fits far better", "is one of the shapes of the other side? --set align.search.mirror=true mirrors it", "", {}});
+    reasons.look({"the mirrored reference fits far better",
+                  "is one of the shapes of the other side? --set align.search.mirror=true mirrors it",
+                  "",
+                  {}});
   if (!summary.levels.empty() && summary.levels.back().stop_reason == enum_name(StopReason::cannot_evaluate_start))
-    reasons.look({fmt::format("nothing was minimised on level {}: {}", summary.levels.back().level, summary.levels.back().stop_message),
-                  "other weights (energy.*) or levels may help", "", {}});
+    reasons.look({fmt::format("nothing was minimised on level {}: {}", summary.levels.back().level,
+                              summary.levels.back().stop_message),
+                  "other weights (energy.*) or levels may help",
+                  "",
+                  {}});
   if (summary.interrupted)
     reasons.look({"the run was stopped before its last level", "the same command goes on", "", {}});
 }
@@ -168,7 +205,8 @@ std::string length_text(double diagonals, const MatchSummary& summary) {
   if (!summary.template_diagonal) return relative;
   const std::string unit = summary.unit.value_or("");
   const double length = diagonals * *summary.template_diagonal;
-  const std::string text = length >= 1000 && length < 1e9 ? fmt::format("{:.0f}", length) : fmt::format("{:.3g}", length);
+  const std::string text =
+      length >= 1000 && length < 1e9 ? fmt::format("{:.0f}", length) : fmt::format("{:.3g}", length);
   return fmt::format("{}{}{} ({})", text, unit.empty() ? "" : " ", unit, relative);
 }
 
@@ -186,12 +224,16 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
     const auto& [there, back, uncovered] = *summary.distance;
     const auto text = [&](const OneSidedDistance& d) {
       if (std::isnan(d.mean)) return std::string("not measured, as there is nothing");
-      return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary), length_text(d.max, summary));
+      return fmt::format("mean {}, 95 % {}, largest {}", length_text(d.mean, summary), length_text(d.p95, summary),
+                         length_text(d.max, summary));
     };
-    const char* where = summary.reference.is_measured_everywhere() && summary.template_shape.is_measured_everywhere() ? "" : " where both have data";
+    const char* where = summary.reference.is_measured_everywhere() && summary.template_shape.is_measured_everywhere()
+                            ? ""
+                            : " where both have data";
     lines.push_back(fmt::format("distance of the deformed reference from the template{}: {}", where, text(there)));
     lines.push_back(fmt::format("distance of the template from the deformed reference{}: {}", where, text(back)));
-    if (uncovered && !std::isnan(*uncovered)) lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
+    if (uncovered && !std::isnan(*uncovered))
+      lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
   }
   if (!summary.verdict) return lines;
   const Verdict& v = *summary.verdict;
@@ -200,31 +242,42 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
                                              : "verdict: not matched");
   for (const VerdictReason& r : v.reasons)
     lines.push_back(fmt::format("  {}{}; {}", r.what,
-                                r.place.empty() ? "" : fmt::format(", near {} of the {}", place_text(r.place, summary), r.shape == "deformed" ? "deformed reference" : r.shape),
+                                r.place.empty() ? ""
+                                                : fmt::format(", near {} of the {}", place_text(r.place, summary),
+                                                              r.shape == "deformed" ? "deformed reference" : r.shape),
                                 r.advice));
   return lines;
 }
 
 std::optional<std::string> far_apart_warning(const MatchSummary& summary) {
   if (!summary.distance_before) return std::nullopt;
-  const double back = summary.distance_before->template_to_deformed.mean, there = summary.distance_before->deformed_to_template.mean;
+  const double back = summary.distance_before->template_to_deformed.mean,
+               there = summary.distance_before->deformed_to_template.mean;
   // Nothing is measured then, but phi may still bring them together.
   if (std::isnan(there) || std::isnan(back))
-    return "nothing that both shapes have lies side by side: where the one is, the other has gaps; do they lie in one place (shellmatch inspect)?";
+    return "nothing that both shapes have lies side by side: where the one is, the other has gaps; do they lie in one "
+           "place (shellmatch inspect)?";
   if (std::max(there, back) <= apart) return std::nullopt;
-  return fmt::format("the shapes begin far apart: the reference lies {} from the template on average, the template {} from the reference; are units "
-                     "and places the same (shellmatch inspect)? Otherwise {}",
-                     length_text(there, summary), length_text(back, summary), pose_advice(summary));
+  return fmt::format(
+      "the shapes begin far apart: the reference lies {} from the template on average, the template {} from the "
+      "reference; are units "
+      "and places the same (shellmatch inspect)? Otherwise {}",
+      length_text(there, summary), length_text(back, summary), pose_advice(summary));
 }
 
 std::optional<std::string> stuck_warning(const std::vector<LevelSummary>& levels) {
   if (levels.size() < 3) return std::nullopt;
-  const auto uncovered = [](const LevelSummary& level) { return level.distance ? level.distance->uncovered.value_or(0) : 0; };
+  const auto uncovered = [](const LevelSummary& level) {
+    return level.distance ? level.distance->uncovered.value_or(0) : 0;
+  };
   const double before = uncovered(levels[levels.size() - 2]), now = uncovered(levels.back());
   if (!(now > much_unreached && now > hardly_less * before)) return std::nullopt;
-  return fmt::format("level {}: {:.0f} % of the template is not reached, after {:.0f} % on the level before, and finer levels will hardly reach more: "
-                     "the shapes begin too far apart there, or are of different kinds; landmarks can tell where to go (docs/landmarks.md)",
-                     levels.back().level, 100 * now, 100 * before);
+  return fmt::format(
+      "level {}: {:.0f} % of the template is not reached, after {:.0f} % on the level before, and finer levels will "
+      "hardly reach more: "
+      "the shapes begin too far apart there, or are of different kinds; landmarks can tell where to go "
+      "(docs/landmarks.md)",
+      levels.back().level, 100 * now, 100 * before);
 }
 
 }  // namespace shellmatch

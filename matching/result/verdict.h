@@ -17,9 +17,9 @@ struct VerdictPlaces {
   std::vector<double> distorted;       ///< of the deformed reference, where areas and angles have changed most
 };
 
-/// The verdict of a complete or interrupted matching. "not-matched": a part of the template is not reached, or the reference is
-/// distorted so much that points correspond wrongly. "look-here": a figure is unusual and says where to look. The limits are
-/// those of docs/verdict.md.
+/// The verdict of a complete or interrupted matching. "not-matched": a part of the template is not reached, or the
+/// reference is distorted so much that points correspond wrongly. "look-here": a figure is unusual and says where to
+/// look. The limits are those of docs/verdict.md.
 Verdict judge(const MatchSummary& summary, const VerdictPlaces& places);
 
 /// The end of a run in words: the distances both ways, the verdict, and a line for each of its reasons.
@@ -31,8 +31,8 @@ std::string length_text(double diagonals, const MatchSummary& summary);
 /// A warning before the run, where the shapes as placed lie apart from each other on average. None otherwise.
 std::optional<std::string> far_apart_warning(const MatchSummary& summary);
 
-/// A warning after a level, from the third on, which has left more than a tenth of the template unreached, hardly less than the level
-/// before it: finer levels do not find what is that far away (docs/alignment.md). None otherwise.
+/// A warning after a level, from the third on, which has left more than a tenth of the template unreached, hardly less
+/// than the level before it: finer levels do not find what is that far away (docs/alignment.md). None otherwise.
 std::optional<std::string> stuck_warning(const std::vector<LevelSummary>& levels);
 
 }  // namespace shellmatch

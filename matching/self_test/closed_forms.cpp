@@ -41,13 +41,15 @@ SelfCheck check_distance(const std::string& source, double bound) {
 template <int Dim>
 SelfCheck check_curvature(const std::string& source, int level, double bound) {
   const auto shape = std::get<Shape<Dim>>(open_shape(source));
-  const ExperimentOptions options = make_experiment({{"cascade.min_level", "3", "self-test"},
-                                                     {"cascade.max_level", std::to_string(level), "self-test"}});
+  const ExperimentOptions options = make_experiment(
+      {{"cascade.min_level", "3", "self-test"}, {"cascade.max_level", std::to_string(level), "self-test"}});
   const auto found = compare_curvatures<Dim>(shape, formula_of<Dim>(source), options, {}, [](const CurvatureLevel&) {});
-  return {"", fmt::format("curvature of {}, level {}", source, level), found.levels.back().to_formula.value().k1.median, bound};
+  return {"", fmt::format("curvature of {}, level {}", source, level), found.levels.back().to_formula.value().k1.median,
+          bound};
 }
 
-// W(s R) for a rotation R in space: mu/2 3 s^2 + lambda/4 s^6 + (mu + lambda/2) exp(1 - s^3) - 5 mu/2 - 3 lambda/4, 0 for s = 1.
+// W(s R) for a rotation R in space: mu/2 3 s^2 + lambda/4 s^6 + (mu + lambda/2) exp(1 - s^3) - 5 mu/2 - 3 lambda/4, 0
+// for s = 1.
 SelfCheck check_density() {
   const double lambda = 1.3, mu = 0.7;
   const Material<double> material{lambda, mu, nullptr};

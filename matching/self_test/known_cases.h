@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The groups of the self-test (matching/self_test/self_test.h). What each compares can be replaced, so that a test can plant an
-/// error.
+/// The groups of the self-test (matching/self_test/self_test.h). What each compares can be replaced, so that a test can
+/// plant an error.
 
 #include "energies/assembly/folds.h"
 #include "geometry/surface/placement.h"
@@ -24,9 +24,11 @@ std::vector<SelfCheck> check_gradients();
 std::vector<SelfCheck> checks_of(const GradientReport& report);
 
 template <int Dim>
-using BoundsOfDeterminants = std::function<std::vector<DeterminantBounds>(std::span<const Element<Dim>>, std::span<const Vec<Dim>>)>;
+using BoundsOfDeterminants =
+    std::function<std::vector<DeterminantBounds>(std::span<const Element<Dim>>, std::span<const Vec<Dim>>)>;
 
-/// Random cells, some folded: a bound must lie below det Dphi wherever that is looked at, and be exact where phi is affine.
+/// Random cells, some folded: a bound must lie below det Dphi wherever that is looked at, and be exact where phi is
+/// affine.
 template <int Dim>
 std::vector<SelfCheck> check_fold_certificates(const BoundsOfDeterminants<Dim>& bounds = determinant_bounds<Dim>);
 

@@ -21,14 +21,16 @@ Similarity<3> self_test_motion<3>() {
 template <int Dim>
 std::vector<SelfCheck> check_match(const Similarity<Dim>& motion, const Similarity<Dim>& truth) {
   const bool plane = Dim == 2;
-  const auto reference = std::get<OriginalShape<Dim>>(generated_original(plane ? "generate:ellipse" : "generate:ellipsoid"));
+  const auto reference =
+      std::get<OriginalShape<Dim>>(generated_original(plane ? "generate:ellipse" : "generate:ellipsoid"));
   OriginalShape<Dim> moved = reference;
   for (Vec<Dim>& x : moved.vertices) x = motion(x);
   const ExperimentOptions options = make_experiment({{"cascade.min_level", "3", "self-test"},
                                                      {"cascade.max_level", plane ? "6" : "4", "self-test"},
                                                      {"align.mode", "none", "self-test"}});
   Observer nobody;
-  const MatchResult<Dim> result = match_shapes(make_shape(reference, "the reference"), make_shape(moved, "its image"), options, nobody);
+  const MatchResult<Dim> result =
+      match_shapes(make_shape(reference, "the reference"), make_shape(moved, "its image"), options, nobody);
   const double diagonal = bounding_box(reference.vertices).diagonal();
   double worst = 0;
   for (std::size_t i = 0; i < reference.vertices.size(); ++i)

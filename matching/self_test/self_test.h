@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A test of the program as it is installed, on this machine: what it computes, against what is known. Seconds, no files.
+/// A test of the program as it is installed, on this machine: what it computes, against what is known. Seconds, no
+/// files.
 
 #include "matching/self_test/self_check.h"
 

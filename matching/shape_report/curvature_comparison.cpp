@@ -53,8 +53,7 @@ Curvatures<Dim> curvatures_on_grid(const Octree<Dim>& grid, const std::vector<do
   Curvatures<Dim> result(points.size());
   parallel_for(points.size(), [&](std::size_t i) {
     const LocalPoint<Dim> p = locate_local(grid, points[i]);
-    const auto components =
-        evaluate_components<Dim*(Dim + 1) / 2>(grid, components_of(geometry.extended_shape), p);
+    const auto components = evaluate_components<Dim*(Dim + 1) / 2>(grid, components_of(geometry.extended_shape), p);
     const Vec<Dim> normal = evaluate(grid, geometry.normal, p).normalized();
     result[i] = principal_curvature<Dim>(scale * unpack_symmetric<Dim>(components), normal);
   });
@@ -171,11 +170,11 @@ CurvatureComparison<Dim> compare_curvatures(const Shape<Dim>& shape, const std::
   if (formula) {
     result.formula = by_formula(shape.surface, *formula);
     result.mesh_fit_to_formula = compare_curvatures<Dim>(result.mesh_fit, result.formula, diagonal);
-    over_levels<Dim>(
-        [&](const Vec<Dim>& y) { return placement.scale * formula->distance(placement.inverse(y)); }, placed.vertices,
-        placement.scale, options, [&](int, const auto&, const Curvatures<Dim>& curvatures, const auto&) {
-          formula_to_formula.push_back(compare_curvatures<Dim>(curvatures, result.formula, diagonal));
-        });
+    over_levels<Dim>([&](const Vec<Dim>& y) { return placement.scale * formula->distance(placement.inverse(y)); },
+                     placed.vertices, placement.scale, options,
+                     [&](int, const auto&, const Curvatures<Dim>& curvatures, const auto&) {
+                       formula_to_formula.push_back(compare_curvatures<Dim>(curvatures, result.formula, diagonal));
+                     });
   }
   const SignedDistance<Dim> distance(placed);
   over_levels<Dim>(std::cref(distance), placed.vertices, placement.scale, options,
@@ -199,12 +198,11 @@ CurvatureComparison<Dim> compare_curvatures(const Shape<Dim>& shape, const std::
   return result;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                 \
-  template PrincipalCurvature<Dim> principal_curvature<Dim>(const Mat<Dim>&, const Vec<Dim>&);                      \
-  template CurvatureErrors compare_curvatures<Dim>(const Curvatures<Dim>&, const Curvatures<Dim>&, double);         \
-  template CurvatureComparison<Dim> compare_curvatures<Dim>(const Shape<Dim>&,                                      \
-                                                            const std::optional<ExactShape<Dim>>&,                  \
-                                                            const ExperimentOptions&, const MeshFit&,               \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template PrincipalCurvature<Dim> principal_curvature<Dim>(const Mat<Dim>&, const Vec<Dim>&);                        \
+  template CurvatureErrors compare_curvatures<Dim>(const Curvatures<Dim>&, const Curvatures<Dim>&, double);           \
+  template CurvatureComparison<Dim> compare_curvatures<Dim>(const Shape<Dim>&, const std::optional<ExactShape<Dim>>&, \
+                                                            const ExperimentOptions&, const MeshFit&,                 \
                                                             const std::function<void(const CurvatureLevel&)>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

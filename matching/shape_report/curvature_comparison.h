@@ -28,7 +28,7 @@ PrincipalCurvature<Dim> principal_curvature(const Mat<Dim>& shape_operator, cons
 
 /// Parameters of the polynomials fitted to the mesh.
 struct MeshFit {
-  int degree = 2;  ///< 2 to 4; in the plane always 2
+  int degree = 2;   ///< 2 to 4; in the plane always 2
   int n_rings = 2;  ///< rings of neighbours that the fit uses, 1 to 10
 };
 
@@ -61,8 +61,8 @@ struct CurvatureLevel {
 
 template <int Dim>
 struct CurvatureComparison {
-  Surface<Dim> surface;  ///< after repair, user's coordinates
-  double diagonal = 0;   ///< length in the user's coordinates
+  Surface<Dim> surface;                           ///< after repair, user's coordinates
+  double diagonal = 0;                            ///< length in the user's coordinates
   std::vector<PrincipalCurvature<Dim>> grid;      ///< of the finest level, at the surface's vertices
   std::vector<PrincipalCurvature<Dim>> mesh_fit;  ///< CGAL's jet fitting, or parabolas in the plane
   std::vector<PrincipalCurvature<Dim>> formula;   ///< empty without a formula

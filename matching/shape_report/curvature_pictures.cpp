@@ -151,7 +151,8 @@ void write_curvature_picture(const CurvatureComparison<Dim>& c, const std::strin
       return render_surfaces(std::span(&surface, 1), fit_camera(all, 1), {.width = size, .height = size, .samples = 3});
     } else {
       RenderContour contour{.contour = &c.surface, .line_width = 4};
-      for (const double v : values) contour.vertex_colors.push_back(map_color(bar.map, (v - bar.min) / (bar.max - bar.min)));
+      for (const double v : values)
+        contour.vertex_colors.push_back(map_color(bar.map, (v - bar.min) / (bar.max - bar.min)));
       const Surface<2>* all[] = {&c.surface};
       return render_contours(std::span(&contour, 1), fit_frame(all), size, size);
     }
@@ -163,7 +164,8 @@ void write_curvature_picture(const CurvatureComparison<Dim>& c, const std::strin
     for (std::size_t v = 0; v < found.size(); ++v) difference[v] = std::abs(found[v] - known[v]);
     const double end = size_quantile(known, 0.95);
     const ColorBar bar{ColorMap::diverging, -end, end, name + " times the diagonal"};
-    const ColorBar error_bar{ColorMap::sequential, 0, size_quantile(difference, 0.95), name + ", difference times the diagonal"};
+    const ColorBar error_bar{ColorMap::sequential, 0, size_quantile(difference, 0.95),
+                             name + ", difference times the diagonal"};
     panels.push_back({draw(found, bar), name + ", grid", bar});
     panels.push_back({draw(known, bar), name + ", " + expectation_name(c), bar});
     panels.push_back({draw(difference, error_bar), name + ", difference", error_bar});
@@ -173,8 +175,8 @@ void write_curvature_picture(const CurvatureComparison<Dim>& c, const std::strin
   write_png(compose_panels(panels, title, 3), path);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                    \
-  template void write_curvature_scatter<Dim>(const CurvatureComparison<Dim>&, const std::string&);      \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                \
+  template void write_curvature_scatter<Dim>(const CurvatureComparison<Dim>&, const std::string&); \
   template void write_curvature_picture<Dim>(const CurvatureComparison<Dim>&, const std::string&, const std::string&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -23,9 +23,9 @@ double median_size(const Values& values, const auto& member) {
 std::string columns(const CurvatureErrors& e, int dimension) {
   std::string row = fmt::format("{:>10.3g}{:>10.3g}", e.k1.median, e.k1.p95);
   if (dimension == 3)
-    row += fmt::format("{:>10.3g}{:>10.3g}{:>10.3g}{:>10.3g}{:>6.0f} %", e.k2.median, e.k2.p95, e.direction.median,
-                       e.direction.p95,
-                       100.0 * static_cast<double>(e.n_directions) / static_cast<double>(std::max<std::size_t>(1, e.n_vertices)));
+    row += fmt::format(
+        "{:>10.3g}{:>10.3g}{:>10.3g}{:>10.3g}{:>6.0f} %", e.k2.median, e.k2.p95, e.direction.median, e.direction.p95,
+        100.0 * static_cast<double>(e.n_directions) / static_cast<double>(std::max<std::size_t>(1, e.n_vertices)));
   return row;
 }
 
@@ -36,7 +36,8 @@ std::string order(double before, double after) {
 
 template <int Dim>
 std::string block(const CurvatureComparison<Dim>& c, const char* title, const auto& errors_of) {
-  std::string text = fmt::format("\n{}\n  {:<7}{:>12}{:>11}{:>10}{:>10}", title, "level", "h/diagonal", "nodes", "k1 median", "95 %");
+  std::string text =
+      fmt::format("\n{}\n  {:<7}{:>12}{:>11}{:>10}{:>10}", title, "level", "h/diagonal", "nodes", "k1 median", "95 %");
   if (Dim == 3) text += fmt::format("{:>10}{:>10}{:>10}{:>10}{:>8}", "k2 median", "95 %", "degrees", "95 %", "of all");
   text += fmt::format("{:>9}{}\n", "order k1", Dim == 3 ? "       k2" : "");
   const CurvatureErrors* before = nullptr;
@@ -55,11 +56,14 @@ std::string block(const CurvatureComparison<Dim>& c, const char* title, const au
 
 template <int Dim>
 std::string curvature_text(const CurvatureComparison<Dim>& c, const CurvatureSubject& subject) {
-  const std::string fit = Dim == 2 ? fmt::format("parabolas through {} vertices", 2 * subject.fit.n_rings + 1)
-                                   : fmt::format("jets of degree {} over {} rings", subject.fit.degree, subject.fit.n_rings);
-  std::string text = fmt::format("{}: {} vertices, diagonal {:.6g}\n", subject.source, c.surface.vertices.size(), c.diagonal);
+  const std::string fit = Dim == 2
+                              ? fmt::format("parabolas through {} vertices", 2 * subject.fit.n_rings + 1)
+                              : fmt::format("jets of degree {} over {} rings", subject.fit.degree, subject.fit.n_rings);
+  std::string text =
+      fmt::format("{}: {} vertices, diagonal {:.6g}\n", subject.source, c.surface.vertices.size(), c.diagonal);
   text += fmt::format("median |k1| {:.3g}", c.diagonal * median_size(c.mesh_fit, [](const auto& v) { return v.k1; }));
-  if (Dim == 3) text += fmt::format(", |k2| {:.3g}", c.diagonal * median_size(c.mesh_fit, [](const auto& v) { return v.k2; }));
+  if (Dim == 3)
+    text += fmt::format(", |k2| {:.3g}", c.diagonal * median_size(c.mesh_fit, [](const auto& v) { return v.k2; }));
   text += fmt::format(" by {}; curvatures and their errors in units of 1/diagonal\n", fit);
   text += block(c, "grid against the fit to the mesh", [](const CurvatureLevel& l) { return &l.to_mesh_fit; });
   if (!c.mesh_fit_to_formula) return text;

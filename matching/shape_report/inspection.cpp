@@ -64,8 +64,7 @@ double mean_edge_length(const Surface<Dim>& s) {
   double sum = 0;
   std::size_t n = 0;
   for (const auto& facet : s.facets)
-    for (int k = 0; k < n_edges<Dim>; ++k, ++n)
-      sum += (s.vertices[facet[k]] - s.vertices[facet[(k + 1) % Dim]]).norm();
+    for (int k = 0; k < n_edges<Dim>; ++k, ++n) sum += (s.vertices[facet[k]] - s.vertices[facet[(k + 1) % Dim]]).norm();
   return n == 0 ? 0 : sum / static_cast<double>(n);
 }
 
@@ -135,12 +134,16 @@ std::string box_text(const Inspection& r) {
 
 std::string inspection_text(const Inspection& r) {
   const bool plane = r.dimension == 2;
-  std::string text = fmt::format("{}: {}\n", printable(r.source, max_message_length), plane ? "a contour in the plane" : "a surface in space");
-  const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<22}{}\n", name, value); };
-  row("in the file", fmt::format("{} vertices, {} {}", r.n_original_vertices, r.n_original_polygons,
-                                 plane ? "ring(s)" : "polygons"));
+  std::string text = fmt::format("{}: {}\n", printable(r.source, max_message_length),
+                                 plane ? "a contour in the plane" : "a surface in space");
+  const auto row = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<22}{}\n", name, value);
+  };
+  row("in the file",
+      fmt::format("{} vertices, {} {}", r.n_original_vertices, r.n_original_polygons, plane ? "ring(s)" : "polygons"));
   if (!r.attributes.empty()) row("vertex attributes", fmt::format("{}", fmt::join(r.attributes, ", ")));
-  row("used for matching", fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
+  row("used for matching",
+      fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
   if (!plane) row("frame", r.frame.empty() ? "the file names none" : r.frame);
   row("components", fmt::format("{}", r.n_components));
   if (!plane) row("genus", fmt::format("{}", r.genus));
@@ -153,8 +156,10 @@ std::string inspection_text(const Inspection& r) {
   row("levels", fmt::format("the curvature asks for {} or finer; cells of level {} are about as long as the edges",
                             r.level_of_curvature, r.level_of_edges));
   if (r.buried_share > 0)
-    row("buried", fmt::format("{:.2g} % of the area, with {}, inside other parts of the shape, up to {:.4g} deep; weighs nothing in a matching",
-                              100 * r.buried_share, counted(r.n_buried_vertices, "vertex", "vertices"), r.burial_depth));
+    row("buried",
+        fmt::format("{:.2g} % of the area, with {}, inside other parts of the shape, up to {:.4g} deep; weighs nothing "
+                    "in a matching",
+                    100 * r.buried_share, counted(r.n_buried_vertices, "vertex", "vertices"), r.burial_depth));
   for (const std::string& note : r.notes) row("mended", printable(note, max_message_length));
   return text;
 }

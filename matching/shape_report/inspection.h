@@ -26,12 +26,12 @@ struct Inspection {
   double enclosed = 0;                ///< area or volume
   std::vector<double> box_min, box_max;
   double mean_edge = 0;
-  double curvature_radius = 0;        ///< of the curvature that 95 % of the shape do not exceed; infinity if flat
+  double curvature_radius = 0;  ///< of the curvature that 95 % of the shape do not exceed; infinity if flat
 
   // Properties after placement alone in the unit domain, with the default margin.
-  double scale = 0;                   ///< factor on the lengths above
-  int level_of_curvature = 0;         ///< coarsest level whose band, two cells to each side, fits that radius
-  int level_of_edges = 0;             ///< coarsest level whose cells are no larger than the mean edge
+  double scale = 0;            ///< factor on the lengths above
+  int level_of_curvature = 0;  ///< coarsest level whose band, two cells to each side, fits that radius
+  int level_of_edges = 0;      ///< coarsest level whose cells are no larger than the mean edge
 };
 
 template <int Dim>

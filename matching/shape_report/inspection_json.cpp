@@ -11,7 +11,8 @@ std::string inspection_json(const Inspection& r) {
   json["dimension"] = r.dimension;
   json["frame"] = nullptr;
   if (!r.frame.empty()) json["frame"] = r.frame;
-  json["original"] = {{"vertices", r.n_original_vertices}, {"polygons", r.n_original_polygons}, {"attributes", r.attributes}};
+  json["original"] = {
+      {"vertices", r.n_original_vertices}, {"polygons", r.n_original_polygons}, {"attributes", r.attributes}};
   json["vertices"] = r.n_vertices;
   json["facets"] = r.n_facets;
   json["components"] = r.n_components;

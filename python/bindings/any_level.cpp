@@ -14,8 +14,8 @@ namespace {
 template <int Dim>
 class LevelOf final : public AnyLevel {
  public:
-  LevelOf(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options,
-          int level, bool from_coarser, Observer& observer)
+  LevelOf(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> landmarks, const ExperimentOptions& options, int level,
+          bool from_coarser, Observer& observer)
       : level_(std::move(shapes), std::move(landmarks), options, level, observer),
         phi_(from_coarser ? level_.coarser_result(observer) : level_.identity()),
         problem_(level_.problem(solver_at_level(options.solver, level), phi_)) {
@@ -23,9 +23,7 @@ class LevelOf final : public AnyLevel {
   }
 
   std::vector<double> start() override { return problem_.unknowns_of(phi_); }
-  std::vector<double> mass() override {
-    return {problem_.lumped_mass().begin(), problem_.lumped_mass().end()};
-  }
+  std::vector<double> mass() override { return {problem_.lumped_mass().begin(), problem_.lumped_mass().end()}; }
   bool evaluate(const std::vector<double>& x, double& value, std::span<double> gradient) override {
     return problem_.evaluate(x, value, gradient);
   }

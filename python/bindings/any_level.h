@@ -21,8 +21,8 @@ struct Minimum {
   std::vector<IterationRecord> records;
 };
 
-/// \pre of all but sizes() and number(): within compute() (computation.h). \throws InputError where the energy cannot be
-/// evaluated
+/// \pre of all but sizes() and number(): within compute() (computation.h). \throws InputError where the energy cannot
+/// be evaluated
 class AnyLevel {
  public:
   virtual ~AnyLevel() = default;

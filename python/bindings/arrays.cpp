@@ -6,8 +6,7 @@ namespace shellmatch::python {
 
 template <int Dim>
 std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name) {
-  if (rows.ndim() != 2 || rows.shape(1) != Dim)
-    throw_input_error("{}: expected an array with {} columns", name, Dim);
+  if (rows.ndim() != 2 || rows.shape(1) != Dim) throw_input_error("{}: expected an array with {} columns", name, Dim);
   const auto values = rows.unchecked<2>();
   std::vector<Vec<Dim>> points(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
@@ -21,8 +20,7 @@ std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name) {
 template std::vector<Vec<2>> points_of<2>(const Doubles&, const std::string&);
 template std::vector<Vec<3>> points_of<3>(const Doubles&, const std::string&);
 
-std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices,
-                                            const std::string& name) {
+std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices, const std::string& name) {
   if (rows.ndim() != 2) throw_input_error("{}: expected an array of two axes", name);
   const auto values = rows.unchecked<2>();
   std::vector<std::vector<Index>> polygons(static_cast<std::size_t>(rows.shape(0)));

@@ -25,8 +25,7 @@ template <int Dim>
 std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name);
 
 /// Polygons from rows of indices. \throws InputError for indices below 0 or from n_vertices on
-std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices,
-                                            const std::string& name);
+std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices, const std::string& name);
 
 /// An array of the same memory that cannot be written to, and that keeps `owner` alive. \param shape of the
 /// array

@@ -19,8 +19,7 @@ ExperimentOptions options_of(const std::string& config, const OptionTexts& texts
       throw_input_error("{}: {}: the shapes are arguments of their own", origin, key);
     overrides.push_back({key, value, origin});
   }
-  ExperimentOptions options =
-      config.empty() ? make_experiment(overrides) : read_experiment(config, overrides);
+  ExperimentOptions options = config.empty() ? make_experiment(overrides) : read_experiment(config, overrides);
   options.input.reference = shapes[0].contents.index() == 0 ? shapes[0].name : "";
   options.input.template_file = shapes[1].contents.index() == 0 ? shapes[1].name : "";
   check_experiment(options);
@@ -49,18 +48,15 @@ GivenLandmarks landmarks_from(const py::object& given) {
     }
   }
   if (landmarks.sides[0].size() != landmarks.sides[1].size())
-    throw_input_error(
-        "landmarks: {} points of the reference and {} of the template; expected as many of both",
-        landmarks.sides[0].size(), landmarks.sides[1].size());
+    throw_input_error("landmarks: {} points of the reference and {} of the template; expected as many of both",
+                      landmarks.sides[0].size(), landmarks.sides[1].size());
   if (!py::object(parts[2]).is_none()) {
     const auto weights = Doubles(parts[2].cast<py::array>());
     landmarks.weights.assign(weights.data(), weights.data() + weights.size());
     if (landmarks.weights.size() != landmarks.sides[0].size())
-      throw_input_error("landmarks: {} weights for {} landmarks", landmarks.weights.size(),
-                        landmarks.sides[0].size());
+      throw_input_error("landmarks: {} weights for {} landmarks", landmarks.weights.size(), landmarks.sides[0].size());
     for (const double w : landmarks.weights)
-      if (!(w > 0 && std::isfinite(w)))
-        throw_input_error("landmarks: a weight is {:g}; expected a number > 0", w);
+      if (!(w > 0 && std::isfinite(w))) throw_input_error("landmarks: a weight is {:g}; expected a number > 0", w);
   }
   return landmarks;
 }
@@ -73,13 +69,12 @@ Vec<Dim> point_of(const GivenPoints& points, std::size_t i, const OriginalShape<
   if (points.n_columns == 0) {
     const std::int64_t v = points.vertices[i];
     if (v < 0 || v >= static_cast<std::int64_t>(shape.vertices.size()))
-      throw_input_error("landmarks: number {} names vertex {} of the {}, which has vertices 0 to {}", i, v,
-                        which, std::ssize(shape.vertices) - 1);
+      throw_input_error("landmarks: number {} names vertex {} of the {}, which has vertices 0 to {}", i, v, which,
+                        std::ssize(shape.vertices) - 1);
     return shape.vertices[static_cast<std::size_t>(v)];
   }
   if (points.n_columns != Dim)
-    throw_input_error("landmarks: {} coordinates for points of the {}, which has {}", points.n_columns, which,
-                      Dim);
+    throw_input_error("landmarks: {} coordinates for points of the {}, which has {}", points.n_columns, which, Dim);
   Vec<Dim> x;
   for (int k = 0; k < Dim; ++k) x[k] = points.positions[i * Dim + static_cast<std::size_t>(k)];
   if constexpr (Dim == 3) return in_space(x, own, shape.space);
@@ -114,19 +109,18 @@ std::vector<Landmark<Dim>> landmarks_of(const GivenLandmarks& given, const Exper
   for (std::size_t i = 0; i < given.sides[0].size(); ++i) {
     Landmark<Dim> landmark;
     landmark.name = fmt::format("{}", i);
-    landmark.on_reference =
-        point_of(given.sides[0], i, shapes.reference.original, spaces.reference_file, "reference");
-    landmark.on_template = point_of(given.sides[1], i, shapes.template_shape.original,
-                                    shapes.template_shape.original.space, "template");
+    landmark.on_reference = point_of(given.sides[0], i, shapes.reference.original, spaces.reference_file, "reference");
+    landmark.on_template =
+        point_of(given.sides[1], i, shapes.template_shape.original, shapes.template_shape.original.space, "template");
     if (!given.weights.empty()) landmark.weight = given.weights[i];
     landmarks.push_back(std::move(landmark));
   }
   return landmarks;
 }
 
-template std::vector<Landmark<2>> landmarks_of<2>(const GivenLandmarks&, const ExperimentOptions&,
-                                                  const ShapePair<2>&, Observer&);
-template std::vector<Landmark<3>> landmarks_of<3>(const GivenLandmarks&, const ExperimentOptions&,
-                                                  const ShapePair<3>&, Observer&);
+template std::vector<Landmark<2>> landmarks_of<2>(const GivenLandmarks&, const ExperimentOptions&, const ShapePair<2>&,
+                                                  Observer&);
+template std::vector<Landmark<3>> landmarks_of<3>(const GivenLandmarks&, const ExperimentOptions&, const ShapePair<3>&,
+                                                  Observer&);
 
 }  // namespace shellmatch::python

@@ -35,8 +35,7 @@ template <int Dim>
 Mat<4> to_unit_domain(const Deformation<Dim>& map) {
   Mat<4> m = Mat<4>::Identity();
   const Vec<Dim> origin = map.to_unit_domain(Vec<Dim>::Zero());
-  m.topLeftCorner<Dim, Dim>() =
-      map.placement.scale * map.pose.scale * map.placement.rotation * map.pose.rotation;
+  m.topLeftCorner<Dim, Dim>() = map.placement.scale * map.pose.scale * map.placement.rotation * map.pose.rotation;
   m.topRightCorner<Dim, 1>() = origin;
   return m;
 }
@@ -83,28 +82,22 @@ void bind_map(py::module_& module) {
   py::class_<Map>(module, "Map", "A map of the plane or of space; shellmatch.Map shows it.")
       .def_property_readonly("dimension", &Map::dimension)
       .def(
-          "apply",
-          [](const Map& map, const py::array& points) { return map.carry(points, Toward::template_shape); },
+          "apply", [](const Map& map, const py::array& points) { return map.carry(points, Toward::template_shape); },
           py::arg("points"))
       .def(
-          "inverse",
-          [](const Map& map, const py::array& points) { return map.carry(points, Toward::reference); },
+          "inverse", [](const Map& map, const py::array& points) { return map.carry(points, Toward::reference); },
           py::arg("points"))
       .def("jacobian", &Map::jacobian, py::arg("points"))
       .def_property_readonly("is_backward",
                              [](const Map& map) {
-                               return std::visit([](const auto& m) { return m->deformation().is_backward; },
-                                                 map.map_);
+                               return std::visit([](const auto& m) { return m->deformation().is_backward; }, map.map_);
                              })
       .def_property_readonly("to_unit_domain", [](const Map& map) {
-        return matrix_of(
-            std::visit([](const auto& m) { return to_unit_domain(m->deformation()); }, map.map_));
+        return matrix_of(std::visit([](const auto& m) { return to_unit_domain(m->deformation()); }, map.map_));
       });
   module.def(
       "load_map",
-      [](const std::string& path) {
-        return deformation_dimension(path) == 2 ? read_map<2>(path) : read_map<3>(path);
-      },
+      [](const std::string& path) { return deformation_dimension(path) == 2 ? read_map<2>(path) : read_map<3>(path); },
       py::arg("path"));
 }
 

@@ -36,8 +36,7 @@ class MapOf {
 class Map {
  public:
   template <int Dim>
-  explicit Map(std::shared_ptr<const Deformation<Dim>> map)
-      : map_(std::make_shared<MapOf<Dim>>(std::move(map))) {}
+  explicit Map(std::shared_ptr<const Deformation<Dim>> map) : map_(std::make_shared<MapOf<Dim>>(std::move(map))) {}
 
   int dimension() const { return map_.index() == 0 ? 2 : 3; }
   pybind11::array_t<double> carry(const pybind11::array& points, Toward toward) const;

@@ -34,21 +34,19 @@ struct Match {
 // As run_matching() has it, for shapes that are files or built-in ones.
 template <int Dim>
 Correspondence<Dim> truth_of(const InputOptions& input, std::size_t n_vertices) {
-  if (input.correspondence.empty())
-    return generated_correspondence<Dim>(input.reference, input.template_file);
+  if (input.correspondence.empty()) return generated_correspondence<Dim>(input.reference, input.template_file);
   return read_correspondence<Dim>(input.correspondence, n_vertices);
 }
 
-AnyMatchResult run(std::array<ShapeInput, 2> shapes, const ExperimentOptions& options,
-                   const GivenLandmarks& given, Observer& observer) {
+AnyMatchResult run(std::array<ShapeInput, 2> shapes, const ExperimentOptions& options, const GivenLandmarks& given,
+                   Observer& observer) {
   set_n_threads(options.threads);
   observer.stage("reading");
   AnyShapePair any = open_shape_pair(std::move(shapes), options.input, options.landmarks, observer);
   return std::visit(
       [&]<int Dim>(ShapePair<Dim>& pair) -> AnyMatchResult {
         const std::vector<Landmark<Dim>> landmarks = landmarks_of(given, options, pair, observer);
-        const Correspondence<Dim> truth =
-            truth_of<Dim>(options.input, pair.reference.original.vertices.size());
+        const Correspondence<Dim> truth = truth_of<Dim>(options.input, pair.reference.original.vertices.size());
         return match_shapes(std::move(pair), options, observer, landmarks, truth);
       },
       any);
@@ -56,8 +54,7 @@ AnyMatchResult run(std::array<ShapeInput, 2> shapes, const ExperimentOptions& op
 
 Match match(const ShapeInput& reference, const ShapeInput& template_shape, const OptionTexts& texts,
             const std::string& config, const py::object& landmarks, const py::object& progress) {
-  if (is_called_back())
-    throw_input_error("a matching cannot begin within the progress function of another one");
+  if (is_called_back()) throw_input_error("a matching cannot begin within the progress function of another one");
   const GivenLandmarks given = landmarks_from(landmarks);
   PythonObserver observer(progress);
   Match made;
@@ -103,8 +100,7 @@ Map map_of(const Match& match) {
 }
 
 py::list history_of(const Match& match) {
-  const History& history =
-      std::visit([](const auto& r) -> const History& { return r.history; }, *match.result);
+  const History& history = std::visit([](const auto& r) -> const History& { return r.history; }, *match.result);
   py::list rows;
   for (const HistoryRow& row : history.rows) {
     py::dict terms, entry;
@@ -130,9 +126,8 @@ py::list save(const Match& match, const std::string& folder, bool force) {
   if (folder.empty()) throw_input_error("the name of the output folder is empty");
   PythonObserver observer{py::none()};
   compute([&] {
-    std::visit(
-        [&](const auto& result) { write_result_folder(result, match.options, folder, force, &observer); },
-        *match.result);
+    std::visit([&](const auto& result) { write_result_folder(result, match.options, folder, force, &observer); },
+               *match.result);
   });
   return texts_of(observer.warnings);
 }
@@ -142,15 +137,13 @@ py::list save(const Match& match, const std::string& folder, bool force) {
 void bind_match(py::module_& module) {
   py::class_<Match>(module, "Match", "The result of match(); shellmatch.Result shows it.")
       .def_property_readonly("vertices", vertices_of)
-      .def_property_readonly("attributes",
-                             [](const Match& m) {
-                               return std::visit([](const auto& r) { return attributes_of(r.deformed); },
-                                                 *m.result);
-                             })
+      .def_property_readonly(
+          "attributes",
+          [](const Match& m) { return std::visit([](const auto& r) { return attributes_of(r.deformed); }, *m.result); })
       .def_property_readonly("template_attributes",
                              [](const Match& m) {
-                               return std::visit(
-                                   [](const auto& r) { return attributes_of(r.template_shape); }, *m.result);
+                               return std::visit([](const auto& r) { return attributes_of(r.template_shape); },
+                                                 *m.result);
                              })
       .def_property_readonly("map", map_of)
       .def_property_readonly("summary_json",
@@ -160,8 +153,8 @@ void bind_match(py::module_& module) {
       .def_property_readonly("notes", [](const Match& m) { return texts_of(m.notes); })
       .def_property_readonly("warnings", [](const Match& m) { return texts_of(m.warnings); })
       .def("save", save, py::arg("folder"), py::arg("force"));
-  module.def("match", match, py::arg("reference"), py::arg("template_shape"), py::arg("options"),
-             py::arg("config"), py::arg("landmarks"), py::arg("progress"));
+  module.def("match", match, py::arg("reference"), py::arg("template_shape"), py::arg("options"), py::arg("config"),
+             py::arg("landmarks"), py::arg("progress"));
   module.def("check_all_but_template", check_all_but_template, py::arg("reference"), py::arg("options"),
              py::arg("config"), py::arg("landmarks"));
 }

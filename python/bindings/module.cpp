@@ -8,8 +8,7 @@
 
 PYBIND11_MODULE(_core, module) {
   using namespace shellmatch::python;
-  module.doc() =
-      "What the package shellmatch is built on. Its functions expect what that package has checked.";
+  module.doc() = "What the package shellmatch is built on. Its functions expect what that package has checked.";
   module.attr("version") = shellmatch::program_version();
   translate_errors();
   bind_shape_input(module);

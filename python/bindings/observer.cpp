@@ -17,8 +17,8 @@ bool PythonObserver::call(const char* kind, const std::string& text, const Level
   {
     py::gil_scoped_acquire lock;
     try {
-      const py::object answer = callback_(kind, text_of(text), start.level, start.substep, start.n_substeps,
-                                          iteration, energy, gradient_norm);
+      const py::object answer = callback_(kind, text_of(text), start.level, start.substep, start.n_substeps, iteration,
+                                          energy, gradient_norm);
       goes_on = answer.ptr() != Py_False;
     } catch (py::error_already_set& error) {
       error.restore();
@@ -53,8 +53,7 @@ bool PythonObserver::iterated(const LevelStart& start, const IterationRecord& re
 bool PythonObserver::iterated(const IterationRecord& record) { return iterated(LevelStart{}, record); }
 
 void PythonObserver::minimisation_finished(const LevelStart& start, const MinimizerSummary& summary) {
-  call("finish", summary.message, start, summary.iterations, summary.final_value,
-       summary.final_gradient_norm);
+  call("finish", summary.message, start, summary.iterations, summary.final_value, summary.final_gradient_norm);
 }
 
 }  // namespace shellmatch::python

@@ -23,8 +23,8 @@ namespace {
 /// Evaluations change the level's state: only one at a time, also where one calls back.
 class Problem {
  public:
-  Problem(const ShapeInput& reference, const ShapeInput& template_shape, std::optional<int> number,
-          bool from_coarser, const OptionTexts& texts, const std::string& config, const py::object& landmarks,
+  Problem(const ShapeInput& reference, const ShapeInput& template_shape, std::optional<int> number, bool from_coarser,
+          const OptionTexts& texts, const std::string& config, const py::object& landmarks,
           const py::object& progress) {
     if (is_called_back()) throw_input_error("a Problem cannot be made within a progress function");
     const GivenLandmarks given = landmarks_from(landmarks);
@@ -34,15 +34,14 @@ class Problem {
       const ExperimentOptions options = options_of(config, texts, shapes);
       const int level = number.value_or(options.cascade.max_level);
       if (level < options.cascade.min_level || level > options.cascade.max_level)
-        throw_input_error("level {}: the cascade has the levels {} to {} (levels)", level,
-                          options.cascade.min_level, options.cascade.max_level);
+        throw_input_error("level {}: the cascade has the levels {} to {} (levels)", level, options.cascade.min_level,
+                          options.cascade.max_level);
       set_n_threads(options.threads);
       AnyShapePair any = open_shape_pair(std::move(shapes), options.input, options.landmarks, observer);
       return std::visit(
           [&]<int Dim>(ShapePair<Dim>& pair) -> std::unique_ptr<AnyLevel> {
             std::vector<Landmark<Dim>> points = landmarks_of(given, options, pair, observer);
-            return make_level<Dim>(std::move(pair), std::move(points), options, level, from_coarser,
-                                   observer);
+            return make_level<Dim>(std::move(pair), std::move(points), options, level, from_coarser, observer);
           },
           any);
     });
@@ -130,12 +129,10 @@ py::array_t<double> model_times(Problem& problem, const Doubles& at, const Doubl
   return array_of(std::move(product), {n});
 }
 
-py::dict minimise(Problem& problem, const Doubles& start, const OptionTexts& texts,
-                  const py::object& progress) {
+py::dict minimise(Problem& problem, const Doubles& start, const OptionTexts& texts, const py::object& progress) {
   std::vector<double> x = problem.unknowns(start, "x0");
   PythonObserver observer(progress);
-  Minimum minimum =
-      problem.use([&](AnyLevel& level) { return level.minimise(std::move(x), texts, observer); });
+  Minimum minimum = problem.use([&](AnyLevel& level) { return level.minimise(std::move(x), texts, observer); });
   const MinimizerSummary& s = minimum.summary;
   py::list history;
   for (const IterationRecord& r : minimum.records) {

@@ -23,8 +23,7 @@ ShapeInput file(const std::string& name) {
 
 // Vertices in the order given, in which the result has them, too: also those of no polygon.
 template <int Dim>
-ShapeInput of_polygons(const std::string& name, const Doubles& vertices,
-                       const std::vector<Integers>& polygons) {
+ShapeInput of_polygons(const std::string& name, const Doubles& vertices, const std::vector<Integers>& polygons) {
   OriginalShape<Dim> shape;
   shape.vertices = points_of<Dim>(vertices, name + " vertices");
   for (const Integers& block : polygons)
@@ -35,8 +34,7 @@ ShapeInput of_polygons(const std::string& name, const Doubles& vertices,
   return {name, std::move(shape)};
 }
 
-ShapeInput volume(const std::string& name,
-                  const py::array_t<float, py::array::f_style | py::array::forcecast>& values,
+ShapeInput volume(const std::string& name, const py::array_t<float, py::array::f_style | py::array::forcecast>& values,
                   const Doubles& affine, bool is_integer, const std::vector<double>& labels, double above,
                   bool is_lps) {
   if (values.ndim() != 3) throw_input_error("{}: expected an array of three axes", name);
@@ -46,10 +44,9 @@ ShapeInput volume(const std::string& name,
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) to_space(i, j) = affine.at(i, j);
   VolumePart part;
-  part.volume =
-      make_volume(name, {values.shape(0), values.shape(1), values.shape(2)}, to_space,
-                  is_lps ? Space::lps : Space::ras, is_integer ? VoxelType::int32 : VoxelType::float32,
-                  std::vector<float>(values.data(), values.data() + values.size()));
+  part.volume = make_volume(name, {values.shape(0), values.shape(1), values.shape(2)}, to_space,
+                            is_lps ? Space::lps : Space::ras, is_integer ? VoxelType::int32 : VoxelType::float32,
+                            std::vector<float>(values.data(), values.data() + values.size()));
   part.choice = {labels, above};
   return {name, std::move(part)};
 }
@@ -63,8 +60,8 @@ void bind_shape_input(py::module_& module) {
       .def_static("file", file, py::arg("name"))
       .def_static("mesh", of_polygons<3>, py::arg("name"), py::arg("vertices"), py::arg("polygons"))
       .def_static("rings", of_polygons<2>, py::arg("name"), py::arg("vertices"), py::arg("rings"))
-      .def_static("volume", volume, py::arg("name"), py::arg("values"), py::arg("affine"),
-                  py::arg("is_integer"), py::arg("labels"), py::arg("above"), py::arg("is_lps"))
+      .def_static("volume", volume, py::arg("name"), py::arg("values"), py::arg("affine"), py::arg("is_integer"),
+                  py::arg("labels"), py::arg("above"), py::arg("is_lps"))
       .def_property_readonly("name", [](const ShapeInput& input) { return text_of(input.name); });
 }
 

@@ -32,7 +32,9 @@ PointSets sets_of(const Doubles& points) {
           Eigen::Map<const Eigen::MatrixXd>(points.data(), points.shape(1) * points.shape(2), points.shape(0))};
 }
 
-Eigen::VectorXd vector_of(const Doubles& values) { return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()); }
+Eigen::VectorXd vector_of(const Doubles& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
 
 // Rows of an array as columns of a matrix, in the array's memory.
 Eigen::Map<const Eigen::MatrixXd> columns_of(const Doubles& rows, py::ssize_t row_length, const char* name) {
@@ -49,7 +51,9 @@ py::array_t<double> array_from(Eigen::MatrixXd matrix, std::vector<py::ssize_t> 
   return py::array_t<double>(std::move(shape), data, owner);
 }
 
-py::array_t<double> array_from(const Eigen::VectorXd& vector) { return array_from(Eigen::MatrixXd(vector), {vector.size()}); }
+py::array_t<double> array_from(const Eigen::VectorXd& vector) {
+  return array_from(Eigen::MatrixXd(vector), {vector.size()});
+}
 
 // Of shapes in columns.
 py::array_t<double> shapes_from(Eigen::MatrixXd columns, int dimension) {
@@ -75,7 +79,8 @@ template <int Dim>
 Eigen::VectorXd mean_area_weights(const PointSets& sets, const std::vector<std::vector<Index>>& polygons) {
   std::vector<std::array<Index, Dim>> facets(polygons.size());
   for (std::size_t f = 0; f < polygons.size(); ++f) {
-    if (polygons[f].size() != Dim) throw_input_error("faces: row {} has {} points; {} are expected", f, polygons[f].size(), Dim);
+    if (polygons[f].size() != Dim)
+      throw_input_error("faces: row {} has {} points; {} are expected", f, polygons[f].size(), Dim);
     std::copy(polygons[f].begin(), polygons[f].end(), facets[f].begin());
   }
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(sets.n_points());
@@ -103,8 +108,8 @@ py::tuple align(const Doubles& points, const Doubles& weights, const Doubles& st
   const Eigen::VectorXd of_points = vector_of(weights), from = vector_of(start);
   AlignedSets aligned = compute([&] { return procrustes(std::move(sets), of_points, from, kind_of(kind)); });
   const int dimension = aligned.sets.dimension;
-  return py::make_tuple(shapes_from(std::move(aligned.sets.coordinates), dimension), points_from(aligned.mean, dimension),
-                        aligned.n_iterations, aligned.enlargement);
+  return py::make_tuple(shapes_from(std::move(aligned.sets.coordinates), dimension),
+                        points_from(aligned.mean, dimension), aligned.n_iterations, aligned.enlargement);
 }
 
 py::dict fit(const Doubles& points, const Doubles& weights, const std::string& kind, int max_modes) {
@@ -126,8 +131,8 @@ py::dict fit(const Doubles& points, const Doubles& weights, const std::string& k
   return result;
 }
 
-py::array_t<double> scores_of_shapes(const Doubles& points, const Doubles& weights, const Doubles& mean, const Doubles& modes,
-                                     const std::string& kind, double enlargement) {
+py::array_t<double> scores_of_shapes(const Doubles& points, const Doubles& weights, const Doubles& mean,
+                                     const Doubles& modes, const std::string& kind, double enlargement) {
   PointSets sets = sets_of(points);
   const Eigen::VectorXd of_points = vector_of(weights), centre = vector_of(mean);
   const auto columns = columns_of(modes, centre.size(), "modes");
@@ -154,7 +159,8 @@ py::array_t<double> sample_scores(const Doubles& variances, int n, std::uint64_t
   return rows_from(compute([&] { return normal_scores(of_modes, n, seed); }));
 }
 
-py::dict curves(const Doubles& variances, const Doubles& scores, double total_variance, int n_samples, std::uint64_t seed) {
+py::dict curves(const Doubles& variances, const Doubles& scores, double total_variance, int n_samples,
+                std::uint64_t seed) {
   ShapeModel model;  // its points are not needed
   model.variances = vector_of(variances);
   model.scores = columns_of(scores, variances.size(), "scores").transpose();
@@ -172,8 +178,8 @@ py::dict curves(const Doubles& variances, const Doubles& scores, double total_va
   return arrays;
 }
 
-py::dict compare_groups(const Doubles& points, const Doubles& weights, const std::string& kind, const std::vector<bool>& is_b,
-                        int n_permutations, std::uint64_t seed) {
+py::dict compare_groups(const Doubles& points, const Doubles& weights, const std::string& kind,
+                        const std::vector<bool>& is_b, int n_permutations, std::uint64_t seed) {
   PointSets sets = sets_of(points);
   const Eigen::VectorXd of_points = vector_of(weights);
   const int dimension = sets.dimension;
@@ -202,14 +208,14 @@ void bind_statistics(py::module_& module) {
   module.def("area_weights", weights_by_area, py::arg("points"), py::arg("faces"));
   module.def("procrustes", align, py::arg("points"), py::arg("weights"), py::arg("start"), py::arg("kind"));
   module.def("fit_shape_model", fit, py::arg("points"), py::arg("weights"), py::arg("kind"), py::arg("max_modes"));
-  module.def("scores_of_shapes", scores_of_shapes, py::arg("points"), py::arg("weights"), py::arg("mean"), py::arg("modes"),
-             py::arg("kind"), py::arg("enlargement"));
+  module.def("scores_of_shapes", scores_of_shapes, py::arg("points"), py::arg("weights"), py::arg("mean"),
+             py::arg("modes"), py::arg("kind"), py::arg("enlargement"));
   module.def("shapes_of_scores", shapes_of_scores, py::arg("scores"), py::arg("mean"), py::arg("modes"));
   module.def("sample_scores", sample_scores, py::arg("variances"), py::arg("n"), py::arg("seed"));
-  module.def("model_curves", curves, py::arg("variances"), py::arg("scores"), py::arg("total_variance"), py::arg("n_samples"),
-             py::arg("seed"));
-  module.def("group_difference", compare_groups, py::arg("points"), py::arg("weights"), py::arg("kind"), py::arg("in_b"),
-             py::arg("n_permutations"), py::arg("seed"));
+  module.def("model_curves", curves, py::arg("variances"), py::arg("scores"), py::arg("total_variance"),
+             py::arg("n_samples"), py::arg("seed"));
+  module.def("group_difference", compare_groups, py::arg("points"), py::arg("weights"), py::arg("kind"),
+             py::arg("in_b"), py::arg("n_permutations"), py::arg("seed"));
 }
 
 }  // namespace shellmatch::python

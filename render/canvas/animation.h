@@ -14,14 +14,15 @@ class Animation {
  public:
   static constexpr int largest_side = 16383;  ///< of a picture in pixels, by the format
 
-  /// \param quality  1 to 100: the larger, the nearer to the pictures and the longer the file; 100 keeps every pixel as it is
+  /// \param quality  1 to 100: the larger, the nearer to the pictures and the longer the file; 100 keeps every pixel as
+  /// it is
   explicit Animation(int quality);
   ~Animation();
   Animation(Animation&&) noexcept;
   Animation& operator=(Animation&&) noexcept;
 
-  /// The next picture, which stays for these seconds (kept in milliseconds, at least one). One that equals the picture before
-  /// prolongs it. \pre all pictures have one size \throws InputError where a side is longer than largest_side
+  /// The next picture, which stays for these seconds (kept in milliseconds, at least one). One that equals the picture
+  /// before prolongs it. \pre all pictures have one size \throws InputError where a side is longer than largest_side
   void add(const Image& picture, double seconds);
 
   /// The bytes of the file. Nothing can be added after that. \pre a picture was added

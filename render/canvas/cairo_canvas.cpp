@@ -50,11 +50,12 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned int length
   return CAIRO_STATUS_NO_MEMORY;
 }
 
-// Throws std::bad_alloc for want of memory, and for what is no fault of the machine's tells the broken invariant. Encoding a
-// picture in memory fails for want of it alone.
+// Throws std::bad_alloc for want of memory, and for what is no fault of the machine's tells the broken invariant.
+// Encoding a picture in memory fails for want of it alone.
 void check(cairo_status_t status, const char* invariant) {
   if (status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_PNG_ERROR) throw std::bad_alloc();
-  if (status == CAIRO_STATUS_FREETYPE_ERROR) throw_environment_error("no text can be drawn ({})", cairo_status_to_string(status));
+  if (status == CAIRO_STATUS_FREETYPE_ERROR)
+    throw_environment_error("no text can be drawn ({})", cairo_status_to_string(status));
   SHELLMATCH_CHECK(status == CAIRO_STATUS_SUCCESS, invariant);
 }
 
@@ -68,8 +69,7 @@ void write_bytes(const std::string& bytes, const std::string& path) {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out)
-    throw_environment_error("{}: the picture cannot be written; is the disk full or the folder read-only?",
-                            path);
+    throw_environment_error("{}: the picture cannot be written; is the disk full or the folder read-only?", path);
 }
 
 std::string png_bytes(cairo_surface_t* surface) {
@@ -118,8 +118,8 @@ void trace(cairo_t* cairo, std::span<const Vec<2>> points, bool closed) {
   if (closed) cairo_close_path(cairo);
 }
 
-// Where cairo's rasteriser finds no memory it leaves its error handling by a frame that has gone (1.16): it must find some when it
-// begins. Its own needs are a share of this.
+// Where cairo's rasteriser finds no memory it leaves its error handling by a frame that has gone (1.16): it must find
+// some when it begins. Its own needs are a share of this.
 void require_memory_to_draw() {
   constexpr std::size_t enough = std::size_t{8} << 20;
   void* volatile room = std::malloc(enough);  // volatile: compilers may leave out an allocation that is not used
@@ -137,7 +137,8 @@ Canvas::Canvas(int width, int height, CanvasKind kind, const Color& background)
               : kind == CanvasKind::svg  ? cairo_svg_surface_create_for_stream(append, &s.text, width, height)
                                          : cairo_pdf_surface_create_for_stream(append, &s.text, width, height);
   // The same bytes from the same run, whenever it is drawn.
-  if (kind == CanvasKind::pdf) cairo_pdf_surface_set_metadata(s.surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  if (kind == CanvasKind::pdf)
+    cairo_pdf_surface_set_metadata(s.surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   s.cairo = cairo_create(s.surface);
   check(cairo_status(s.cairo), "the canvas must be creatable");
   require_memory_to_draw();
@@ -253,14 +254,13 @@ void Image::set(int x, int y, const Color& color) {
   p[2] = static_cast<std::uint8_t>(std::lround(255 * color.b));
 }
 
-void write_png(const Image& image, const std::string& path) {
-  write_bytes(png_bytes(surface_of(image).get()), path);
-}
+void write_png(const Image& image, const std::string& path) { write_bytes(png_bytes(surface_of(image).get()), path); }
 
 Image read_png(const std::string& path) {
   const OwnSurface surface(cairo_image_surface_create_from_png(path.c_str()));
   const cairo_status_t status = cairo_surface_status(surface.get());
-  if (status != CAIRO_STATUS_SUCCESS) throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw_input_error("{}: not a readable PNG picture ({})", path, cairo_status_to_string(status));
   // Cairo uses other pixel formats only for pictures with 16 bits per channel.
   const cairo_format_t format = cairo_image_surface_get_format(surface.get());
   if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)

@@ -71,8 +71,7 @@ Image render_contours(std::span<const RenderContour> contours, const Frame& fram
         for (const auto& ring : rings) canvas.polyline(ring, true, {c.line, c.line_width, c.line_alpha, c.dashes});
       } else {
         for (const auto& [a, b] : c.contour->facets)
-          canvas.polyline(std::array{to_pixels(c.contour->vertices[a]), to_pixels(c.contour->vertices[b])},
-                          false,
+          canvas.polyline(std::array{to_pixels(c.contour->vertices[a]), to_pixels(c.contour->vertices[b])}, false,
                           {mix(c.vertex_colors[a], c.vertex_colors[b], 0.5), c.line_width, c.line_alpha, {}});
       }
     }

@@ -28,10 +28,9 @@ struct RenderContour {
   Color line = black;
   double line_width = 1.6;  ///< pixels; 0 draws no line
   double line_alpha = 1;
-  std::vector<double> dashes = {};  ///< as LineStyle::dashes, of lines of one colour
-  double point_radius = 0;  ///< pixels; 0 draws no vertices
-  std::vector<Color> vertex_colors =
-      {};  ///< one per vertex, or empty; replaces `line` for line and points
+  std::vector<double> dashes = {};        ///< as LineStyle::dashes, of lines of one colour
+  double point_radius = 0;                ///< pixels; 0 draws no vertices
+  std::vector<Color> vertex_colors = {};  ///< one per vertex, or empty; replaces `line` for line and points
 };
 
 /// Thin straight lines drawn under the contours, such as the cells of a grid.

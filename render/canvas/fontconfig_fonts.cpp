@@ -13,7 +13,8 @@ namespace {
 
 std::filesystem::path folder_of_fonts() {
   Dl_info library;
-  if (dladdr(reinterpret_cast<const void*>(&use_fonts_beside_the_program), &library) == 0 || !library.dli_fname) return {};
+  if (dladdr(reinterpret_cast<const void*>(&use_fonts_beside_the_program), &library) == 0 || !library.dli_fname)
+    return {};
   std::error_code error;
   // Folders of the processor's, as glibc-hwcaps/x86-64-v3/, are between.
   std::filesystem::path folder = std::filesystem::path(library.dli_fname).parent_path();
@@ -37,8 +38,6 @@ bool add_fonts() {
 
 }  // namespace
 
-void use_fonts_beside_the_program() {
-  [[maybe_unused]] static const bool done = add_fonts();
-}
+void use_fonts_beside_the_program() { [[maybe_unused]] static const bool done = add_fonts(); }
 
 }  // namespace shellmatch

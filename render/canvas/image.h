@@ -20,9 +20,7 @@ struct Image {
   Image(int image_width, int image_height, const Color& color = white);
 
   std::uint8_t* at(int x, int y) { return &pixels[3 * (static_cast<std::size_t>(y) * width + x)]; }
-  const std::uint8_t* at(int x, int y) const {
-    return &pixels[3 * (static_cast<std::size_t>(y) * width + x)];
-  }
+  const std::uint8_t* at(int x, int y) const { return &pixels[3 * (static_cast<std::size_t>(y) * width + x)]; }
   void set(int x, int y, const Color& color);
   bool operator==(const Image&) const = default;
 };

@@ -25,11 +25,9 @@ void draw_bar(const ColorBar& bar, double left, double top, double width, Canvas
       const double x = x0 + length * (t.value - bar.min) / range;
       canvas.polyline(std::array{Vec<2>(x, top + thickness), Vec<2>(x, top + thickness + 4)}, false,
                       {axis_grey, 1, 1, {}});
-      canvas.text(t.label, {x, top + thickness + 8},
-                  {.size = 11, .color = axis_grey, .anchor_x = 0.5, .anchor_y = 1});
+      canvas.text(t.label, {x, top + thickness + 8}, {.size = 11, .color = axis_grey, .anchor_x = 0.5, .anchor_y = 1});
     }
-  canvas.text(bar.label, {left + 0.5 * width, top + thickness + 37},
-              {.size = 12, .color = axis_grey, .anchor_x = 0.5});
+  canvas.text(bar.label, {left + 0.5 * width, top + thickness + 37}, {.size = 12, .color = axis_grey, .anchor_x = 0.5});
 }
 
 }  // namespace
@@ -57,8 +55,7 @@ Canvas draw_panels(std::span<const Panel> panels, const std::string& title, int 
   const int top = title.empty() ? gap : title_height;
   std::vector<int> row_top{top};
   for (const char bar : has_bar)
-    row_top.push_back(row_top.back() + height + (captions ? caption_height : 0) + (bar ? bar_height : 0) +
-                      gap);
+    row_top.push_back(row_top.back() + height + (captions ? caption_height : 0) + (bar ? bar_height : 0) + gap);
   Canvas canvas(columns * width + (columns + 1) * gap, row_top.back(), kind);
   canvas.text(title, {0.5 * canvas.width(), 0.5 * title_height},
               {.size = 18, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});

@@ -39,9 +39,7 @@ struct Axis {
     min -= air * extent;
     max += air * extent;
   }
-  double pixel(double v) const {
-    return from + (to - from) * (unit(v) - unit(min)) / (unit(max) - unit(min));
-  }
+  double pixel(double v) const { return from + (to - from) * (unit(v) - unit(min)) / (unit(max) - unit(min)); }
   std::vector<Tick> ticks(int wanted) const {
     return log ? log_ticks(min, max, wanted) : linear_ticks(min, max, wanted);
   }
@@ -71,10 +69,8 @@ void draw_series(const Series& s, const Color& color, const Axis& x, const Axis&
     run.clear();
   };
   for (std::size_t i = 0; i < s.x.size(); ++i) {
-    if (point_shows(x, y, s, i))
-      run.push_back({x.pixel(s.x[i]), y.pixel(s.y[i])});
-    else
-      flush();
+    if (point_shows(x, y, s, i)) run.push_back({x.pixel(s.x[i]), y.pixel(s.y[i])});
+    else flush();
   }
   flush();
 }
@@ -110,8 +106,8 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
   }
   double names = 0;
   for (const std::string& row : plot.rows) names = std::max(names, canvas.text_width(row, {.size = font}));
-  const double left = std::max(84.0, names + 24), right = canvas.width() - 24 - legend, top = plot.title.empty() ? 22 : 50,
-               bottom = canvas.height() - 62;
+  const double left = std::max(84.0, names + 24), right = canvas.width() - 24 - legend,
+               top = plot.title.empty() ? 22 : 50, bottom = canvas.height() - 62;
   canvas.text(plot.title, {0.5 * (left + right), 26},
               {.size = 1.25 * font, .bold = true, .anchor_x = 0.5, .anchor_y = 0.5});
   if (x.min > x.max) {
@@ -148,12 +144,10 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
     if (x.shows(m))
       canvas.polyline(std::array{Vec<2>(x.pixel(m), top), Vec<2>(x.pixel(m), bottom)}, false,
                       {axis_grey, 1, 0.6, {2, 4}});
-  for (std::size_t k = 0; k < plot.series.size(); ++k)
-    draw_series(plot.series[k], color_of(plot, k), x, y, canvas);
+  for (std::size_t k = 0; k < plot.series.size(); ++k) draw_series(plot.series[k], color_of(plot, k), x, y, canvas);
   canvas.unclip();
-  canvas.polyline(
-      std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,
-      {axis_grey, 1, 1, {}});
+  canvas.polyline(std::array{Vec<2>(left, top), Vec<2>(left, bottom), Vec<2>(right, bottom), Vec<2>(right, top)}, true,
+                  {axis_grey, 1, 1, {}});
   canvas.text(plot.x_label, {0.5 * (left + right), canvas.height() - 18}, {.size = font, .anchor_x = 0.5});
   canvas.text(plot.y_label, {22, 0.5 * (top + bottom)}, {.size = font, .anchor_x = 0.5, .turn = 90});
   draw_legend(plot, right + 16, top, canvas);

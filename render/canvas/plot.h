@@ -25,8 +25,8 @@ struct Plot {
   bool log_x = false, log_y = false;
   std::vector<Series> series = {};
   std::vector<std::string> rows = {};  ///< labels at y = 0, 1, ... from the top, in place of numbers; empty: numbers
-  std::vector<double> marks = {};  ///< thin vertical lines at these x
-  int width = 900, height = 560;   ///< pixels
+  std::vector<double> marks = {};      ///< thin vertical lines at these x
+  int width = 900, height = 560;       ///< pixels
 };
 
 /// A plot without a point to show has a text that says so.

@@ -37,12 +37,9 @@ std::vector<Tick> log_ticks(double min, double max, int wanted) {
       const double x = digit * std::pow(10.0, e);
       if (!inside(x)) continue;
       const bool power = digit == 1, few = n_powers < 2 && (digit == 2 || digit == 5);
-      if (power && e % stride == 0)
-        ticks.push_back({x, short_number(x)});
-      else if (few)
-        ticks.push_back({x, short_number(x)});
-      else if (stride == 1 || power)
-        ticks.push_back({x, ""});
+      if (power && e % stride == 0) ticks.push_back({x, short_number(x)});
+      else if (few) ticks.push_back({x, short_number(x)});
+      else if (stride == 1 || power) ticks.push_back({x, ""});
     }
   return ticks;
 }

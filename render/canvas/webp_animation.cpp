@@ -47,7 +47,8 @@ struct OwnData {
 // The library tells its reason in words that end in the number of a WebPEncodingError, where it is one.
 [[noreturn]] void fail_to_encode(WebPAnimEncoder* encoder) {
   const std::string reason = WebPAnimEncoderGetError(encoder);
-  const bool is_too_large = std::strstr(reason.c_str(), "WebPEncodingError: ") != nullptr && !reason.ends_with(": 1.") && !reason.ends_with(": 2.");
+  const bool is_too_large = std::strstr(reason.c_str(), "WebPEncodingError: ") != nullptr &&
+                            !reason.ends_with(": 1.") && !reason.ends_with(": 2.");
   if (is_too_large) throw_input_error("the animation cannot be encoded ({}); fewer or smaller pictures can", reason);
   throw std::bad_alloc();
 }
@@ -69,18 +70,20 @@ Animation& Animation::operator=(Animation&&) noexcept = default;
 void Animation::add(const Image& picture, double seconds) {
   State& s = *state_;
   if (std::max(picture.width, picture.height) > largest_side)
-    throw_input_error("an animation of {} x {} pixels: the format ends at {} a side; choose smaller pictures", picture.width, picture.height, largest_side);
+    throw_input_error("an animation of {} x {} pixels: the format ends at {} a side; choose smaller pictures",
+                      picture.width, picture.height, largest_side);
   if (s.encoder == nullptr) {
     WebPAnimEncoderOptions options;
     SHELLMATCH_CHECK(WebPAnimEncoderOptionsInit(&options), same_library);
-    // Pictures that are coded as differences keep, of the one before, what is similar: remains of it stay visible as blocks. Each by
-    // itself is hardly longer.
+    // Pictures that are coded as differences keep, of the one before, what is similar: remains of it stay visible as
+    // blocks. Each by itself is hardly longer.
     if (!s.config.lossless) options.kmax = 1, options.kmin = 0;
     s.width = picture.width, s.height = picture.height;
     s.encoder = WebPAnimEncoderNew(s.width, s.height, &options);
     if (s.encoder == nullptr) throw std::bad_alloc();
   }
-  SHELLMATCH_CHECK(picture.width == s.width && picture.height == s.height, "pictures of an animation must have one size");
+  SHELLMATCH_CHECK(picture.width == s.width && picture.height == s.height,
+                   "pictures of an animation must have one size");
   OwnPicture frame;
   frame.picture.use_argb = 1;
   frame.picture.width = s.width, frame.picture.height = s.height;
@@ -94,7 +97,8 @@ std::string Animation::bytes() {
   State& s = *state_;
   SHELLMATCH_CHECK(s.encoder != nullptr, "an animation needs a picture");
   OwnData file;
-  if (!WebPAnimEncoderAdd(s.encoder, nullptr, s.end, nullptr) || !WebPAnimEncoderAssemble(s.encoder, &file.data)) fail_to_encode(s.encoder);
+  if (!WebPAnimEncoderAdd(s.encoder, nullptr, s.end, nullptr) || !WebPAnimEncoderAssemble(s.encoder, &file.data))
+    fail_to_encode(s.encoder);
   return {reinterpret_cast<const char*>(file.data.bytes), file.data.size};
 }
 

@@ -32,9 +32,7 @@ double projected_area(std::span<const Surface<3>* const> surfaces, const Vec<3>&
   double area = 0;
   for (const Surface<3>* s : surfaces)
     for (const auto& [a, b, c] : s->facets)
-      area +=
-          0.25 *
-          std::abs((s->vertices[b] - s->vertices[a]).cross(s->vertices[c] - s->vertices[a]).dot(direction));
+      area += 0.25 * std::abs((s->vertices[b] - s->vertices[a]).cross(s->vertices[c] - s->vertices[a]).dot(direction));
   return area;
 }
 
@@ -44,7 +42,8 @@ Camera choose_view(std::span<const Surface<3>* const> surfaces, const ViewOption
   const std::vector<double> elevations =
       options.elevation ? std::vector{*options.elevation} : std::vector<double>{18, 50};
   // Scans have their long axis along z, which +y as the upward direction would show end on.
-  const std::vector<Vec<3>> ups = options.up ? std::vector{*options.up} : std::vector<Vec<3>>{Vec<3>::UnitY(), Vec<3>::UnitZ()};
+  const std::vector<Vec<3>> ups =
+      options.up ? std::vector{*options.up} : std::vector<Vec<3>>{Vec<3>::UnitY(), Vec<3>::UnitZ()};
   Camera best;
   double best_score = -1;
   for (std::size_t u = 0; u < ups.size(); ++u)
@@ -52,7 +51,8 @@ Camera choose_view(std::span<const Surface<3>* const> surfaces, const ViewOption
       for (const double a : azimuths) {
         const Camera camera = looking_from(a, e, ups[u]);
         // Prefers +y upwards, views from the front and from a low elevation unless another one shows clearly more.
-        const double habit = (std::abs(a) > 45 ? 0.85 : 1.0) * (e > 30 ? 0.7 : 1.0) * (a < 0 ? 0.97 : 1.0) * (u > 0 ? 0.8 : 1.0);
+        const double habit =
+            (std::abs(a) > 45 ? 0.85 : 1.0) * (e > 30 ? 0.7 : 1.0) * (a < 0 ? 0.97 : 1.0) * (u > 0 ? 0.8 : 1.0);
         const double score = habit * projected_area(surfaces, camera.backward);
         if (score > best_score) {
           best_score = score;
@@ -75,8 +75,7 @@ Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, co
   Box<3> box;
   for (const Surface<3>* s : surfaces)
     for (const Vec<3>& v : s->vertices) box.add(v);
-  SHELLMATCH_CHECK(box.diagonal() >= 0 && std::isfinite(box.diagonal()),
-                   "a camera needs finite points to look at");
+  SHELLMATCH_CHECK(box.diagonal() >= 0 && std::isfinite(box.diagonal()), "a camera needs finite points to look at");
   const double size = std::max(box.diagonal(), 1e-12);
 
   Camera camera = choose_view(surfaces, options);
@@ -97,8 +96,7 @@ Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, co
         const double shrink = distance > 0 ? distance / (distance - depth) : 1;
         const Vec<2> p = shrink * Vec<2>(d.dot(camera.right), d.dot(camera.up));
         seen.add(p);
-        const double half =
-            std::max(std::abs(d.dot(camera.right)) / aspect, std::abs(d.dot(camera.up))) / free;
+        const double half = std::max(std::abs(d.dot(camera.right)) / aspect, std::abs(d.dot(camera.up))) / free;
         reach = std::max(reach, slope > 0 ? half / slope + depth : half);
       }
     camera.distance = slope > 0 ? std::max(reach, nearest + 0.05 * size) : 0;

@@ -27,18 +27,17 @@ struct Ray {
 Ray camera_ray(const Camera& camera, double x, double y, double clearance);
 
 struct ViewOptions {
-  std::optional<double> azimuth = {};  ///< degrees around the up axis from +z towards +x; chosen if not given
+  std::optional<double> azimuth = {};    ///< degrees around the up axis from +z towards +x; chosen if not given
   std::optional<double> elevation = {};  ///< degrees above the horizon; chosen if not given
-  std::optional<Vec<3>> up = {};  ///< +y, or +z where the surfaces are so seen better; chosen if not given
-  double field_of_view = 18;  ///< vertical angle in degrees; 0 means parallel projection
-  double margin = 0.05;       ///< free border, as a share of the picture
+  std::optional<Vec<3>> up = {};         ///< +y, or +z where the surfaces are so seen better; chosen if not given
+  double field_of_view = 18;             ///< vertical angle in degrees; 0 means parallel projection
+  double margin = 0.05;                  ///< free border, as a share of the picture
 };
 
 /// A camera that shows all surfaces entirely, so that panels with this camera are comparable. Unless the
 /// options set azimuth and elevation, it is the one of several three-quarter views from the front that shows
 /// most of the surfaces.
 /// \pre at least one vertex; aspect = width/height > 0.
-Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect,
-                  const ViewOptions& options = {});
+Camera fit_camera(std::span<const Surface<3>* const> surfaces, double aspect, const ViewOptions& options = {});
 
 }  // namespace shellmatch

@@ -87,10 +87,10 @@ RayScene::RayScene(std::span<const Surface<3>* const> surfaces) : state_(std::ma
     const Surface<3>& surface = *surfaces[i];
     if (surface.facets.empty()) continue;
     RTCGeometry geometry = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), surface.vertices.size()));
-    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), surface.facets.size()));
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), surface.vertices.size()));
+    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(unsigned), surface.facets.size()));
     if (!points || !corners)
       throw MemoryError(fmt::format("not enough memory to draw a picture of {} triangles", surface.facets.size()));
     for (const Vec<3>& v : surface.vertices)
@@ -115,8 +115,8 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   intersect(state_->scene, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return RayHit{static_cast<int>(query.hit.geomID), static_cast<Index>(query.hit.primID), query.hit.u,
-                query.hit.v, query.ray.tfar / state_->scale};
+  return RayHit{static_cast<int>(query.hit.geomID), static_cast<Index>(query.hit.primID), query.hit.u, query.hit.v,
+                query.ray.tfar / state_->scale};
 }
 
 bool RayScene::is_blocked(const Ray& ray, double near, double far) const {

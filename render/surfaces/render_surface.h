@@ -22,8 +22,8 @@ struct RenderSurface {
   const Surface<3>* surface = nullptr;
   Paint paint = Paint::uniform;
   Color color{0.72, 0.75, 0.80};
-  double opacity = 1;        ///< below 1, only the front layer is drawn, over what lies behind it
-  double crease_angle = 35;  ///< degrees; edges sharper than this stay sharp, 0 shows the facets
+  double opacity = 1;                ///< below 1, only the front layer is drawn, over what lies behind it
+  double crease_angle = 35;          ///< degrees; edges sharper than this stay sharp, 0 shows the facets
   std::vector<double> scalars = {};  ///< one per vertex
   double scalar_min = 0, scalar_max = 1;
   ColorMap color_map = ColorMap::sequential;

@@ -39,9 +39,7 @@ std::vector<Vec<3>> sphere_directions(int n) {
   return directions;
 }
 
-Vec<3> linear(const Color& c) {
-  return {linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b)};
-}
+Vec<3> linear(const Color& c) { return {linear_from_srgb(c.r), linear_from_srgb(c.g), linear_from_srgb(c.b)}; }
 
 template <class T>
 T interpolate(const std::vector<T>& values, const std::array<Index, 3>& corners, double u, double v) {
@@ -54,8 +52,7 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
   const std::size_t n = look_.surface->vertices.size();
   SHELLMATCH_CHECK(look_.scalars.empty() || look_.scalars.size() == n, "one scalar for each vertex");
   SHELLMATCH_CHECK(look_.origins.empty() || look_.origins.size() == n, "one origin for each vertex");
-  SHELLMATCH_CHECK(look_.paint != Paint::scalar || look_.scalars.size() == n,
-                   "painting scalars needs scalars");
+  SHELLMATCH_CHECK(look_.paint != Paint::scalar || look_.scalars.size() == n, "painting scalars needs scalars");
   normals_ = corner_normals(*look_.surface, look_.crease_angle);
   if (look_.paint == Paint::position || look_.paint == Paint::checker) {
     if (look_.origins.empty()) look_.origins = look_.surface->vertices;
@@ -81,7 +78,9 @@ void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
   const Surface<3>& s = *look_.surface;
   const std::vector<Vec<3>> normals = vertex_normals(s);
   // The more vertices a pixel has, the fewer directions each needs: their mean is seen.
-  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 200000 ? 16 : s.vertices.size() > 10000 ? 64 : 160);
+  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 200000  ? 16
+                                                    : s.vertices.size() > 10000 ? 64
+                                                                                : 160);
   std::vector<float> raw(s.vertices.size(), 1);
   Activity shading("shading", raw.size());
   std::atomic<std::size_t> n_shaded = 0;
@@ -122,8 +121,7 @@ Vec<3> PaintedSurface::normal(const Ray& ray, Index facet, double u, double v) c
 Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
   const auto& corners = look_.surface->facets[facet];
   switch (look_.paint) {
-    case Paint::uniform:
-      break;
+    case Paint::uniform: break;
     case Paint::scalar: {
       const double value = interpolate(look_.scalars, corners, u, v);
       const double range = look_.scalar_max - look_.scalar_min;
@@ -137,8 +135,7 @@ Vec<3> PaintedSurface::albedo(Index facet, double u, double v) const {
       if (look_.paint == Paint::position) return base;
       const Vec<3> origin = interpolate(look_.origins, corners, u, v) - origin_centre_;
       // The checkerboard is rotated so that its planes do not coincide with flat sides of a shape.
-      static const Mat<3> turn =
-          Eigen::AngleAxisd(0.41, Vec<3>(0.3, 0.8, 0.52).normalized()).toRotationMatrix();
+      static const Mat<3> turn = Eigen::AngleAxisd(0.41, Vec<3>(0.3, 0.8, 0.52).normalized()).toRotationMatrix();
       const Vec<3> cell = checker_scale_ * (turn * origin);
       const long parity = static_cast<long>(std::floor(cell.x())) + static_cast<long>(std::floor(cell.y())) +
                           static_cast<long>(std::floor(cell.z()));
@@ -152,13 +149,12 @@ Vec<3> PaintedSurface::light(const Camera& camera, const Ray& ray, Index facet, 
   const Vec<3> world = normal(ray, facet, u, v);
   // Lights are fixed in the frame of the camera.
   const Vec<3> n(world.dot(camera.right), world.dot(camera.up), world.dot(camera.backward));
-  static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(),
-                      fill = Vec<3>(0.85, -0.05, 0.55).normalized();
+  static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(), fill = Vec<3>(0.85, -0.05, 0.55).normalized();
   const double open = openness_.empty() ? 1 : interpolate(openness_, look_.surface->facets[facet], u, v);
   const double sky = 0.30 + 0.12 * n.y();
   // Occlusion attenuates the wide lights fully and the narrow key light in part.
-  const double diffuse = open * sky + (0.4 + 0.6 * open) * 0.62 * std::max(0.0, n.dot(key)) +
-                         open * 0.16 * std::max(0.0, n.dot(fill));
+  const double diffuse =
+      open * sky + (0.4 + 0.6 * open) * 0.62 * std::max(0.0, n.dot(key)) + open * 0.16 * std::max(0.0, n.dot(fill));
   static const Vec<3> half = (key + Vec<3>::UnitZ()).normalized();
   const double gloss = 0.05 * open * highlight(std::max(0.0, n.dot(half)));
   return diffuse * albedo(facet, u, v) + Vec<3>::Constant(gloss);

@@ -34,8 +34,7 @@ class PaintedSurface {
   RenderSurface look_;
   std::vector<std::array<Vec<3>, 3>> normals_;
   std::vector<float> openness_;
-  std::vector<Vec<3>>
-      palette_;  ///< linear light: by scalar in equal steps, by vertex for position and checker, or one
+  std::vector<Vec<3>> palette_;  ///< linear light: by scalar in equal steps, by vertex for position and checker, or one
   Vec<3> origin_centre_ = Vec<3>::Zero();
   double origin_scale_ = 1;  ///< scales the longest half side of the box to 1
   double checker_scale_ = 1;

@@ -36,8 +36,7 @@ double scene_size(std::span<const RenderSurface> surfaces) {
 
 }  // namespace
 
-Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera,
-                      const RenderOptions& options) {
+Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options) {
   SHELLMATCH_CHECK(options.width > 0 && options.height > 0 && options.samples > 0, "a picture needs an area");
   const double size = scene_size(surfaces);
   std::vector<PaintedSurface> painted;
@@ -88,15 +87,14 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
 
   const double pixel = 2.0 / options.height, n_samples = options.samples;
   const auto light_at = [&](double column, double row) {
-    const Ray ray = camera_ray(camera, (column - 0.5 * options.width) * pixel,
-                               (0.5 * options.height - row) * pixel, clearance);
+    const Ray ray =
+        camera_ray(camera, (column - 0.5 * options.width) * pixel, (0.5 * options.height - row) * pixel, clearance);
     return Vec<3>(trace(ray).cwiseMin(1.0));
   };
   const int width = options.width, height = options.height;
   std::vector<Vec<3>> centres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto centre = [&](int column, int row) -> Vec<3>& {
-    return centres[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                   static_cast<std::size_t>(column)];
+    return centres[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
   };
   parallel_for(
       static_cast<std::size_t>(height),
@@ -130,8 +128,7 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
                                   row + (j + (i + 0.5) / n_samples) / n_samples);
             light /= n_samples * n_samples;
           }
-          image.set(column, row,
-                    {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
+          image.set(column, row, {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
         }
       },
       4);

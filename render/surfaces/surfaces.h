@@ -20,7 +20,6 @@ struct RenderOptions {
 /// Renders the surfaces as seen by the camera: smooth shading, key light from the upper left, fill light, no
 /// cast shadows. The result does not depend on the number of threads.
 /// \pre scalars and origins are empty or have one entry for each vertex.
-Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera,
-                      const RenderOptions& options = {});
+Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options = {});
 
 }  // namespace shellmatch

@@ -3,16 +3,16 @@
 //   correspondence_error REFERENCE TEMPLATE RESULT [--vts REFERENCE.vts TEMPLATE.vts] [--euclidean] [--first-index 0|1]
 //                        [--errors FILE]
 //
-// RESULT: a mesh (OBJ, OFF, PLY) with the vertices of the reference, in their order, moved to the template; or text (any other
-// ending) with a vertex of the template, counted from --first-index (1), for each vertex of the reference; or the word
-// `identity`.
-// Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the other; without them vertex i of
-// one mesh corresponds to vertex i of the other.
+// RESULT: a mesh (OBJ, OFF, PLY) with the vertices of the reference, in their order, moved to the template; or text
+// (any other ending) with a vertex of the template, counted from --first-index (1), for each vertex of the reference;
+// or the word `identity`. Line k of both .vts files is the vertex, counted from 1, that corresponds to line k of the
+// other; without them vertex i of one mesh corresponds to vertex i of the other.
 //
-// Errors are lengths of paths along the template's edges from the vertex nearest to where a vertex ends to the one where it
-// belongs, times 100 over the root of the template's area; with --euclidean distances in diagonals of the template's bounding
-// box. Printed: number of points; mean, 95 % quantile, greatest error; share beyond 10 (0.1 diagonals); points that end on
-// another component than they belong to, which the other figures leave out. --errors writes all errors, one a line.
+// Errors are lengths of paths along the template's edges from the vertex nearest to where a vertex ends to the one
+// where it belongs, times 100 over the root of the template's area; with --euclidean distances in diagonals of the
+// template's bounding box. Printed: number of points; mean, 95 % quantile, greatest error; share beyond 10 (0.1
+// diagonals); points that end on another component than they belong to, which the other figures leave out. --errors
+// writes all errors, one a line.
 
 #include "alignment/evaluation/correspondence_error.h"
 #include "base/error.h"
@@ -66,8 +66,9 @@ Arguments parse(const std::vector<std::string>& words) {
     }
   }
   if (arguments.files.size() != 3)
-    throw_input_error("expected three files: REFERENCE TEMPLATE RESULT [--vts REFERENCE.vts TEMPLATE.vts] [--euclidean] "
-                      "[--first-index 0|1] [--errors FILE]");
+    throw_input_error(
+        "expected three files: REFERENCE TEMPLATE RESULT [--vts REFERENCE.vts TEMPLATE.vts] [--euclidean] "
+        "[--first-index 0|1] [--errors FILE]");
   return arguments;
 }
 
@@ -84,15 +85,16 @@ std::vector<Index> read_indices(const std::string& path, Index first, std::size_
     } catch (const std::exception&) {
     }
     if (end != word.size() || index < first || index >= first + static_cast<long long>(n))
-      throw_input_error("{}: entry {}: '{}' is no vertex; expected a number from {} to {}", path, indices.size() + 1, word, first,
-                        first + static_cast<long long>(n) - 1);
+      throw_input_error("{}: entry {}: '{}' is no vertex; expected a number from {} to {}", path, indices.size() + 1,
+                        word, first, first + static_cast<long long>(n) - 1);
     indices.push_back(static_cast<Index>(index) - first);
   }
   return indices;
 }
 
 bool is_mesh(const std::string& path) {
-  return std::ranges::any_of(std::array{".obj", ".off", ".ply"}, [&](const char* ending) { return path.ends_with(ending); });
+  return std::ranges::any_of(std::array{".obj", ".off", ".ply"},
+                             [&](const char* ending) { return path.ends_with(ending); });
 }
 
 template <class T>
@@ -109,22 +111,24 @@ std::vector<double> errors_of(const Arguments& arguments) {
   std::vector<Index> from, belong;
   if (arguments.ids.empty()) {
     if (n != target.vertices.size())
-      throw_input_error("{} has {} vertices and {} has {}: without --vts they must correspond one by one", arguments.files[0], n,
-                        arguments.files[1], target.vertices.size());
+      throw_input_error("{} has {} vertices and {} has {}: without --vts they must correspond one by one",
+                        arguments.files[0], n, arguments.files[1], target.vertices.size());
     for (std::size_t v = 0; v < n; ++v) from.push_back(static_cast<Index>(v));
     belong = from;
   } else {
     from = read_indices(arguments.ids[0], 1, n);
     belong = read_indices(arguments.ids[1], 1, target.vertices.size());
     if (from.size() != belong.size())
-      throw_input_error("{} has {} lines and {} has {}", arguments.ids[0], from.size(), arguments.ids[1], belong.size());
+      throw_input_error("{} has {} lines and {} has {}", arguments.ids[0], from.size(), arguments.ids[1],
+                        belong.size());
   }
-  if (from.empty()) throw_input_error("{}: names no vertex", arguments.ids.empty() ? arguments.files[0] : arguments.ids[0]);
+  if (from.empty())
+    throw_input_error("{}: names no vertex", arguments.ids.empty() ? arguments.files[0] : arguments.ids[0]);
 
   const bool is_map = result != "identity" && !is_mesh(result);
   const std::vector<Index> map =
       is_map ? read_indices(result, arguments.first_index, target.vertices.size()) : std::vector<Index>();
-  const std::vector<Vec<3>> moved = is_map                ? at(target.vertices, map)
+  const std::vector<Vec<3>> moved = is_map                 ? at(target.vertices, map)
                                     : result == "identity" ? reference.vertices
                                                            : read_triangles(result).vertices;
   if (moved.size() != n) throw_input_error("{} is for {} vertices; the reference has {}", result, moved.size(), n);
@@ -148,12 +152,14 @@ int main(int argc, char** argv) try {
   }
   const std::size_t n = errors.size();
   std::erase_if(errors, [](double e) { return !std::isfinite(e); });
-  if (errors.empty()) throw_input_error("{}: every point ends on another component than it belongs to", arguments.files[2]);
+  if (errors.empty())
+    throw_input_error("{}: every point ends on another component than it belongs to", arguments.files[2]);
   const double limit = arguments.euclidean ? 0.1 : 10;
   const auto n_beyond = std::ranges::count_if(errors, [&](double e) { return e > limit; });
   const DistanceStatistics figures = statistics(errors);
-  fmt::print("{{\"points\": {}, \"mean\": {}, \"p95\": {}, \"max\": {}, \"beyond\": {}, \"unreachable\": {}}}\n", n, figures.mean,
-             figures.p95, figures.max, static_cast<double>(n_beyond) / static_cast<double>(errors.size()), n - errors.size());
+  fmt::print("{{\"points\": {}, \"mean\": {}, \"p95\": {}, \"max\": {}, \"beyond\": {}, \"unreachable\": {}}}\n", n,
+             figures.mean, figures.p95, figures.max, static_cast<double>(n_beyond) / static_cast<double>(errors.size()),
+             n - errors.size());
   return 0;
 } catch (const InputError& error) {
   fmt::print(stderr, "correspondence_error: {}\n", error.what());

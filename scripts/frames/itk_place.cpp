@@ -1,4 +1,5 @@
-// itk_place FILE I J K: prints where ITK has the voxel (I, J, K), which may lie between voxels, in LPS; exits with 1 where it does not read the file.
+// itk_place FILE I J K: prints where ITK has the voxel (I, J, K), which may lie between voxels, in LPS; exits with 1
+// where it does not read the file.
 #include <itkImageFileReader.h>
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
@@ -16,7 +17,9 @@ int main(int n, char** words) {
   }
   if (n != 5) return 2;
   const std::string file = words[1];
-  const auto ends = [&](const std::string& ending) { return file.size() > ending.size() && file.substr(file.size() - ending.size()) == ending; };
+  const auto ends = [&](const std::string& ending) {
+    return file.size() > ending.size() && file.substr(file.size() - ending.size()) == ending;
+  };
   using Image = itk::Image<unsigned char, 3>;
   const auto reader = itk::ImageFileReader<Image>::New();
   if (ends(".nrrd")) reader->SetImageIO(itk::NrrdImageIO::New());

@@ -1,6 +1,7 @@
 // Draws a line plot for the scripts. Usage: plot_series FILE.svg|FILE.png < PLOT.json
 //
-// The keys of PLOT.json are the members of Plot and of its Series (render/canvas/plot.h); what is left out has its default.
+// The keys of PLOT.json are the members of Plot and of its Series (render/canvas/plot.h); what is left out has its
+// default.
 
 #include "base/error.h"
 #include "render/canvas/plot.h"
@@ -14,7 +15,8 @@
 namespace shellmatch {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Series, name, x, y, dashed, points, line, point_radius, color, dashes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Plot, title, x_label, y_label, log_x, log_y, series, rows, marks, width, height)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Plot, title, x_label, y_label, log_x, log_y, series, rows, marks, width,
+                                                height)
 
 namespace {
 

@@ -124,43 +124,34 @@ class QuietGlog {
 
 ceres::LineSearchDirectionType direction_type(CeresMethod method) {
   switch (method) {
-    case CeresMethod::steepest_descent:
-      return ceres::STEEPEST_DESCENT;
-    case CeresMethod::ncg:
-      return ceres::NONLINEAR_CONJUGATE_GRADIENT;
-    case CeresMethod::bfgs:
-      return ceres::BFGS;
-    case CeresMethod::lbfgs:
-      break;
+    case CeresMethod::steepest_descent: return ceres::STEEPEST_DESCENT;
+    case CeresMethod::ncg: return ceres::NONLINEAR_CONJUGATE_GRADIENT;
+    case CeresMethod::bfgs: return ceres::BFGS;
+    case CeresMethod::lbfgs: break;
   }
   return ceres::LBFGS;
 }
 
 ceres::NonlinearConjugateGradientType conjugate_gradient_type(CeresConjugateGradient type) {
   switch (type) {
-    case CeresConjugateGradient::fletcher_reeves:
-      return ceres::FLETCHER_REEVES;
-    case CeresConjugateGradient::polak_ribiere:
-      return ceres::POLAK_RIBIERE;
-    case CeresConjugateGradient::hestenes_stiefel:
-      break;
+    case CeresConjugateGradient::fletcher_reeves: return ceres::FLETCHER_REEVES;
+    case CeresConjugateGradient::polak_ribiere: return ceres::POLAK_RIBIERE;
+    case CeresConjugateGradient::hestenes_stiefel: break;
   }
   return ceres::HESTENES_STIEFEL;
 }
 
 ceres::LineSearchInterpolationType interpolation_type(CeresInterpolation type) {
   switch (type) {
-    case CeresInterpolation::bisection:
-      return ceres::BISECTION;
-    case CeresInterpolation::quadratic:
-      return ceres::QUADRATIC;
-    case CeresInterpolation::cubic:
-      break;
+    case CeresInterpolation::bisection: return ceres::BISECTION;
+    case CeresInterpolation::quadratic: return ceres::QUADRATIC;
+    case CeresInterpolation::cubic: break;
   }
   return ceres::CUBIC;
 }
 
-ceres::GradientProblemSolver::Options library_options(CeresMethod method, const CeresOptions& o, const StopOptions& stop = {}) {
+ceres::GradientProblemSolver::Options library_options(CeresMethod method, const CeresOptions& o,
+                                                      const StopOptions& stop = {}) {
   ceres::GradientProblemSolver::Options to;
   to.line_search_direction_type = direction_type(method);
   to.line_search_type = o.line_search_type == CeresLineSearch::armijo ? ceres::ARMIJO : ceres::WOLFE;
@@ -197,26 +188,25 @@ std::string one_line(std::string text) {
 void finish(MinimizationRun& run, const ceres::GradientProblemSolver::Summary& report, const StopOptions& stop) {
   const std::string message = "Ceres: " + one_line(report.message);
   switch (report.termination_type) {
-    case ceres::CONVERGENCE:
-      return run.finish(StopReason::converged, message);
+    case ceres::CONVERGENCE: return run.finish(StopReason::converged, message);
     case ceres::NO_CONVERGENCE:
-      return run.finish(run.summary().iterations >= stop.max_iterations ? StopReason::max_iterations : StopReason::max_seconds, message);
-    default:
-      return run.finish(StopReason::library, message);
+      return run.finish(
+          run.summary().iterations >= stop.max_iterations ? StopReason::max_iterations : StopReason::max_seconds,
+          message);
+    default: return run.finish(StopReason::library, message);
   }
 }
 
 }  // namespace
 
-CeresMinimizer::CeresMinimizer(CeresMethod method, const CeresOptions& options)
-    : method_(method), options_(options) {
+CeresMinimizer::CeresMinimizer(CeresMethod method, const CeresOptions& options) : method_(method), options_(options) {
   std::string error;
   if (!library_options(method, options).IsValid(&error))
     throw_input_error("solver.ceres: the options do not fit {}: {}", name(), one_line(error));
 }
 
-MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<double>& x,
-                                          const StopOptions& stop, const IterationCallback& callback) const {
+MinimizerSummary CeresMinimizer::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                                          const IterationCallback& callback) const {
   const std::size_t n = objective.size();
   if (method_ == CeresMethod::bfgs && n > static_cast<std::size_t>(options_.max_bfgs_size))
     throw_input_error(

@@ -17,10 +17,11 @@ struct EnumNames<CeresMethod> {
       {CeresMethod::lbfgs, "ceres_lbfgs"}};
 };
 
-/// A line search method of Ceres, with its own tolerances and line search. Its iterates are recorded, and its last one is
-/// returned. StopReason::converged and StopReason::library (Ceres failed) come with Ceres' message; the summary has Ceres' reports. The
-/// common stop rules are a callback (CeresOptions::common_stop_rules); StopOptions::max_iterations and max_seconds are limits
-/// of Ceres itself. Exceptions of the objective and of the callback are passed to the caller.
+/// A line search method of Ceres, with its own tolerances and line search. Its iterates are recorded, and its last one
+/// is returned. StopReason::converged and StopReason::library (Ceres failed) come with Ceres' message; the summary has
+/// Ceres' reports. The common stop rules are a callback (CeresOptions::common_stop_rules); StopOptions::max_iterations
+/// and max_seconds are limits of Ceres itself. Exceptions of the objective and of the callback are passed to the
+/// caller.
 ///
 /// Ceres never tries a step longer than its search direction, so steepest descent and conjugate gradients
 /// converge slowly where the second derivatives are much smaller than 1 in the chosen metric.

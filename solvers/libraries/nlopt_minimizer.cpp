@@ -17,20 +17,13 @@ namespace {
 
 nlopt_algorithm algorithm(NloptMethod method) {
   switch (method) {
-    case NloptMethod::lbfgs:
-      return NLOPT_LD_LBFGS;
-    case NloptMethod::tnewton:
-      return NLOPT_LD_TNEWTON_PRECOND_RESTART;
-    case NloptMethod::var1:
-      return NLOPT_LD_VAR1;
-    case NloptMethod::var2:
-      return NLOPT_LD_VAR2;
-    case NloptMethod::mma:
-      return NLOPT_LD_MMA;
-    case NloptMethod::ccsaq:
-      return NLOPT_LD_CCSAQ;
-    case NloptMethod::slsqp:
-      break;
+    case NloptMethod::lbfgs: return NLOPT_LD_LBFGS;
+    case NloptMethod::tnewton: return NLOPT_LD_TNEWTON_PRECOND_RESTART;
+    case NloptMethod::var1: return NLOPT_LD_VAR1;
+    case NloptMethod::var2: return NLOPT_LD_VAR2;
+    case NloptMethod::mma: return NLOPT_LD_MMA;
+    case NloptMethod::ccsaq: return NLOPT_LD_CCSAQ;
+    case NloptMethod::slsqp: break;
   }
   return NLOPT_LD_SLSQP;
 }
@@ -40,8 +33,8 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<nlopt_opt_s, OptDeleter>;
 
-// NLopt's truncated Newton method multiplies by the Hessian through differences of gradients at points so far from its iterate, which is the
-// last point of its line search (luksan/pnet.c, eta0). They are not steps.
+// NLopt's truncated Newton method multiplies by the Hessian through differences of gradients at points so far from its
+// iterate, which is the last point of its line search (luksan/pnet.c, eta0). They are not steps.
 constexpr double probe_length = 3.1622776601683795e-8;  // root of 1e-15
 
 bool is_probe(std::span<const double> x, std::span<const double> iterate) {
@@ -55,7 +48,7 @@ struct Context {
   int max_stalled;
   bool has_probes;
   std::vector<double> iterate;  // the last point that was no probe; entries that are no numbers before the first
-  bool not_finite = false;  // the library requested a point with an entry that is not finite
+  bool not_finite = false;      // the library requested a point with an entry that is not finite
   bool stalled = false;
 };
 
@@ -103,8 +96,8 @@ std::string words(nlopt_result result, const Context& context) {
 
 }  // namespace
 
-MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<double>& x,
-                                          const StopOptions& stop, const IterationCallback& callback) const {
+MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                                          const IterationCallback& callback) const {
   const std::size_t n = objective.size();
   if (method_ == NloptMethod::slsqp && n > static_cast<std::size_t>(options_.max_slsqp_size))
     throw_input_error(
@@ -120,8 +113,11 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
   while (!run.halted() && n_starts <= options_.max_restarts) {
     const Opt opt(nlopt_create(algorithm(method_), static_cast<unsigned>(n)));
     if (opt == nullptr) return run.finish(x, StopReason::library, "NLopt: out of memory");
-    Context context{.run = run, .opt = opt.get(), .max_stalled = options_.max_stalled_evaluations,
-                    .has_probes = method_ == NloptMethod::tnewton, .iterate = std::vector<double>(n, std::numeric_limits<double>::quiet_NaN())};
+    Context context{.run = run,
+                    .opt = opt.get(),
+                    .max_stalled = options_.max_stalled_evaluations,
+                    .has_probes = method_ == NloptMethod::tnewton,
+                    .iterate = std::vector<double>(n, std::numeric_limits<double>::quiet_NaN())};
     nlopt_set_min_objective(opt.get(), evaluate, &context);
     if (options_.vector_storage > 0)
       nlopt_set_vector_storage(opt.get(), static_cast<unsigned>(options_.vector_storage));
@@ -134,8 +130,7 @@ MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<doub
     ending = words(result, context);
     if (!(run.best_value() < before)) break;
   }
-  return run.finish(x, StopReason::library,
-                    fmt::format("NLopt: {} ({} restarts)", ending, std::max(n_starts - 1, 0)));
+  return run.finish(x, StopReason::library, fmt::format("NLopt: {} ({} restarts)", ending, std::max(n_starts - 1, 0)));
 }
 
 }  // namespace shellmatch

@@ -11,9 +11,8 @@ enum class NloptMethod { lbfgs, tnewton, var1, var2, mma, ccsaq, slsqp };
 template <>
 struct EnumNames<NloptMethod> {
   static constexpr std::pair<NloptMethod, std::string_view> names[] = {
-      {NloptMethod::lbfgs, "nlopt_lbfgs"}, {NloptMethod::tnewton, "nlopt_tnewton"},
-      {NloptMethod::var1, "nlopt_var1"},   {NloptMethod::var2, "nlopt_var2"},
-      {NloptMethod::mma, "nlopt_mma"},     {NloptMethod::ccsaq, "nlopt_ccsaq"},
+      {NloptMethod::lbfgs, "nlopt_lbfgs"}, {NloptMethod::tnewton, "nlopt_tnewton"}, {NloptMethod::var1, "nlopt_var1"},
+      {NloptMethod::var2, "nlopt_var2"},   {NloptMethod::mma, "nlopt_mma"},         {NloptMethod::ccsaq, "nlopt_ccsaq"},
       {NloptMethod::slsqp, "nlopt_slsqp"}};
 };
 
@@ -35,8 +34,7 @@ struct EnumNames<NloptMethod> {
 /// passed to the caller.
 class NloptMinimizer final : public Minimizer {
  public:
-  explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {})
-      : method_(method), options_(options) {}
+  explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {}) : method_(method), options_(options) {}
   std::string name() const override { return std::string(enum_name(method_)); }
 
   /// \throws InputError for nlopt_slsqp with more than max_slsqp_size unknowns.

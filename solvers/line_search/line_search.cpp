@@ -18,8 +18,7 @@ constexpr double greatest_expansion = 10;
 // A step between `low`, the lowest point that satisfies the Armijo condition, and `high`, which is too far.
 double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchOptions& options) {
   const double width = high.alpha - low.alpha;
-  if (options.interpolation == Interpolation::halving || !high.feasible)
-    return low.alpha + options.contraction * width;
+  if (options.interpolation == Interpolation::halving || !high.feasible) return low.alpha + options.contraction * width;
   LinePoint end = high;
   if (options.interpolation == Interpolation::quadratic) end.has_gradient = false;
   double alpha = interpolated_minimum(low, end);
@@ -30,8 +29,8 @@ double inner_step(const LinePoint& low, const LinePoint& high, const LineSearchO
 // A step beyond `low`, whose slope is too steep: the zero of the secant through the slopes.
 double longer_step(const LinePoint& before, const LinePoint& low) {
   const double bend = low.slope - before.slope;
-  double alpha = bend > 0 ? low.alpha - low.slope * (low.alpha - before.alpha) / bend
-                          : std::numeric_limits<double>::infinity();
+  double alpha =
+      bend > 0 ? low.alpha - low.slope * (low.alpha - before.alpha) / bend : std::numeric_limits<double>::infinity();
   return std::clamp(alpha, least_expansion * low.alpha, greatest_expansion * low.alpha);
 }
 
@@ -64,8 +63,7 @@ double interpolated_minimum(const LinePoint& a, const LinePoint& b) {
   const double width = b.alpha - a.alpha;
   if (!b.has_gradient) {
     const double bend = b.value - a.value - a.slope * width;
-    return bend > 0 ? a.alpha - a.slope * width * width / (2 * bend)
-                    : std::numeric_limits<double>::quiet_NaN();
+    return bend > 0 ? a.alpha - a.slope * width * width / (2 * bend) : std::numeric_limits<double>::quiet_NaN();
   }
   const double d1 = a.slope + b.slope - 3 * (a.value - b.value) / (a.alpha - b.alpha);
   const double d2 = std::copysign(std::sqrt(d1 * d1 - a.slope * b.slope), width);

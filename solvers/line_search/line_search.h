@@ -16,11 +16,9 @@ namespace shellmatch {
 /// Options of a line search. The methods set them from their own options.
 struct LineSearchOptions {
   double armijo = 1e-4;  ///< c1 of (3.4): share of the linear decrease that a step must reach, in (0, 0.5)
-  double curvature =
-      0;  ///< c2 of (3.6b): the slope must rise to this share of the initial slope; 0: no such condition
+  double curvature = 0;  ///< c2 of (3.6b): the slope must rise to this share of the initial slope; 0: no such condition
   Interpolation interpolation = Interpolation::cubic;
-  double contraction =
-      0.5;  ///< factor on a step that is halved or whose end cannot be evaluated, in (0, 1)
+  double contraction = 0.5;  ///< factor on a step that is halved or whose end cannot be evaluated, in (0, 1)
   int max_trials = 40;
   /// Number of trials that are evaluated with their gradient. Later trials are evaluated by value alone until
   /// one is accepted. A value costs 0.55 times a value with gradient, so evaluating the gradient at once is

@@ -26,8 +26,8 @@ void add(const MinimizerSummary& next, MinimizerSummary& total) {
   total.library_reports.insert(total.library_reports.end(), next.library_reports.begin(), next.library_reports.end());
 }
 
-/// A step of Newton's method costs about as much as fifty of the others: with one window for all these would stop far from the
-/// minimum (docs/solvers.md).
+/// A step of Newton's method costs about as much as fifty of the others: with one window for all these would stop far
+/// from the minimum (docs/solvers.md).
 StopOptions of_method(StopOptions stop, const std::string& name) {
   if (stop.decrease_window == 0) stop.decrease_window = name == "newton" ? 1 : 50;
   return stop;
@@ -78,8 +78,8 @@ MinimizerSummary minimize_with_fallback(const SolverOptions& options, Objective&
     const auto minimizer = make_minimizer(choice);
     const Metric metric = minimizer->uses_metric() ? options.metric : Metric::euclidean;
     const MinimizerSummary before = total;
-    MinimizerSummary s =
-        minimize_in_metric(*minimizer, metric, objective, x, remaining(of_method(stop, names[i]), before), [&](const IterationRecord& r) {
+    MinimizerSummary s = minimize_in_metric(
+        *minimizer, metric, objective, x, remaining(of_method(stop, names[i]), before), [&](const IterationRecord& r) {
           if (!callback || (i > 0 && r.iteration == 0)) return true;
           return callback(continued(r, names[i], before));
         });
@@ -92,7 +92,8 @@ MinimizerSummary minimize_with_fallback(const SolverOptions& options, Objective&
     if (announce) announce(total.fallbacks.back());
   }
   // Its own message names what the methods before it had left of a limit.
-  if (total.reason == StopReason::max_iterations || total.reason == StopReason::max_seconds) total.message = StopMonitor(stop).message(total.reason);
+  if (total.reason == StopReason::max_iterations || total.reason == StopReason::max_seconds)
+    total.message = StopMonitor(stop).message(total.reason);
   return total;
 }
 

@@ -32,14 +32,9 @@ struct LastStep {
 double first_alpha(const FletcherReevesOptions& options, const LastStep& last, const DirectionSize& d) {
   double alpha = last.alpha * options.step_growth;
   switch (options.initial_step) {
-    case InitialStep::memory:
-      return alpha;
-    case InitialStep::slope:
-      alpha *= last.slope / d.slope;
-      break;
-    case InitialStep::decrease:
-      alpha = -2 * last.decrease / d.slope;
-      break;
+    case InitialStep::memory: return alpha;
+    case InitialStep::slope: alpha *= last.slope / d.slope; break;
+    case InitialStep::decrease: alpha = -2 * last.decrease / d.slope; break;
     case InitialStep::curvature:
       if (last.bend > 0) alpha = -d.slope / (last.bend * d.length * d.length);
       break;
@@ -58,8 +53,8 @@ LineSearchOptions line_search_options(const FletcherReevesOptions& o) {
 
 }  // namespace
 
-MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<double>& x,
-                                          const StopOptions& stop, const IterationCallback& callback) const {
+MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
+                                          const IterationCallback& callback) const {
   MinimizationRun run(objective, stop, callback);
   std::vector<double> g(run.size());
   if (!run.start(x, g)) return run.summary();
@@ -79,8 +74,7 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     }
     if (beta == 0) since_restart = 0;
 
-    const double alpha =
-        last.alpha > 0 ? first_alpha(options_, last, size) : options_.first_step / size.length;
+    const double alpha = last.alpha > 0 ? first_alpha(options_, last, size) : options_.first_step / size.length;
     line.lay(x, d, value, size.slope);
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {
@@ -97,11 +91,9 @@ MinimizerSummary FletcherReeves::minimize(Objective& objective, std::vector<doub
     last = {.alpha = p.alpha,
             .slope = size.slope,
             .decrease = value - p.value,
-            .bend = std::max((p.slope - size.slope) / (p.alpha * size.length * size.length),
-                             bend_memory * last.bend)};
+            .bend = std::max((p.slope - size.slope) / (p.alpha * size.length * size.length), bend_memory * last.bend)};
     const double squared = p.gradient_norm * p.gradient_norm, squared_before = gradient_norm * gradient_norm;
-    const bool needs_overlap =
-        options_.orthogonality > 0 || options_.update != ConjugateUpdate::fletcher_reeves;
+    const bool needs_overlap = options_.orthogonality > 0 || options_.update != ConjugateUpdate::fletcher_reeves;
     const double overlap = needs_overlap ? dot(line.gradient, g) : 0;
     beta = squared / squared_before;
     if (options_.update == ConjugateUpdate::bounded_polak_ribiere)

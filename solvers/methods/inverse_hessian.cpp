@@ -6,8 +6,7 @@
 
 namespace shellmatch {
 
-LimitedMemoryInverseHessian::LimitedMemoryInverseHessian(std::size_t n, std::size_t memory,
-                                                         double least_cosine)
+LimitedMemoryInverseHessian::LimitedMemoryInverseHessian(std::size_t n, std::size_t memory, double least_cosine)
     : least_cosine_(least_cosine), pairs_(memory), alpha_(memory) {
   for (Pair& p : pairs_) {
     p.s.resize(n);

@@ -36,9 +36,7 @@ class LimitedMemoryInverseHessian {
     std::vector<double> s, y;
     double rho = 0;  // 1 / s.y
   };
-  const Pair& newest(std::size_t age) const {
-    return pairs_[(next_ + 2 * pairs_.size() - 1 - age) % pairs_.size()];
-  }
+  const Pair& newest(std::size_t age) const { return pairs_[(next_ + 2 * pairs_.size() - 1 - age) % pairs_.size()]; }
 
   double least_cosine_;
   std::vector<Pair> pairs_;  // a ring buffer; next_ is the position of the next pair

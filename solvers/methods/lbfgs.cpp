@@ -34,8 +34,7 @@ MinimizerSummary Lbfgs::minimize(Objective& objective, std::vector<double>& x, c
       size = conjugate_direction(g, 0, d);
     }
     // Without an estimate of second derivatives, the steepest descent has no natural step length.
-    const double alpha =
-        !inverse_hessian.empty() ? 1 : (last_step > 0 ? last_step : options_.first_step) / size.length;
+    const double alpha = !inverse_hessian.empty() ? 1 : (last_step > 0 ? last_step : options_.first_step) / size.length;
     line.lay(x, d, value, size.slope);
     const LineSearchResult found = search_line(line, alpha, search);
     if (!found.success) {

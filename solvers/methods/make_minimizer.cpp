@@ -23,7 +23,7 @@ struct RangeCheck {
     if constexpr (std::is_arithmetic_v<T>) {
       if (!in_range(static_cast<double>(value), info))
         throw_input_error("{} = {} is out of range ({}): {}", key, value, range_text(info), info.meaning);
-    } else if constexpr (requires(RangeCheck& r) { T::describe(value, r); }) {
+    } else if constexpr (requires(RangeCheck & r) { T::describe(value, r); }) {
       RangeCheck inner{key};
       T::describe(value, inner);
     }

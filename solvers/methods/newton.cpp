@@ -101,13 +101,17 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
   LinearSolver linear(*model, options_.max_linear_iterations, run.size());
   StepRegularisation regularisation(options_, *model);
   Line line(run);
-  const LineSearchOptions search{.armijo = options_.armijo, .curvature = 0, .interpolation = Interpolation::cubic,
-                                 .contraction = 0.5, .max_trials = options_.max_trials, .gradient_trials = 2};
+  const LineSearchOptions search{.armijo = options_.armijo,
+                                 .curvature = 0,
+                                 .interpolation = Interpolation::cubic,
+                                 .contraction = 0.5,
+                                 .max_trials = options_.max_trials,
+                                 .gradient_trials = 2};
   double value = run.start_value(), gradient_norm = run.start_gradient_norm();
   const double least = std::min(options_.min_forcing, options_.max_forcing);
   double ratio = 0;  // of gradient norms, after the last step and before it
-  // Of the next step: gains go with the squares of gradients, as in a quadratic model. Infinite where the last step's gain was not the
-  // one that its model predicted, or the model already served two steps.
+  // Of the next step: gains go with the squares of gradients, as in a quadratic model. Infinite where the last step's
+  // gain was not the one that its model predicted, or the model already served two steps.
   constexpr double unknown = std::numeric_limits<double>::infinity();
   double expected_gain = unknown;
   while (!run.over()) {

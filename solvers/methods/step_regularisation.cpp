@@ -30,7 +30,8 @@ bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<c
   for (RegionDamping& region : regions) {
     float& factor = damping_[region.region];
     // To begin with, as stiff as the region is already.
-    const double next = std::min(std::max(options_.regularisation_growth * static_cast<double>(factor), region.factor), most_damping);
+    const double next =
+        std::min(std::max(options_.regularisation_growth * static_cast<double>(factor), region.factor), most_damping);
     region.factor = next - static_cast<double>(factor);
     factor = static_cast<float>(next);
   }
@@ -45,10 +46,8 @@ void StepRegularisation::contract(SecondOrderObjective& objective, std::span<con
   for (int n = 0; n < options_.max_contractions + most_halvings; ++n) {
     const std::vector<RegionDamping> regions = objective.regions_beyond_model(x, contracted_);
     if (regions.empty()) break;
-    if (n < options_.max_contractions)
-      objective.contract_step(regions, 0.5, contracted_);
-    else
-      scale(0.5, contracted_);
+    if (n < options_.max_contractions) objective.contract_step(regions, 0.5, contracted_);
+    else scale(0.5, contracted_);
   }
   if (dot(g, contracted_) < 0) std::ranges::copy(contracted_, d.begin());
 }

@@ -13,8 +13,8 @@ namespace shellmatch {
 
 namespace {
 
-// CHOLMOD's loops stay in the calling thread, as the number of threads is the user's choice (base/parallel.h). Where the system
-// refused a thread, libgomp would end the program. They hold none of the work: that is BLAS'.
+// CHOLMOD's loops stay in the calling thread, as the number of threads is the user's choice (base/parallel.h). Where
+// the system refused a thread, libgomp would end the program. They hold none of the work: that is BLAS'.
 void keep_to_one_thread() {
   if (omp_set_max_active_levels != nullptr) omp_set_max_active_levels(0);
 }
@@ -44,7 +44,8 @@ struct SparseFactor::Content {
   }
 
   [[noreturn]] static void throw_no_memory_to_solve() {
-    throw MemoryError("there is not enough memory to solve with the factor of the metric; use solver.metric l2, or a coarser grid");
+    throw MemoryError(
+        "there is not enough memory to solve with the factor of the metric; use solver.metric l2, or a coarser grid");
   }
 
   std::size_t n_rows() const { return static_cast<std::size_t>(matrix.rows()); }
@@ -64,8 +65,10 @@ struct SparseFactor::Content {
     factor = cholmod_analyze(&lower, &common);
     if (factor != nullptr) cholmod_factorize(&lower, factor, &common);
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-      throw MemoryError(fmt::format(
-          "there is not enough memory for the factor of the metric on {} nodes; use solver.metric l2, or a coarser grid", n_rows()));
+      throw MemoryError(
+          fmt::format("there is not enough memory for the factor of the metric on {} nodes; use solver.metric l2, or a "
+                      "coarser grid",
+                      n_rows()));
     if (common.status != CHOLMOD_OK)
       throw_input_error(
           "the metric's matrix is not positive definite (pivot {} of {}); use solver.metric l2, or weights > 0",
@@ -81,9 +84,8 @@ struct SparseFactor::Content {
     const std::size_t n = n_rows(), m = static_cast<std::size_t>(n_components);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < m; ++k) values[k * n + i] = from[i * m + k];
-    const bool solved =
-        cholmod_solve2(first, factor, in, nullptr, &permuted, nullptr, &y, &e, &common) != 0 &&
-        cholmod_solve2(second, factor, permuted, nullptr, &out, nullptr, &y, &e, &common) != 0;
+    const bool solved = cholmod_solve2(first, factor, in, nullptr, &permuted, nullptr, &y, &e, &common) != 0 &&
+                        cholmod_solve2(second, factor, permuted, nullptr, &out, nullptr, &y, &e, &common) != 0;
     if (!solved) throw_no_memory_to_solve();
     const double* result = static_cast<const double*>(out->x);
     for (std::size_t i = 0; i < n; ++i)
@@ -100,9 +102,7 @@ SparseFactor::SparseFactor(Eigen::SparseMatrix<double> matrix, int n_components)
 }
 SparseFactor::~SparseFactor() = default;
 
-std::size_t SparseFactor::size() const {
-  return content_->n_rows() * static_cast<std::size_t>(content_->n_components);
-}
+std::size_t SparseFactor::size() const { return content_->n_rows() * static_cast<std::size_t>(content_->n_components); }
 
 // CHOLMOD solves with L but does not multiply by it: L^T P x = L^{-1} P M x.
 void SparseFactor::apply(std::span<const double> x, std::span<double> y) const {

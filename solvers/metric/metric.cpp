@@ -31,9 +31,7 @@ DiagonalFactor::DiagonalFactor(std::span<const double> diagonal)
 }
 
 void DiagonalFactor::apply(std::span<const double> x, std::span<double> y) const { multiply(root_, x, y); }
-void DiagonalFactor::solve(std::span<const double> y, std::span<double> x) const {
-  multiply(inverse_root_, y, x);
-}
+void DiagonalFactor::solve(std::span<const double> y, std::span<double> x) const { multiply(inverse_root_, y, x); }
 void DiagonalFactor::solve_transposed(std::span<const double> g, std::span<double> z) const {
   multiply(inverse_root_, g, z);
 }
@@ -50,15 +48,14 @@ std::unique_ptr<MetricFactor> make_metric_factor(Metric metric, const Objective&
   const std::span<const double> mass = objective.lumped_mass();
   if (mass.empty()) return nullptr;
   if (mass.size() != objective.size())
-    throw_input_error("the lumped mass has {} entries for {} unknowns; it must have one for each",
-                      mass.size(), objective.size());
+    throw_input_error("the lumped mass has {} entries for {} unknowns; it must have one for each", mass.size(),
+                      objective.size());
   return std::make_unique<DiagonalFactor>(mass);
 }
 
 MetricObjective::MetricObjective(Objective& objective, const MetricFactor& factor)
     : objective_(objective), factor_(factor), x_(objective.size()) {
-  SHELLMATCH_CHECK(factor.size() == objective.size(),
-                   "metric and objective must have the same number of unknowns");
+  SHELLMATCH_CHECK(factor.size() == objective.size(), "metric and objective must have the same number of unknowns");
 }
 
 bool MetricObjective::evaluate(std::span<const double> y, double& value, std::span<double> gradient) {
@@ -76,8 +73,8 @@ std::string MetricObjective::what_is_not_finite(std::span<const double> y) {
   return objective_.what_is_not_finite(x_);
 }
 
-MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
-                                    Objective& objective, std::vector<double>& x, const StopOptions& stop,
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor, Objective& objective,
+                                    std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback) {
   SHELLMATCH_CHECK(x.size() == objective.size(), "the start must have as many entries as there are unknowns");
   MetricObjective in_metric(objective, factor);

@@ -55,8 +55,8 @@ class MetricObjective final : public Objective {
 /// Minimises in the metric: transforms x to y, minimises over y, and transforms the result back. Gradient
 /// norms and steps in the records are those of the metric. If the initial point is the best one, x is
 /// returned unchanged.
-MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor,
-                                    Objective& objective, std::vector<double>& x, const StopOptions& stop,
+MinimizerSummary minimize_in_metric(const Minimizer& minimizer, const MetricFactor& factor, Objective& objective,
+                                    std::vector<double>& x, const StopOptions& stop,
                                     const IterationCallback& callback = {});
 MinimizerSummary minimize_in_metric(const Minimizer& minimizer, Metric metric, Objective& objective,
                                     std::vector<double>& x, const StopOptions& stop,

@@ -28,8 +28,8 @@ void OptionFile::check_version(int known, std::string_view what, std::string_vie
   const YamlValue* version = find("version");
   if (version == nullptr || version->text == std::to_string(known)) return;
   throw_input_error("{}: is {}, and this program reads version {} of {} files only; {} describes it",
-                    at(*version, "version"), version->flow_text().empty() ? "empty" : version->flow_text(),
-                    known, what, page);
+                    at(*version, "version"), version->flow_text().empty() ? "empty" : version->flow_text(), known, what,
+                    page);
 }
 
 void OptionFile::require_version(int known) const {
@@ -68,8 +68,7 @@ void OptionFile::fill(const OptionNode& root, const OptionNode& section, const Y
       demand_map(value, option->path, "a section");
       fill(root, *option, value);
     } else {
-      const std::string text =
-          option->kind == OptionKind::text && !option->is_list ? value.text : value.flow_text();
+      const std::string text = option->kind == OptionKind::text && !option->is_list ? value.text : value.flow_text();
       option->set(parse_value(*option, text, at(value, option->path)));
     }
   }
@@ -80,19 +79,16 @@ void OptionFile::flatten(const YamlValue& section, const std::string& key, const
   demand_map(section, key, "options of an experiment, as cascade: {max_level: 6}");
   for (const auto& [name, value] : section.entries) {
     const std::string option = prefix.empty() ? name : prefix + "." + name;
-    if (value.kind == YamlValue::Kind::map)
-      flatten(value, key, option, changes);
-    else
-      changes.push_back(change(value, key, option));
+    if (value.kind == YamlValue::Kind::map) flatten(value, key, option, changes);
+    else changes.push_back(change(value, key, option));
   }
 }
 
 Override OptionFile::change(const YamlValue& value, const std::string& key, const std::string& option) const {
   const OptionNode* node = find_option(experiment_tree_, option);
-  const bool to_the_letter = node != nullptr && node->kind == OptionKind::text && !node->is_list &&
-                             value.kind == YamlValue::Kind::scalar;
-  return beside_file({option, to_the_letter ? value.text : value.flow_text(), at(value, key)},
-                     folder_ / "file.yaml");
+  const bool to_the_letter =
+      node != nullptr && node->kind == OptionKind::text && !node->is_list && value.kind == YamlValue::Kind::scalar;
+  return beside_file({option, to_the_letter ? value.text : value.flow_text(), at(value, key)}, folder_ / "file.yaml");
 }
 
 std::vector<Override> OptionFile::list(const YamlValue& value, const std::string& key,
@@ -108,8 +104,8 @@ std::vector<Override> OptionFile::list(const YamlValue& value, const std::string
 void OptionFile::check_name(const YamlValue& value, const std::string& key, const std::string& name) const {
   const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   if (name.empty() || name.size() > 60 || !std::all_of(name.begin(), name.end(), good))
-    throw_input_error("{}: the name '{}' cannot be used; expected letters, digits and '_', at most 60",
-                      at(value, key), name.substr(0, 80));
+    throw_input_error("{}: the name '{}' cannot be used; expected letters, digits and '_', at most 60", at(value, key),
+                      name.substr(0, 80));
 }
 
 }  // namespace shellmatch

@@ -26,7 +26,9 @@ struct StudyOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("version", self.version, {.min = 1, .meaning = "of the form of this file; 1"});
     visit("title", self.title, {.meaning = "heading of the summary"});
-    visit("folder", self.folder, {.meaning = "absolute folder to which the paths of this file are relative; empty: that of the file. The copy in the output folder names it, so that the copy can be run from anywhere"});
+    visit("folder", self.folder,
+          {.meaning = "absolute folder to which the paths of this file are relative; empty: that of the file. The copy "
+                      "in the output folder names it, so that the copy can be run from anywhere"});
     visit("repeats", self.repeats,
           {.unit = "runs",
            .min = 1,
@@ -70,14 +72,15 @@ struct Study {
 Study read_study(const std::string& path, std::vector<Override> overrides = {});
 
 /// One run of a study, with all options resolved.
-/// Its name is as "leaf-newton-energy.delta=0.5-r1", its fingerprint that of `options` and the contents of their input files.
+/// Its name is as "leaf-newton-energy.delta=0.5-r1", its fingerprint that of `options` and the contents of their input
+/// files.
 struct StudyRun : RunTask {
   std::string problem, solver;
-  std::string metric;  ///< as resolved; "own" for a method with its own metric
+  std::string metric;                                           ///< as resolved; "own" for a method with its own metric
   std::vector<std::pair<std::string, std::string>> parameters;  ///< key and value in YAML's notation
   int repeat = 1;                                               ///< counted from 1
   ExperimentOptions options;
-  std::string energy_key;   ///< equal for runs that minimise the same function on the finest level
+  std::string energy_key;  ///< equal for runs that minimise the same function on the finest level
 
   /// The solver with its metric: "lbfgs (l2)".
   std::string method() const { return metric == "own" ? solver : solver + " (" + metric + ")"; }

@@ -56,8 +56,8 @@ std::vector<StudyChoice> read_solvers(const OptionFile& file, const YamlValue& v
     StudyChoice solver{name, "", {}};
     const std::string path = "solvers." + name;
     // Without the key `name`, the name of the entry is that of the method.
-    const bool has_method = std::any_of(part.entries.begin(), part.entries.end(),
-                                        [](const auto& e) { return e.first == "name"; });
+    const bool has_method =
+        std::any_of(part.entries.begin(), part.entries.end(), [](const auto& e) { return e.first == "name"; });
     if (!has_method) solver.changes.push_back({"solver.name", name, file.at(part, path)});
     if (part.kind != YamlValue::Kind::nothing) file.flatten(part, path, "solver", solver.changes);
     solvers.push_back(std::move(solver));
@@ -79,8 +79,7 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
     const OptionNode* option = find_option(root, change.key);
     if (option != nullptr && option->kind != OptionKind::section && change.key != "version")
       option->set(parse_value(*option, change.value, fmt::format("{}: {}", change.origin, change.key)));
-    else
-      study.overrides.push_back(std::move(change));
+    else study.overrides.push_back(std::move(change));
   }
   if (!study.options.folder.empty()) file.set_folder(study.options.folder);
   file.require_version(known_version);
@@ -92,15 +91,13 @@ Study read_study(const std::string& path, std::vector<Override> overrides) {
         "{}: no problem is named, so that there is nothing to run; expected problems: "
         "{{NAME: {{base: FILE.yaml}}}}",
         problems == nullptr ? path : file.at(*problems, "problems"));
-  for (const auto& [name, value] : problems->entries)
-    study.problems.push_back(read_problem(file, name, value));
+  for (const auto& [name, value] : problems->entries) study.problems.push_back(read_problem(file, name, value));
   if (const YamlValue* solvers = file.find("solvers")) study.solvers = read_solvers(file, *solvers);
   if (study.solvers.empty())
     throw_input_error(
-        "{}: solvers: none is named, so that there is nothing to run; expected solvers: [{}] or some of them",
-        path, fmt::join(minimizer_names(), ", "));
-  if (const YamlValue* metrics = file.find("metrics"))
-    study.metrics = file.list(*metrics, "metrics", "solver.metric");
+        "{}: solvers: none is named, so that there is nothing to run; expected solvers: [{}] or some of them", path,
+        fmt::join(minimizer_names(), ", "));
+  if (const YamlValue* metrics = file.find("metrics")) study.metrics = file.list(*metrics, "metrics", "solver.metric");
   if (const YamlValue* parameters = file.find("parameters")) {
     file.demand_map(*parameters, "parameters", "a section with option: [values]");
     for (const auto& [key, value] : parameters->entries)

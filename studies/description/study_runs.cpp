@@ -79,8 +79,8 @@ class Product {
 
   void add(const StudyChoice& problem, std::vector<Override> changes, StudyRun run, std::size_t metric) {
     changes.insert(changes.end(), study_.overrides.begin(), study_.overrides.end());
-    run.options = with_absolute_paths(problem.base.empty() ? make_experiment(changes)
-                                                           : read_experiment(problem.base, changes));
+    run.options =
+        with_absolute_paths(problem.base.empty() ? make_experiment(changes) : read_experiment(problem.base, changes));
     const std::string where = fmt::format("{}: problems.{}", study_.file, run.problem);
     for (const auto& [key, source] : {std::pair{"reference", &run.options.input.reference},
                                       std::pair{"template", &run.options.input.template_file}})
@@ -112,9 +112,8 @@ class Product {
         throw_input_error("{}: the run name {} is too long for a file; shorten names or values of parameters",
                           study_.file, run.name);
       if (!names_.try_emplace(run.name, 1).second)
-        throw_input_error(
-            "{}: two runs are called {}; problems, solvers and values of parameters must differ", study_.file,
-            run.name);
+        throw_input_error("{}: two runs are called {}; problems, solvers and values of parameters must differ",
+                          study_.file, run.name);
       if (runs_.size() == most_runs)
         throw_input_error("{}: more than {} runs; split the study", study_.file, most_runs);
       runs_.push_back(run);

@@ -32,8 +32,7 @@ std::uint64_t resident_bytes(int pid, int depth = 0) {
 
 // Runs between fork and exec, where only async-signal-safe functions may be called. Writes errno to `report` on
 // failure.
-[[noreturn]] void become(char* const* arguments, int log, int report, int parent,
-                         const ProcessLimits& limits) {
+[[noreturn]] void become(char* const* arguments, int log, int report, int parent, const ProcessLimits& limits) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent died before prctl took effect
@@ -58,8 +57,7 @@ std::uint64_t resident_bytes(int pid, int depth = 0) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& log,
-                           const ProcessLimits& limits)
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& log, const ProcessLimits& limits)
     : limits_(limits) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));

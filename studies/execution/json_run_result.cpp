@@ -9,8 +9,7 @@ namespace shellmatch {
 
 namespace {
 
-constexpr const char* names[] = {"finished",  "diverged",      "failed", "crashed",
-                                 "timed_out", "out_of_memory", "not_run"};
+constexpr const char* names[] = {"finished", "diverged", "failed", "crashed", "timed_out", "out_of_memory", "not_run"};
 
 }  // namespace
 

@@ -28,8 +28,7 @@ std::string machine_text() {
       processor = line.substr(line.find(':') + 2);
       break;
     }
-  const double bytes =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   return fmt::format("{}, {} cores, {:.0f} GB", processor, n_processors(), bytes / (1 << 30));
 }
 

@@ -15,8 +15,7 @@ const std::string& RunInputs::checksum_of_shape(const std::string& source, const
   const auto [entry, is_new] = known_.try_emplace(source);
   if (!is_new || source.empty()) return entry->second;
   try {
-    if (is_generated_source(source))
-      check_generated_source(source);
+    if (is_generated_source(source)) check_generated_source(source);
     else
       for (const std::string& file : files_of_shape(source)) entry->second += file_checksum(file);
   } catch (const InputError& error) {
@@ -46,14 +45,14 @@ std::string RunInputs::of(const ExperimentOptions& options, const std::string& w
   for (const std::string* file : {&options.landmarks.file, &options.landmarks.template_file})
     if (!file->empty()) text += "\n" + checksum_of_file(files_of_shape(*file).front(), where);
   if (const std::string& map = options.start.map; !map.empty())
-    text += "\n" + checksum_of_file(
-                       std::filesystem::is_directory(map) ? map + "/" + deformation_file_name : map, where);
+    text +=
+        "\n" + checksum_of_file(std::filesystem::is_directory(map) ? map + "/" + deformation_file_name : map, where);
   return text;
 }
 
 std::string portable_yaml(ExperimentOptions o) {
-  for (std::string* source : {&o.input.reference, &o.input.template_file, &o.input.correspondence,
-                              &o.landmarks.file, &o.landmarks.template_file, &o.start.map})
+  for (std::string* source : {&o.input.reference, &o.input.template_file, &o.input.correspondence, &o.landmarks.file,
+                              &o.landmarks.template_file, &o.start.map})
     if (!is_generated_source(*source)) *source = std::filesystem::path(*source).filename().string();
   return to_yaml(o);
 }

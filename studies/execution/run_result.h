@@ -24,9 +24,9 @@ struct RunResult {
   std::uint64_t peak_memory_bytes = 0;
   double limit_seconds = 0, limit_memory_mb = 0;  ///< limits that were in force; 0 means none
   int jobs = 1;                                   ///< number of runs allowed at the same time
-  double load = 0;      ///< load average of the last minute when the run began
-  std::string machine;  ///< processor, cores, memory
-  std::string program;  ///< version of the program that was run
+  double load = 0;                                ///< load average of the last minute when the run began
+  std::string machine;                            ///< processor, cores, memory
+  std::string program;                            ///< version of the program that was run
 };
 
 /// \throws EnvironmentError if the file cannot be written

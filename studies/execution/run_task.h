@@ -10,7 +10,8 @@ namespace shellmatch {
 struct RunTask {
   std::string name;         ///< unique, valid as a file name
   std::string config;       ///< the experiment as YAML, with absolute paths
-  std::string fingerprint;  ///< of all that its result depends on, wherever the files are: a result of another one does not count
+  std::string fingerprint;  ///< of all that its result depends on, wherever the files are: a result of another one does
+                            ///< not count
 };
 
 }  // namespace shellmatch

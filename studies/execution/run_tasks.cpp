@@ -41,9 +41,11 @@ std::string last_words(const std::string& log) {
   return printable(last.starts_with(prefix) ? last.substr(prefix.size()) : last, max_message_length);
 }
 
-// Whether a run has ended for want of room on the disk: that is no result of the run, and the next ones would end likewise.
+// Whether a run has ended for want of room on the disk: that is no result of the run, and the next ones would end
+// likewise.
 bool is_of_the_disk(const std::string& message) {
-  for (const char* words : {"No space left on device", "is the disk full", "of room on the disk", "Disk quota exceeded"})
+  for (const char* words :
+       {"No space left on device", "is the disk full", "of room on the disk", "Disk quota exceeded"})
     if (message.find(words) != std::string::npos) return true;
   return false;
 }
@@ -74,14 +76,14 @@ void judge_output(const std::string& output, RunResult& result) {
 // end, it kills the process and removes its folder.
 class ActiveRun {
  public:
-  ActiveRun(const RunTask& run, const std::string& place, const std::string& program,
-            const ProcessLimits& limits, RunResult result)
+  ActiveRun(const RunTask& run, const std::string& place, const std::string& program, const ProcessLimits& limits,
+            RunResult result)
       : run_(&run), folder_(place, true), result_(std::move(result)) {
     const std::string config = folder_.path_of("config.yaml");
     write_file(config, run.config);
     child_ = std::make_unique<ChildProcess>(
-        std::vector<std::string>{program, "run", config, "-o", folder_.path_of("output")},
-        folder_.path_of("log.txt"), limits);
+        std::vector<std::string>{program, "run", config, "-o", folder_.path_of("output")}, folder_.path_of("log.txt"),
+        limits);
   }
 
   // Returns true once the process has ended and its folder has been committed.
@@ -118,7 +120,8 @@ class ActiveRun {
     } else {
       result_.message = last_words(folder_.path_of("log.txt"));
       if (result_.exit_code == exit_code::environment_error && is_of_the_disk(result_.message))
-        throw_environment_error("{}: {}; all results so far are kept, and the same command goes on once there is room", run_->name, result_.message);
+        throw_environment_error("{}: {}; all results so far are kept, and the same command goes on once there is room",
+                                run_->name, result_.message);
       const bool memory = result_.message.find("not enough memory") != std::string::npos;
       result_.status = memory ? RunStatus::out_of_memory : RunStatus::failed;
     }
@@ -134,16 +137,11 @@ class ActiveRun {
 bool is_due(const RunResult& result, const RunLimits& limits, bool retry) {
   const auto raised = [](double now, double then) { return then > 0 && (now == 0 || now > then); };
   switch (result.status) {
-    case RunStatus::not_run:
-      return true;
-    case RunStatus::finished:
-      return false;
-    case RunStatus::timed_out:
-      return retry || raised(limits.seconds, result.limit_seconds);
-    case RunStatus::out_of_memory:
-      return retry || raised(limits.memory_mb, result.limit_memory_mb);
-    default:
-      return retry;
+    case RunStatus::not_run: return true;
+    case RunStatus::finished: return false;
+    case RunStatus::timed_out: return retry || raised(limits.seconds, result.limit_seconds);
+    case RunStatus::out_of_memory: return retry || raised(limits.memory_mb, result.limit_memory_mb);
+    default: return retry;
   }
 }
 
@@ -183,8 +181,7 @@ bool run_tasks(const std::vector<const RunTask*>& runs, const RunLimits& limits,
       observer.run_started(run);
       const ProcessLimits process_limits{limits.seconds, limits.grace_seconds,
                                          static_cast<std::uint64_t>(limits.memory_mb * 1e6)};
-      active.push_back(
-          std::make_unique<ActiveRun>(run, place.string(), program, process_limits, std::move(result)));
+      active.push_back(std::make_unique<ActiveRun>(run, place.string(), program, process_limits, std::move(result)));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::erase_if(active, [&](const std::unique_ptr<ActiveRun>& a) {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Runs of the program, each in its own process and folder; runs with a result are skipped. Studies and cohorts are made of them.
+/// Runs of the program, each in its own process and folder; runs with a result are skipped. Studies and cohorts are
+/// made of them.
 
 #include "studies/execution/run_limits.h"
 #include "studies/execution/run_result.h"

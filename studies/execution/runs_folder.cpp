@@ -15,7 +15,9 @@ namespace {
 
 // Whether such a folder may contain this name; other entries belong to the user, and so do tables without runs.
 bool is_known_entry(const RunsFolderKind& kind, const std::string& name, bool has_runs) {
-  const auto is_in = [&](const std::vector<std::string_view>& list) { return std::ranges::find(list, name) != list.end(); };
+  const auto is_in = [&](const std::vector<std::string_view>& list) {
+    return std::ranges::find(list, name) != list.end();
+  };
   return name.starts_with(".") || is_in(kind.before_runs) || (has_runs && (name == "runs" || is_in(kind.after_runs)));
 }
 
@@ -25,14 +27,12 @@ std::string prepared(const std::string& path, const RunsFolderKind& kind) {
   const std::string absolute = fs::absolute(path).lexically_normal().string();
   std::error_code error;
   if (fs::exists(absolute, error) && !fs::is_directory(absolute, error))
-    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o",
-                      path);
+    throw_input_error("{}: is a file, but a folder is to be written there; choose another name with -o", path);
   // Asked for each entry: another shard may begin meanwhile, which makes `runs` before all else.
   const auto has_runs = [&] { return fs::is_directory(fs::path(absolute) / "runs", error); };
   for (const fs::directory_entry& entry : fs::directory_iterator(absolute, error))
     if (const std::string name = entry.path().filename().string(); !is_known_entry(kind, name, has_runs()))
-      throw_input_error("{}: holds {}, which no {} has written; choose another folder with -o", path,
-                        name, kind.owner);
+      throw_input_error("{}: holds {}, which no {} has written; choose another folder with -o", path, name, kind.owner);
   fs::create_directories(fs::path(absolute) / "runs", error);
   if (error) throw_environment_error("{}: cannot be written: {}", path, error.message());
   return absolute;
@@ -40,7 +40,8 @@ std::string prepared(const std::string& path, const RunsFolderKind& kind) {
 
 }  // namespace
 
-const RunsFolderKind study_folder_kind{"study", {"study.yaml"}, {"table.csv", "convergence.csv", "summary.md", "plots"}, "plots"};
+const RunsFolderKind study_folder_kind{
+    "study", {"study.yaml"}, {"table.csv", "convergence.csv", "summary.md", "plots"}, "plots"};
 
 RunsFolder::RunsFolder(const std::string& path, const RunsFolderKind& kind, bool whole)
     : path_(prepared(path, kind)),
@@ -48,9 +49,8 @@ RunsFolder::RunsFolder(const std::string& path, const RunsFolderKind& kind, bool
       whole_(whole),
       lock_(path_ + "/.lock", whole ? FileLock::Kind::exclusive : FileLock::Kind::shared) {
   if (lock_.state() == FileLock::State::taken)
-    throw_input_error(
-        "{}: another process works on a {} there; wait for its end or choose another folder with -o",
-        path, kind.owner);
+    throw_input_error("{}: another process works on a {} there; wait for its end or choose another folder with -o",
+                      path, kind.owner);
   remove_leftovers();
 }
 

@@ -14,15 +14,16 @@ namespace shellmatch {
 
 /// What a folder of runs belongs to, and what may be in it.
 struct RunsFolderKind {
-  std::string_view owner;  ///< for messages: "study"
+  std::string_view owner;                     ///< for messages: "study"
   std::vector<std::string_view> before_runs;  ///< names of its own that may be there before the folder `runs`
   std::vector<std::string_view> after_runs;   ///< names of its own that are there only beside it
-  std::string_view files_folder;              ///< a folder of its own that holds files which are written one by one; may be empty
+  std::string_view files_folder;  ///< a folder of its own that holds files which are written one by one; may be empty
 };
 
 extern const RunsFolderKind study_folder_kind;
 
-/// The output folder of a study or the like. It holds runs/NAME/ with config.yaml, log.txt, output/ and result.json, and what its kind adds.
+/// The output folder of a study or the like. It holds runs/NAME/ with config.yaml, log.txt, output/ and result.json,
+/// and what its kind adds.
 class RunsFolder {
  public:
   /// Creates the folder, or opens that of an earlier start, and locks it: several processes may perform

@@ -5,8 +5,7 @@
 
 namespace shellmatch {
 
-std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary,
-                                                 int max_level) {
+std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary, int max_level) {
   ConvergencePoint before;  // cost of the earlier minimisations
   int n_substeps = 0;
   for (std::size_t i = 0; i < summary.levels.size(); ++i) {
@@ -37,8 +36,7 @@ std::vector<ConvergencePoint> finest_convergence(const History& history, const M
 }
 
 double relative_gap(double value, double best) {
-  if (!std::isfinite(value) || !std::isfinite(best) || best == 0)
-    return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(value) || !std::isfinite(best) || best == 0) return std::numeric_limits<double>::quiet_NaN();
   return (value - best) / std::abs(best);
 }
 

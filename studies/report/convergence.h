@@ -22,8 +22,7 @@ struct ConvergencePoint {
 
 /// The steps of the last substep of `max_level`; empty if the run did not reach it. The totals of earlier minimisations
 /// are taken from the summary, which also counts trial steps after the last accepted one.
-std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary,
-                                                 int max_level);
+std::vector<ConvergencePoint> finest_convergence(const History& history, const MatchSummary& summary, int max_level);
 
 /// (value - best) / |best|; NaN if best is 0 or one of them is not finite.
 double relative_gap(double value, double best);

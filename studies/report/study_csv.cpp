@@ -36,19 +36,18 @@ auto of_summary(Get get) {
 // Of a run that has been executed.
 template <class Get>
 auto of_result(Get get) {
-  return [get](const StudyRow& row) { return row.result.status == RunStatus::not_run ? std::string() : get(row.result); };
+  return
+      [get](const StudyRow& row) { return row.result.status == RunStatus::not_run ? std::string() : get(row.result); };
 }
 
 template <class Get>
 auto of_last_level(Get get) {
-  return of_summary(
-      [get](const MatchSummary& s) { return s.levels.empty() ? std::string() : get(s.levels.back()); });
+  return of_summary([get](const MatchSummary& s) { return s.levels.empty() ? std::string() : get(s.levels.back()); });
 }
 
 template <class Get>
 auto of_distance(Get get) {
-  return of_summary(
-      [get](const MatchSummary& s) { return s.distance ? number(get(*s.distance)) : std::string(); });
+  return of_summary([get](const MatchSummary& s) { return s.distance ? number(get(*s.distance)) : std::string(); });
 }
 
 long total(const MatchSummary& s, auto member) {
@@ -83,7 +82,8 @@ void add_identity(Columns& list, const StudyTable& table) {
   list.push_back({"repeat", [](const StudyRow& r) { return std::to_string(r.run.repeat); }});
   list.push_back({"status", [](const StudyRow& r) { return status_name(r.result.status); }});
   list.push_back({"exit_code", of_result([](const RunResult& r) { return std::to_string(r.exit_code); })});
-  list.push_back({"signal", [](const StudyRow& r) { return r.result.signal == 0 ? "" : std::to_string(r.result.signal); }});
+  list.push_back(
+      {"signal", [](const StudyRow& r) { return r.result.signal == 0 ? "" : std::to_string(r.result.signal); }});
   list.push_back({"max_level", [](const StudyRow& r) { return std::to_string(r.run.options.cascade.max_level); }});
   list.push_back({"level", of_last_level([](const LevelSummary& l) { return std::to_string(l.level); })});
   list.push_back({"free_nodes", of_last_level([](const LevelSummary& l) { return std::to_string(l.n_free_nodes); })});
@@ -106,7 +106,8 @@ void add_energies(Columns& list, const StudyTable& table) {
     }
   }
   list.push_back({"energy_finer_quadrature", [](const StudyRow& r) {
-                    return r.finest.empty() ? std::string() : number(r.summary->levels.back().energy_reported.back().second);
+                    return r.finest.empty() ? std::string()
+                                            : number(r.summary->levels.back().energy_reported.back().second);
                   }});
   list.push_back({"best_energy", [](const StudyRow& r) { return number(r.best); }});
   list.push_back({"gap", [](const StudyRow& r) { return number(relative_gap(r.energy, r.best)); }});
@@ -122,7 +123,10 @@ void add_costs(Columns& list) {
   for (std::size_t g = 0; g < study_gaps.size(); ++g) {
     const auto add_cost = [&](const char* name, auto member, bool timing) {
       list.push_back({fmt::format("{}_to_gap_{:g}", name, study_gaps[g]),
-                      [g, member](const StudyRow& r) { return r.to_gap[g] ? fmt::format("{}", (*r.to_gap[g]).*member) : std::string(); }, timing});
+                      [g, member](const StudyRow& r) {
+                        return r.to_gap[g] ? fmt::format("{}", (*r.to_gap[g]).*member) : std::string();
+                      },
+                      timing});
     };
     add_cost("evaluations", &GapCost::evaluations, false);
     add_cost("gradient_evaluations", &GapCost::gradient_evaluations, false);
@@ -141,8 +145,10 @@ void add_figures(Columns& list) {
   list.push_back({"correspondence_error", of_summary([](const MatchSummary& s) {
                     return s.correspondence_error ? number(*s.correspondence_error) : std::string();
                   })});
-  list.push_back({"folded_cells", of_last_level([](const LevelSummary& l) { return std::to_string(l.folds.n_folded_cells); })});
-  list.push_back({"min_determinant", of_last_level([](const LevelSummary& l) { return number(l.folds.min_determinant); })});
+  list.push_back(
+      {"folded_cells", of_last_level([](const LevelSummary& l) { return std::to_string(l.folds.n_folded_cells); })});
+  list.push_back(
+      {"min_determinant", of_last_level([](const LevelSummary& l) { return number(l.folds.min_determinant); })});
   list.push_back({"flipped_facets", of_summary([](const MatchSummary& s) {
                     return s.n_flipped_facets ? std::to_string(*s.n_flipped_facets) : std::string();
                   })});
@@ -154,10 +160,14 @@ void add_figures(Columns& list) {
 }
 
 void add_timings(Columns& list) {
-  const auto add = [&](const char* name, std::function<std::string(const StudyRow&)> text) { list.push_back({name, std::move(text), true}); };
+  const auto add = [&](const char* name, std::function<std::string(const StudyRow&)> text) {
+    list.push_back({name, std::move(text), true});
+  };
   add("seconds", of_result([](const RunResult& r) { return number(r.seconds); }));
   add("minimisation_seconds", of_summary([](const MatchSummary& s) { return number(minimisation_seconds(s)); }));
-  add("peak_memory_mb", of_result([](const RunResult& r) { return fmt::format("{:.1f}", static_cast<double>(r.peak_memory_bytes) / 1e6); }));
+  add("peak_memory_mb", of_result([](const RunResult& r) {
+        return fmt::format("{:.1f}", static_cast<double>(r.peak_memory_bytes) / 1e6);
+      }));
   add("threads", of_summary([](const MatchSummary& s) { return std::to_string(s.run.threads); }));
   add("jobs", of_result([](const RunResult& r) { return std::to_string(r.jobs); }));
   add("timings_taken", of_result([](const RunResult& r) { return std::string(r.jobs > 1 ? "in parallel" : "alone"); }));
@@ -183,8 +193,7 @@ std::string study_csv(const StudyTable& table) {
   for (const Column& column : list) csv += (csv.empty() ? "" : ",") + column.name;
   csv += "\n";
   for (const StudyRow& row : table.rows)
-    for (std::size_t c = 0; c < list.size(); ++c)
-      csv += list[c].text(row) + (c + 1 < list.size() ? "," : "\n");
+    for (std::size_t c = 0; c < list.size(); ++c) csv += list[c].text(row) + (c + 1 < list.size() ? "," : "\n");
   return csv;
 }
 
@@ -196,14 +205,12 @@ std::vector<std::string> study_timing_columns() {
 }
 
 std::string convergence_csv(const StudyTable& table) {
-  std::string csv =
-      "run,problem,solver,metric,repeat,iteration,energy,gap,evaluations,gradient_evaluations,seconds\n";
+  std::string csv = "run,problem,solver,metric,repeat,iteration,energy,gap,evaluations,gradient_evaluations,seconds\n";
   for (const StudyRow& row : table.rows)
     for (const ConvergencePoint& p : row.finest)
       csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", text_field(row.run.name), text_field(row.run.problem),
                          text_field(row.run.solver), row.run.metric, row.run.repeat, p.iteration, number(p.value),
-                         number(relative_gap(p.value, row.best)), p.evaluations, p.gradient_evaluations,
-                         p.seconds);
+                         number(relative_gap(p.value, row.best)), p.evaluations, p.gradient_evaluations, p.seconds);
   return csv;
 }
 

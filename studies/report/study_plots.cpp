@@ -24,8 +24,7 @@ class Styles {
  public:
   explicit Styles(const StudyTable& table) {
     for (const StudyRow& row : table.rows) {
-      const auto solver =
-          solvers_.try_emplace(row.run.solver, static_cast<int>(solvers_.size())).first->second;
+      const auto solver = solvers_.try_emplace(row.run.solver, static_cast<int>(solvers_.size())).first->second;
       std::map<std::string, int>& variants = variants_[row.run.solver];
       const int variant = variants.try_emplace(row.method, static_cast<int>(variants.size())).first->second;
       styles_[row.method] = {solver % 8, (variant + 3 * (solver / 8)) % 6};
@@ -91,12 +90,12 @@ std::vector<StudyPlot> gap_plots(const StudyTable& table) {
   std::vector<StudyPlot> plots;
   for (const std::string& instance : instances_of(table))
     for (const bool seconds : {false, true}) {
-      Plot plot{.title = instance,
-                .x_label = seconds ? "seconds of minimisation, whole cascade"
-                                   : "evaluations of the energy, whole cascade",
-                .y_label = "relative gap to the best energy",
-                .log_x = true,
-                .log_y = true};
+      Plot plot{
+          .title = instance,
+          .x_label = seconds ? "seconds of minimisation, whole cascade" : "evaluations of the energy, whole cascade",
+          .y_label = "relative gap to the best energy",
+          .log_x = true,
+          .log_y = true};
       for (const StudyRow& row : table.rows) {
         if (row.instance != instance || row.run.repeat != 1 || row.finest.empty()) continue;
         Series series = styles.series(row.method);
@@ -108,8 +107,7 @@ std::vector<StudyPlot> gap_plots(const StudyTable& table) {
       }
       plot.height = height_for(plot.series.size());
       plots.push_back(
-          {fmt::format("gap_{}_{}", seconds ? "seconds" : "evaluations", safe_file_name(instance)),
-           std::move(plot)});
+          {fmt::format("gap_{}_{}", seconds ? "seconds" : "evaluations", safe_file_name(instance)), std::move(plot)});
     }
   return plots;
 }
@@ -122,11 +120,10 @@ std::vector<StudyPlot> profile_plots(const StudyTable& table) {
     for (std::size_t g = 0; g < study_gaps.size(); ++g) {
       const auto profiles = performance_profiles(costs_to_gap(table, g, seconds));
       const std::string what = seconds ? "seconds" : "evaluations";
-      Plot plot{
-          .title = fmt::format("{} to a gap of {:g}", seconds ? "Seconds" : "Evaluations", study_gaps[g]),
-          .x_label = fmt::format("{} over those of the fastest", what),
-          .y_label = "share of the problems",
-          .log_x = true};
+      Plot plot{.title = fmt::format("{} to a gap of {:g}", seconds ? "Seconds" : "Evaluations", study_gaps[g]),
+                .x_label = fmt::format("{} over those of the fastest", what),
+                .y_label = "share of the problems",
+                .log_x = true};
       double end = 2;
       for (const PerformanceProfile& profile : profiles) end = std::max(end, 1.1 * profile.ratio.back());
       for (std::size_t m = 0; m < profiles.size(); ++m) {

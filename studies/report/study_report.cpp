@@ -56,20 +56,17 @@ std::string method_line(const std::string& method, const Rows& rows) {
   long evaluations = 0;
   if (s)
     for (const LevelSummary& level : s->levels) evaluations += level.value_evaluations;
-  std::string line =
-      fmt::format("| {} | {} | {} | {} |", method, statuses(rows), with_dash(first.energy, "{:.6g}"),
-                  with_dash(relative_gap(first.energy, first.best), "{:.1e}"));
-  line += fmt::format(
-      " {} | {} |", s ? std::to_string(evaluations) : "-",
-      first.result.status == RunStatus::not_run
-          ? "-"
-          : with_dash(median_of(rows, [](const StudyRow& r) { return r.result.seconds; }), "{:.3g}"));
+  std::string line = fmt::format("| {} | {} | {} | {} |", method, statuses(rows), with_dash(first.energy, "{:.6g}"),
+                                 with_dash(relative_gap(first.energy, first.best), "{:.1e}"));
+  line += fmt::format(" {} | {} |", s ? std::to_string(evaluations) : "-",
+                      first.result.status == RunStatus::not_run
+                          ? "-"
+                          : with_dash(median_of(rows, [](const StudyRow& r) { return r.result.seconds; }), "{:.3g}"));
   for (std::size_t g = 0; g < study_gaps.size(); ++g) line += fmt::format(" {} |", cost_text(rows, g));
   line += fmt::format(" {} | {} | {} |\n",
-                      whole && s->distance
-                          ? fmt::format("{:.2e} / {:.2e}", s->distance->deformed_to_template.mean,
-                                        s->distance->template_to_deformed.mean)
-                          : "-",
+                      whole && s->distance ? fmt::format("{:.2e} / {:.2e}", s->distance->deformed_to_template.mean,
+                                                         s->distance->template_to_deformed.mean)
+                                           : "-",
                       whole ? std::to_string(s->levels.back().folds.n_folded_cells) : "-",
                       whole ? s->levels.back().stop_reason : "-");
   return line;
@@ -95,9 +92,8 @@ std::string instance_section(const StudyTable& table, const std::string& instanc
   const auto shape = [](const std::string& source) {
     return source.starts_with("generate:") ? source : std::filesystem::path(source).filename().string();
   };
-  text +=
-      fmt::format("`{}` onto `{}`, levels {} to {}", shape(options.input.reference),
-                  shape(options.input.template_file), options.cascade.min_level, options.cascade.max_level);
+  text += fmt::format("`{}` onto `{}`, levels {} to {}", shape(options.input.reference),
+                      shape(options.input.template_file), options.cascade.min_level, options.cascade.max_level);
   if (!best.finest.empty()) text += fmt::format(", {} free nodes", best.summary->levels.back().n_free_nodes);
   text += std::isfinite(best.best) ? fmt::format(". Best energy {:.6g}.\n\n", best.best)
                                    : ". No run has reached the finest level.\n\n";
@@ -129,16 +125,13 @@ std::string timing_notes(const StudyTable& table) {
   }
   std::string text;
   if (parallel)
-    text +=
-        "- **Timings taken in parallel**: runs shared the machine (column `jobs`). Compare evaluations.\n";
+    text += "- **Timings taken in parallel**: runs shared the machine (column `jobs`). Compare evaluations.\n";
   if (busy)
     text +=
         "- **Timings taken on a busy machine**: something else was running (column `load`). Compare "
         "evaluations.\n";
-  if (machines.size() > 1)
-    text += "- **Timings of different machines** stand side by side (column `machine`).\n";
-  if (programs.size() > 1)
-    text += "- Runs were made by **different versions** of the program (column `version`).\n";
+  if (machines.size() > 1) text += "- **Timings of different machines** stand side by side (column `machine`).\n";
+  if (programs.size() > 1) text += "- Runs were made by **different versions** of the program (column `version`).\n";
   return text.empty() ? "" : "\n" + text;
 }
 
@@ -146,8 +139,7 @@ std::string timing_notes(const StudyTable& table) {
 
 std::string study_report(const Study& study, const StudyTable& table) {
   const std::string file = std::filesystem::path(study.file).filename().string();
-  std::string text =
-      fmt::format("# {}\n\n", study.options.title.empty() ? "Study " + file : study.options.title);
+  std::string text = fmt::format("# {}\n\n", study.options.title.empty() ? "Study " + file : study.options.title);
   std::map<std::string, int> counts;
   std::set<std::string> machines;
   for (const StudyRow& row : table.rows) {
@@ -180,8 +172,7 @@ std::string study_report(const Study& study, const StudyTable& table) {
       "cost of the best method for that problem.\n\n";
   for (const double gap : study_gaps)
     text += fmt::format(
-        "![evaluations](plots/profile_evaluations_{:g}.png)\n![seconds](plots/profile_seconds_{:g}.png)\n",
-        gap, gap);
+        "![evaluations](plots/profile_evaluations_{:g}.png)\n![seconds](plots/profile_seconds_{:g}.png)\n", gap, gap);
   text += "\n![energy at the end](plots/final_gap.png)\n![distance at the end](plots/final_distance.png)\n";
 
   std::string failures;
@@ -189,8 +180,7 @@ std::string study_report(const Study& study, const StudyTable& table) {
     if (row.result.status != RunStatus::finished)
       failures += fmt::format("- `{}`: {}{}{}\n", row.run.name, status_name(row.result.status),
                               row.result.message.empty() ? "" : ": ", row.result.message);
-  if (!failures.empty())
-    text += "\n## What did not finish\n\nEach has its log in runs/NAME/log.txt.\n\n" + failures;
+  if (!failures.empty()) text += "\n## What did not finish\n\nEach has its log in runs/NAME/log.txt.\n\n" + failures;
 
   text += "\n## Where and with what\n\n";
   for (const std::string& machine : machines) text += fmt::format("- {}\n", machine);

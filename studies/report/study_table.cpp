@@ -39,12 +39,10 @@ StudyRow read_row(const StudyRun& run, const RunsFolder& folder) {
   row.result = folder.result_of(run);
   row.energy = nan;
   const std::string output = folder.run_folder(run) + "/output";
-  if (row.result.status == RunStatus::not_run || !std::filesystem::exists(output + "/summary.json"))
-    return row;
+  if (row.result.status == RunStatus::not_run || !std::filesystem::exists(output + "/summary.json")) return row;
   try {
     row.summary = read_summary(output + "/summary.json");
-    row.finest =
-        finest_convergence(read_history(output + "/history.csv"), *row.summary, run.options.cascade.max_level);
+    row.finest = finest_convergence(read_history(output + "/history.csv"), *row.summary, run.options.cascade.max_level);
   } catch (const InputError& error) {
     // One damaged result must not hide the others.
     row.summary.reset();
@@ -59,8 +57,7 @@ StudyRow read_row(const StudyRun& run, const RunsFolder& folder) {
 
 }  // namespace
 
-StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs,
-                            const RunsFolder& folder) {
+StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs, const RunsFolder& folder) {
   StudyTable table;
   for (const StudyParameter& parameter : study.parameters) table.parameters.push_back(parameter.key);
   const std::set<std::string> changing = energy_parameters(runs);

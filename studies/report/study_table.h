@@ -33,7 +33,8 @@ struct StudyTable {
   std::vector<StudyRow> rows;
 };
 
-/// Reads the available results; runs without a result have a row, too, and so have those whose output is damaged, as failed ones.
+/// Reads the available results; runs without a result have a row, too, and so have those whose output is damaged, as
+/// failed ones.
 StudyTable make_study_table(const Study& study, const std::vector<StudyRun>& runs, const RunsFolder& folder);
 
 }  // namespace shellmatch

@@ -21,14 +21,18 @@ struct CarriedFiles : ::testing::Test {
   TemporaryFolder tmp;
 
   void match(Space space) {
-    for (const auto& [shape, file] : {std::pair{"generate:ellipsoid/long", "a.ply"}, std::pair{"generate:sphere", "b.ply"}}) {
-      ASSERT_EQ(run_program({"generate", std::string(shape).substr(9), "-o", tmp / "plain.ply", "--force", "--edge-length", "0.05"}).exit_code, 0);
+    for (const auto& [shape, file] :
+         {std::pair{"generate:ellipsoid/long", "a.ply"}, std::pair{"generate:sphere", "b.ply"}}) {
+      ASSERT_EQ(run_program({"generate", std::string(shape).substr(9), "-o", tmp / "plain.ply", "--force",
+                             "--edge-length", "0.05"})
+                    .exit_code,
+                0);
       OriginalShape<3> s = read_points_or_mesh_3d(tmp / "plain.ply");
       s.space = space;
       write_ply(tmp / file, s);
     }
-    const ProgramResult result = run_program({"match", tmp / "a.ply", tmp / "b.ply", "-o", tmp / "out", "--levels", "3:4", "--align", "none",
-                                              "--set", "pictures=none", "-q"});
+    const ProgramResult result = run_program({"match", tmp / "a.ply", tmp / "b.ply", "-o", tmp / "out", "--levels",
+                                              "3:4", "--align", "none", "--set", "pictures=none", "-q"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
   std::string apply(const std::string& from, const std::string& to) {
@@ -52,7 +56,9 @@ TEST_F(CarriedFiles, PointsKeepTheirFrame) {
   put(tmp / "lps.fcsv", "# CoordinateSystem = 1\n# columns = label,x,y,z\na,-0.3,-0.6,0.7\n");
   EXPECT_TRUE(has(apply("lps.fcsv", "lps_moved.fcsv"), "1 point from LPS to RAS"));
   EXPECT_EQ(moved_point("lps_moved.fcsv"), Vec<3>(-y.x(), -y.y(), y.z()));
-  put(tmp / "p.mrk.json", "{\"markups\": [{\"coordinateSystem\": \"LPS\", \"controlPoints\": [{\"label\": \"a\", \"position\": [-0.3, -0.6, 0.7]}]}]}");
+  put(tmp / "p.mrk.json",
+      "{\"markups\": [{\"coordinateSystem\": \"LPS\", \"controlPoints\": [{\"label\": \"a\", \"position\": [-0.3, "
+      "-0.6, 0.7]}]}]}");
   apply("p.mrk.json", "q.mrk.json");
   EXPECT_EQ(moved_point("q.mrk.json"), Vec<3>(-y.x(), -y.y(), y.z()));
   // Points that lie on the shapes as they are: of meshes as Slicer takes them.
@@ -61,7 +67,8 @@ TEST_F(CarriedFiles, PointsKeepTheirFrame) {
   EXPECT_EQ(moved_point("lps_moved.fcsv"), y);
   put(tmp / "inside.fcsv", "# CoordinateSystem = LPS\n# columns = label,x,y,z\na,0.5,0.5,0.5\n");
   EXPECT_TRUE(has(apply("inside.fcsv", "inside_moved.fcsv"), "taken to be LPS, as 3D Slicer does"));
-  const ProgramResult back = run_program({"apply", tmp / "out", tmp / "lps_moved.fcsv", "-o", tmp / "back.fcsv", "--inverse"});
+  const ProgramResult back =
+      run_program({"apply", tmp / "out", tmp / "lps_moved.fcsv", "-o", tmp / "back.fcsv", "--inverse"});
   EXPECT_TRUE(has(back.err, "taken to be LPS, in which")) << back.err;
   EXPECT_LT((moved_point("back.fcsv") - Vec<3>(0.3, 0.6, 0.7)).norm(), 1e-6);
 }
@@ -80,19 +87,24 @@ TEST_F(CarriedFiles, PointsGoOutInTheFormatOfTheName) {
     EXPECT_EQ(file.points[1].space, Space::lps);
   }
   EXPECT_TRUE(has(apply("p.csv", "q.tps"), "without the names of points"));
-  EXPECT_EQ(contents_of(tmp / "q.tps"), fmt::format("LM3=2\n{} {} {}\n{} {} {}\nID=q\nCOMMENT=SPACE=LPS\n", moved[0].x(), moved[0].y(), moved[0].z(),
-                                                    moved[1].x(), moved[1].y(), moved[1].z()));
+  EXPECT_EQ(contents_of(tmp / "q.tps"),
+            fmt::format("LM3=2\n{} {} {}\n{} {} {}\nID=q\nCOMMENT=SPACE=LPS\n", moved[0].x(), moved[0].y(),
+                        moved[0].z(), moved[1].x(), moved[1].y(), moved[1].z()));
   apply("p.csv", "q.txt");
-  EXPECT_TRUE(has(contents_of(tmp / "q.txt"), "[dimensions]\n3\n[names]\nq\n[labels]\nSPACE\n[labelvalues]\nLPS\n[rawpoints]\n'q\n"));
-  // Slicer's points in the other of its formats keep their frame and what is missing, in others they are in that of the map.
-  put(tmp / "r.fcsv", "# CoordinateSystem = RAS\n# columns = label,x,y,z,positionStatus\nnose,-0.3,-0.6,0.7,2\nchin,0,0,0,3\n");
+  EXPECT_TRUE(has(contents_of(tmp / "q.txt"),
+                  "[dimensions]\n3\n[names]\nq\n[labels]\nSPACE\n[labelvalues]\nLPS\n[rawpoints]\n'q\n"));
+  // Slicer's points in the other of its formats keep their frame and what is missing, in others they are in that of the
+  // map.
+  put(tmp / "r.fcsv",
+      "# CoordinateSystem = RAS\n# columns = label,x,y,z,positionStatus\nnose,-0.3,-0.6,0.7,2\nchin,0,0,0,3\n");
   EXPECT_TRUE(has(apply("r.fcsv", "r.mrk.json"), "they are written in their own frame"));
   const SlicerPoints file = read_slicer_points(tmp / "r.mrk.json");
   EXPECT_EQ(file.points[0].space, Space::ras);
   EXPECT_EQ(file.points[0].position, Vec<3>(-moved[0].x(), -moved[0].y(), moved[0].z()));
   EXPECT_FALSE(file.points[1].has_position);
   EXPECT_TRUE(has(apply("r.fcsv", "r.csv"), "1 point without position left out"));
-  EXPECT_EQ(contents_of(tmp / "r.csv"), fmt::format("name,x,y,z\nnose,{},{},{}\n", moved[0].x(), moved[0].y(), moved[0].z()));
+  EXPECT_EQ(contents_of(tmp / "r.csv"),
+            fmt::format("name,x,y,z\nnose,{},{},{}\n", moved[0].x(), moved[0].y(), moved[0].z()));
   EXPECT_TRUE(has(apply("r.fcsv", "r.ply"), "without the names of points"));
   EXPECT_EQ(read_points_or_mesh_3d(tmp / "r.ply").space, Space::lps);
   apply("r.fcsv", "r.tps");
@@ -122,8 +134,8 @@ TEST_F(CarriedFiles, ShapesOfTwoFramesAreBroughtIntoThatOfTheTemplate) {
   change_space(reference.vertices, Space::lps, Space::ras);
   reference.space = Space::ras;
   write_ply(tmp / "a_ras.ply", reference);
-  const ProgramResult result = run_program({"match", tmp / "a_ras.ply", tmp / "b.ply", "-o", tmp / "other", "--levels", "3:4", "--align", "none",
-                                            "--set", "pictures=none"});
+  const ProgramResult result = run_program({"match", tmp / "a_ras.ply", tmp / "b.ply", "-o", tmp / "other", "--levels",
+                                            "3:4", "--align", "none", "--set", "pictures=none"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.err, "from RAS to LPS, the frame of")) << result.err;
   EXPECT_EQ(read_points_or_mesh_3d(tmp / "other/deformed.ply").vertices, same);
@@ -131,12 +143,15 @@ TEST_F(CarriedFiles, ShapesOfTwoFramesAreBroughtIntoThatOfTheTemplate) {
 
 TEST_F(CarriedFiles, WhatAFileHoldsGoesOutInItsFormat) {
   match(Space::unsaid);
-  put(tmp / "a.obj", "# mine\nmtllib m.mtl\nv 0.3 0.6 0.7\nv 0.4 0.6 0.7\nv 0.3 0.5 0.7\nvt 0 0\nvn 0 0 1\ng part\nusemtl skin\nf 1/1/1 2/1/1 3/1/1\n");
+  put(tmp / "a.obj",
+      "# mine\nmtllib m.mtl\nv 0.3 0.6 0.7\nv 0.4 0.6 0.7\nv 0.3 0.5 0.7\nvt 0 0\nvn 0 0 1\ng part\nusemtl skin\nf "
+      "1/1/1 2/1/1 3/1/1\n");
   EXPECT_TRUE(has(apply("a.obj", "b.obj"), "vertex normals dropped"));
   const std::string text = contents_of(tmp / "b.obj");
   EXPECT_EQ(text.find("# mine\nmtllib m.mtl\nv "), 0u) << text;
   EXPECT_TRUE(has(text, "\nvt 0 0\ng part\nusemtl skin\nf 1/1 2/1 3/1\n")) << text;
-  EXPECT_TRUE(has(apply("a.obj", "b.vtp"), "without texture coordinates, groups, materials, which this format does not hold"));
+  EXPECT_TRUE(
+      has(apply("a.obj", "b.vtp"), "without texture coordinates, groups, materials, which this format does not hold"));
   EXPECT_EQ(read_points_or_mesh_3d(tmp / "b.vtp").vertices, read_points_or_mesh_3d(tmp / "b.obj").vertices);
   put(tmp / "p.csv", "name,x,y,z,weight\n\"left, upper\",0.3,0.6,0.7,2\n");
   EXPECT_EQ(apply("p.csv", "q.csv"), "");
@@ -152,10 +167,11 @@ TEST_F(CarriedFiles, AResultThatIsMatchedAgainHasItsColumnsOnce) {
     return names;
   };
   const Words names = names_of("out/deformed.ply");
-  EXPECT_EQ(names, (Words{"distance_to_template", "area_ratio", "template_face", "template_v0", "template_v1", "template_v2", "template_b0",
-                          "template_b1", "template_b2"}));
-  const ProgramResult result = run_program({"match", tmp / "out/deformed.ply", tmp / "out/template.ply", "-o", tmp / "again", "--levels", "3:4", "--align", "none",
-                                            "--set", "pictures=none", "-q"});
+  EXPECT_EQ(names, (Words{"distance_to_template", "area_ratio", "template_face", "template_v0", "template_v1",
+                          "template_v2", "template_b0", "template_b1", "template_b2"}));
+  const ProgramResult result =
+      run_program({"match", tmp / "out/deformed.ply", tmp / "out/template.ply", "-o", tmp / "again", "--levels", "3:4",
+                   "--align", "none", "--set", "pictures=none", "-q"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(names_of("again/deformed.ply"), names);
   EXPECT_EQ(names_of("again/template.ply"), Words{"distance_to_deformed"});

@@ -73,10 +73,12 @@ void Program::send_signal(int signal) const { check(kill(pid_, signal) == 0, "ki
 
 bool Program::wait_for_handler(int signal, std::chrono::milliseconds limit) const {
   const std::string key = "SigCgt:";  // a mask in hexadecimal digits, proc(5)
-  for (const Clock::time_point deadline = Clock::now() + limit; Clock::now() < deadline; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+  for (const Clock::time_point deadline = Clock::now() + limit; Clock::now() < deadline;
+       std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
     std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
     for (std::string line; std::getline(status, line);)
-      if (line.starts_with(key) && (std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1) != 0) return true;
+      if (line.starts_with(key) && (std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1) != 0)
+        return true;
   }
   return false;
 }
@@ -88,7 +90,8 @@ bool Program::collect(Clock::time_point deadline) {
   if (left <= 0) return false;
   // poll() passes over negative descriptors.
   pollfd fds[] = {{out_fd_, POLLIN, 0}, {err_fd_, POLLIN, 0}};
-  if (poll(fds, 2, static_cast<int>(std::min<long>(left, 60000))) <= 0) return errno == EINTR || Clock::now() < deadline;
+  if (poll(fds, 2, static_cast<int>(std::min<long>(left, 60000))) <= 0)
+    return errno == EINTR || Clock::now() < deadline;
   if (fds[0].revents != 0) read_some(out_fd_, result_.out);
   if (fds[1].revents != 0) read_some(err_fd_, result_.err);
   return true;
@@ -143,7 +146,8 @@ ProgramResult run_in_child(const Words& words, const std::function<bool()>& prep
   close(pipe_ends[1]);
   ProgramResult result;
   char buffer[4096];
-  for (ssize_t n = 0; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;) result.err.append(buffer, static_cast<std::size_t>(n));
+  for (ssize_t n = 0; (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0;)
+    result.err.append(buffer, static_cast<std::size_t>(n));
   close(pipe_ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
@@ -152,7 +156,8 @@ ProgramResult run_in_child(const Words& words, const std::function<bool()>& prep
 }
 
 bool obey_permissions() {
-  return geteuid() != 0 || (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0);
+  return geteuid() != 0 ||
+         (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0);
 }
 
 }  // namespace shellmatch

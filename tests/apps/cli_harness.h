@@ -14,9 +14,9 @@ namespace shellmatch {
 using Words = std::vector<std::string>;  ///< of a command line
 
 struct ProgramResult {
-  int exit_code = -1;        ///< 128 + signal where a signal ended it
+  int exit_code = -1;  ///< 128 + signal where a signal ended it
   std::string out, err;
-  bool timed_out = false;    ///< it was killed
+  bool timed_out = false;  ///< it was killed
 };
 
 /// A process that was started; killed and awaited at the latest when this object goes.
@@ -35,7 +35,8 @@ class Program {
   /// Collects its output until it ends or the time is over.
   ProgramResult wait(std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
   /// Collects until `text` has appeared on stderr; false if the program ended or the time was over before.
-  bool wait_for_stderr(const std::string& text, std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
+  bool wait_for_stderr(const std::string& text,
+                       std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
 
  private:
   bool collect(std::chrono::steady_clock::time_point deadline);
@@ -53,7 +54,8 @@ std::string last_line(const std::string& text);
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& folder = "",
                           std::chrono::milliseconds limit = std::chrono::seconds(60 * test::slowdown));
 
-/// Starts the program in a process that `prepare` has changed: limits and rights cannot be taken back. Its exit code (128 + signal) and stderr.
+/// Starts the program in a process that `prepare` has changed: limits and rights cannot be taken back. Its exit code
+/// (128 + signal) and stderr.
 ProgramResult run_in_child(const Words& words, const std::function<bool()>& prepare);
 
 /// For run_in_child(): the rights of root that go beyond those of a file's owner are given up; others have none.

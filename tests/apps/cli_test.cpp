@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 std::string joined(const Words& words) {
   std::string text = "shellmatch";
   for (const std::string& word : words) text += fmt::format(" {}", word.substr(0, 80));
@@ -62,7 +61,8 @@ class Cli : public ::testing::Test {
 };
 
 TEST_F(Cli, EveryCommandHelps) {
-  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient", "self-test", "view", "render", "study", "config"}) {
+  for (const char* command : {"match", "run", "generate", "apply", "inspect", "curvature", "check-gradient",
+                              "self-test", "view", "render", "study", "config"}) {
     SCOPED_TRACE(command);
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -73,7 +73,8 @@ TEST_F(Cli, EveryCommandHelps) {
     // The first page of the manual names it too.
     expect_contains(run_program({"--help"}).out, fmt::format("\n  {} ", command));
   }
-  for (const char* option : {"-o", "--levels", "--placement", "--profile", "--threads", "--set", "-q", "-v", "--force", "--restart"})
+  for (const char* option :
+       {"-o", "--levels", "--placement", "--profile", "--threads", "--set", "-q", "-v", "--force", "--restart"})
     for (const char* command : {"match", "run"}) expect_contains(run_program({command, "--help"}).out, option);
 }
 
@@ -84,10 +85,13 @@ TEST_F(Cli, VersionIsPrinted) {
 }
 
 TEST_F(Cli, MisspeltCommandsAndOptionsGetASuggestion) {
-  expect_refused({}, {"a command is missing", "match, run, study, cohort, generate, apply, inspect, curvature, check-gradient, self-test, view, render, config"});
+  expect_refused({}, {"a command is missing",
+                      "match, run, study, cohort, generate, apply, inspect, curvature, check-gradient, self-test, "
+                      "view, render, config"});
   expect_refused({"mtach", "a", "b"}, {"unknown command mtach", "did you mean match?"});
   expect_refused({"dance"}, {"unknown command dance", "match, run"});
-  expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"}, {"--levls", "did you mean --levels?", "match --help"});
+  expect_refused({"match", "--levls", "3:7", "a", "b", "-o", "out"},
+                 {"--levls", "did you mean --levels?", "match --help"});
   expect_refused({"run", "--thread=4", "a.yaml"}, {"--thread", "did you mean --threads?"});
   expect_refused({"--versoin"}, {"--versoin", "did you mean --version?"});
   expect_refused({"match", "-x", "a", "b", "-o", "out"}, {"unknown option -x"});
@@ -110,10 +114,13 @@ TEST_F(Cli, GenerateListsShapesAndTheirParameters) {
   const ProgramResult all = run_program({"generate", "--list"});
   EXPECT_EQ(all.exit_code, 0) << all.err;
   EXPECT_EQ(all.err, "");
-  for (const char* part : {"sphere (3D): ", "leaf (2D): ", "\n  hand/bent ", "`shellmatch generate NAME --list`"}) expect_contains(all.out, part);
+  for (const char* part : {"sphere (3D): ", "leaf (2D): ", "\n  hand/bent ", "`shellmatch generate NAME --list`"})
+    expect_contains(all.out, part);
   const ProgramResult one = run_program({"generate", "leaf", "--list"});
   EXPECT_EQ(one.exit_code, 0) << one.err;
-  for (const char* part : {"leaf (2D): ", "Variants:\n", "\n  shallow ", "Parameters:\n", "\n  lobes ", "(3 <= x <= 9; default 5)"}) expect_contains(one.out, part);
+  for (const char* part :
+       {"leaf (2D): ", "Variants:\n", "\n  shallow ", "Parameters:\n", "\n  lobes ", "(3 <= x <= 9; default 5)"})
+    expect_contains(one.out, part);
   EXPECT_EQ(one.out.find("sphere"), std::string::npos) << one.out;
 }
 
@@ -127,7 +134,8 @@ TEST_F(Cli, GenerateTakesParametersAndSaysWhichItDoesNotKnow) {
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobs=3"}, {"lobs", "lobes"});
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes"}, {"--set lobes", "parameter=value"});
   expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "=3"}, {"--set =3", "parameter=value"});
-  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes=many"}, {"lobes", "many", "expected a number"});
+  expect_refused({"generate", "leaf", "-o", file, "--force", "--set", "lobes=many"},
+                 {"lobes", "many", "expected a number"});
   EXPECT_EQ(fs::file_size(file), size);
 }
 
@@ -144,7 +152,8 @@ TEST_F(Cli, WrongValuesNameTheOption) {
   expect_refused(match({"--profile", "papre"}), {"--profile papre", "did you mean paper?"});
   expect_refused(match({"--threads", "many"}), {"--threads many", "an integer"});
   expect_refused(match({"--set", "cascade.nuu=3"}), {"--set cascade.nuu=3", "did you mean cascade.nu?"});
-  expect_refused(match({"--set", "cascade.nu=2", "--set", "energy.delta=-1"}), {"--set energy.delta=-1", "out of range"});
+  expect_refused(match({"--set", "cascade.nu=2", "--set", "energy.delta=-1"}),
+                 {"--set energy.delta=-1", "out of range"});
   expect_refused(match({"--set", "nonsense"}), {"--set nonsense", "key.sub=value"});
   expect_refused({"config", "--profile", "defualt"}, {"did you mean default?"});
 }
@@ -156,7 +165,9 @@ TEST_F(Cli, WrongConfigurationsNameFileAndLine) {
   const ProgramResult twice = run_program({"run", write("twice.yaml", "thread: 1\ncascade: {max_levle: 5}\n")});
   EXPECT_EQ(twice.exit_code, 2);
   EXPECT_EQ(std::ranges::count(twice.err, '\n'), 2) << twice.err;
-  EXPECT_TRUE(has(twice.err, "\nshellmatch: error: ") && has(twice.err, "did you mean threads?") && has(twice.err, "twice.yaml:2:")) << twice.err;
+  EXPECT_TRUE(has(twice.err, "\nshellmatch: error: ") && has(twice.err, "did you mean threads?") &&
+              has(twice.err, "twice.yaml:2:"))
+      << twice.err;
   expect_refused({"run", write("no_input.yaml", "threads: 1\n")}, {"no_input.yaml", "input.reference", "missing"});
   expect_refused({"run", write("empty.yaml", "")}, {"empty.yaml", "empty"});
   EXPECT_EQ(n_files(), 4u) << "something was written";
@@ -165,7 +176,8 @@ TEST_F(Cli, WrongConfigurationsNameFileAndLine) {
 // A file that sets all options leaves nothing to a profile, which would only be recorded.
 TEST_F(Cli, AProfileThatChangesNothingIsRefused) {
   const std::string all = write("all.yaml", run_program({"config"}).out), few = write("few.yaml", "threads: 1\n");
-  expect_refused({"run", all, "--profile", "paper"}, {"--profile paper", "all.yaml sets every option in which the profiles differ", "--set"});
+  expect_refused({"run", all, "--profile", "paper"},
+                 {"--profile paper", "all.yaml sets every option in which the profiles differ", "--set"});
   expect_refused({"run", all, "--profile", "default"}, {"input.reference"});
   expect_refused({"run", few, "--profile", "paper"}, {"input.reference"});
 }
@@ -197,15 +209,19 @@ TEST_F(Cli, WhatIsNotFiniteIsNamed) {
 }
 
 TEST_F(Cli, CurvatureWritesItsFolder) {
-  const ProgramResult result =
-      run_program({"curvature", "generate:circle", "-o", "curvature", "--levels", "3:5", "--rings", "3"}, folder_.string());
+  const ProgramResult result = run_program(
+      {"curvature", "generate:circle", "-o", "curvature", "--levels", "3:5", "--rings", "3"}, folder_.string());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   expect_contains(result.out, "against the formula");
-  for (const char* name : {"summary.json", "config.yaml", "curvature.csv", "pictures/scatter.png", "pictures/curvature.png"})
+  for (const char* name :
+       {"summary.json", "config.yaml", "curvature.csv", "pictures/scatter.png", "pictures/curvature.png"})
     EXPECT_GT(fs::file_size(folder_ / "curvature" / name), 0u) << name;
   // It is an output folder like any other: kept, or replaced with --force.
   expect_refused({"curvature", "generate:circle", "-o", "curvature"}, {"not empty", "--force"}, folder_.string());
-  EXPECT_EQ(run_program({"curvature", "generate:box", "-o", "curvature", "--levels", "3:3", "-q", "--force"}, folder_.string()).exit_code, 0);
+  EXPECT_EQ(run_program({"curvature", "generate:box", "-o", "curvature", "--levels", "3:3", "-q", "--force"},
+                        folder_.string())
+                .exit_code,
+            0);
   EXPECT_GT(fs::file_size(folder_ / "curvature" / "curvature.ply"), 0u);
   EXPECT_EQ(n_files(), 1u);
 }
@@ -213,17 +229,21 @@ TEST_F(Cli, CurvatureWritesItsFolder) {
 TEST_F(Cli, CurvatureRefusesWhatItCannotUse) {
   expect_refused({"curvature", "generate:circle"}, {"curvature", "-o DIR"});
   expect_refused({"curvature", "none.ply", "-o", "out"}, {"none.ply"}, folder_.string());
-  expect_refused({"curvature", "generate:circle", "-o", "out", "--rings", "0"}, {"--rings 0", "from 1 to 10"}, folder_.string());
-  expect_refused({"curvature", "generate:circle", "-o", "out", "--degree", "5"}, {"--degree 5", "from 2 to 4"}, folder_.string());
-  expect_refused({"curvature", write("big.csv", "0,0\n9,0\n9,9\n"), "-o", "out", "--placement", "as-is"}, {"big.csv"}, folder_.string());
-  expect_refused({"curvature", "generate:sphere", "-o", "out", "--levels", "3:15"}, {"level 15", "--levels"}, folder_.string(), 3);
+  expect_refused({"curvature", "generate:circle", "-o", "out", "--rings", "0"}, {"--rings 0", "from 1 to 10"},
+                 folder_.string());
+  expect_refused({"curvature", "generate:circle", "-o", "out", "--degree", "5"}, {"--degree 5", "from 2 to 4"},
+                 folder_.string());
+  expect_refused({"curvature", write("big.csv", "0,0\n9,0\n9,9\n"), "-o", "out", "--placement", "as-is"}, {"big.csv"},
+                 folder_.string());
+  expect_refused({"curvature", "generate:sphere", "-o", "out", "--levels", "3:15"}, {"level 15", "--levels"},
+                 folder_.string(), 3);
   EXPECT_EQ(n_files(), 1u) << "something was written";
 }
 
 TEST_F(Cli, HostileWordsEndInAMessage) {
-  for (const Words& words : {Words{""}, Words{"-"}, Words{"--"}, Words{"--", "match"}, Words{"match", ""}, Words{"match", "--set"},
-                             Words{"run", "/"}, Words{std::string(100000, 'x')}, Words{"match", "a", "b", "-o", ""},
-                             Words{"inspect", ""}}) {
+  for (const Words& words :
+       {Words{""}, Words{"-"}, Words{"--"}, Words{"--", "match"}, Words{"match", ""}, Words{"match", "--set"},
+        Words{"run", "/"}, Words{std::string(100000, 'x')}, Words{"match", "a", "b", "-o", ""}, Words{"inspect", ""}}) {
     SCOPED_TRACE(joined(words));
     const ProgramResult result = run_program(words, folder_.string());
     EXPECT_EQ(result.exit_code, 2) << result.err;
@@ -255,9 +275,9 @@ TEST_F(Cli, ConfigOfAProfileIsReadBack) {
 }
 
 TEST_F(Cli, DerivativesOfAnExperimentAreChecked) {
-  const std::string config =
-      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse, placement: as-is}\n"
-                           "cascade: {min_level: 3, max_level: 5}\n");
+  const std::string config = write("circle.yaml",
+                                   "input: {reference: generate:circle, template: generate:ellipse, placement: as-is}\n"
+                                   "cascade: {min_level: 3, max_level: 5}\n");
   const std::string json = (folder_ / "check.json").string();
   const ProgramResult result = run_program({"check-gradient", config, "--level", "4", "--json", json});
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -270,8 +290,9 @@ TEST_F(Cli, DerivativesOfAnExperimentAreChecked) {
 }
 
 TEST_F(Cli, ChecksThatCannotBeMadeSayWhy) {
-  const std::string config =
-      write("circle.yaml", "input: {reference: generate:circle, template: generate:ellipse}\ncascade: {min_level: 3, max_level: 5}\nalign: {mode: none}\n");
+  const std::string config = write("circle.yaml",
+                                   "input: {reference: generate:circle, template: generate:ellipse}\ncascade: "
+                                   "{min_level: 3, max_level: 5}\nalign: {mode: none}\n");
   const auto check = [&](Words words) {
     words.insert(words.begin(), {"check-gradient", config});
     return words;

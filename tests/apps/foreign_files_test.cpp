@@ -27,7 +27,9 @@ Words match(const std::string& out, const Words& more = {}, const std::string& l
   return words;
 }
 
-bool contains_name(const Words& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+bool contains_name(const Words& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 // The files of a folder with their contents.
 std::vector<std::pair<std::string, std::string>> files_in(const TemporaryFolder& folder) {
@@ -62,7 +64,9 @@ TEST(ForeignFiles, WhatIsPutIntoACheckpointStaysWhenTheRunIsDone) {
   stop_in_level_5(match(tmp / "o", {"--set", "resume.min_seconds=0"}, "3:6"));
   put(tmp / "o.unfinished/notes", "years of work");
   put(tmp / "points.csv", "0.1,0.2\n");
-  ASSERT_EQ(run_program({"apply", tmp / "o.unfinished", tmp / "points.csv", "-o", tmp / "o.unfinished/moved.csv"}).exit_code, 0);
+  ASSERT_EQ(
+      run_program({"apply", tmp / "o.unfinished", tmp / "points.csv", "-o", tmp / "o.unfinished/moved.csv"}).exit_code,
+      0);
   const ProgramResult result = run_program(match(tmp / "o", {"--set", "resume.min_seconds=0"}, "3:6"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.err, "going on after level")) << result.err;
@@ -157,7 +161,8 @@ TEST(ForeignFiles, AStudyReplacesNoTablesWhereNoStudyHasRun) {
   put(tmp / "other.yaml", fmt::format(study_text, 0.002));
   const ProgramResult other = run_program({"study", tmp / "other.yaml", "-o", tmp / "own", "-q"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_TRUE(has(other.err, "study.yaml: is not replaced, since it has been written or edited by somebody")) << other.err;
+  EXPECT_TRUE(has(other.err, "study.yaml: is not replaced, since it has been written or edited by somebody"))
+      << other.err;
   EXPECT_EQ(contents_of(tmp / "own/study.yaml"), own);
 }
 
@@ -254,7 +259,8 @@ TEST(ForeignFiles, AStudyThatIsStartedWithSIGCHLDIgnoredKnowsHowItsRunsEnd) {
   put(tmp / "s.yaml", fmt::format(study_text, 0.001));
   run_in_child({"study", tmp / "s.yaml", "-o", tmp / "o", "-q", "--program", "/bin/false"},
                [] { return std::signal(SIGCHLD, SIG_IGN) != SIG_ERR; });
-  EXPECT_TRUE(has(contents_of(tmp / "o/runs/leaf-newton-r1/result.json"), "\"exit_code\": 1")) << contents_of(tmp / "o/runs/leaf-newton-r1/result.json");
+  EXPECT_TRUE(has(contents_of(tmp / "o/runs/leaf-newton-r1/result.json"), "\"exit_code\": 1"))
+      << contents_of(tmp / "o/runs/leaf-newton-r1/result.json");
 }
 
 // As a mount point is, which cannot be renamed either (is_mount_point() has a test of its own).
@@ -288,7 +294,8 @@ TEST(ForeignFiles, FilesOfARunThatCannotBeRemovedStayHidden) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tmp / "."))
     if (entry.is_directory()) fs::permissions(entry, fs::perms(0755));
   for (const fs::directory_entry& entry : fs::directory_iterator(tmp / "."))
-    EXPECT_TRUE(entry.path().filename() == "o" || entry.path().filename().string().starts_with(".o.partial-")) << entry.path();
+    EXPECT_TRUE(entry.path().filename() == "o" || entry.path().filename().string().starts_with(".o.partial-"))
+        << entry.path();
   EXPECT_EQ(run_program(match(out, {"-q", "--force"})).exit_code, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(tmp / "."), fs::directory_iterator()), 1);
 }

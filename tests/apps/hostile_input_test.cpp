@@ -72,13 +72,16 @@ TEST(HostileInput, MessagesShowNoControlCharactersAndAreNotLong) {
   put(tmp / "b.yaml", "threads: " + std::string(400000, 'x') + "\n");
   EXPECT_TRUE(has(refusal({"run", tmp / "b.yaml", "-o", tmp / "o"}), "threads"));
   put(tmp / "c.txt", "0 \x1b]0;title\x07 0.5\n");
-  EXPECT_TRUE(has(refusal(match("generate:circle", tmp / "o", {"--set", "input.correspondence=" + tmp / "c.txt"})), "\\x1b]0;"));
+  EXPECT_TRUE(has(refusal(match("generate:circle", tmp / "o", {"--set", "input.correspondence=" + tmp / "c.txt"})),
+                  "\\x1b]0;"));
   refusal({"inspect", "\x1b[2Jclear\n\x80.ply"});
 }
 
 TEST(HostileInput, AByteOrderMarkIsNoPartOfACorrespondence) {
   const TemporaryFolder tmp;
-  put(tmp / "c.txt", "\xef\xbb\xbf" "0 0.5 0.5\n");
+  put(tmp / "c.txt",
+      "\xef\xbb\xbf"
+      "0 0.5 0.5\n");
   const ProgramResult result =
       run_program(match("generate:circle", tmp / "o", {"-q", "--set", "input.correspondence=" + tmp / "c.txt"}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -86,7 +89,9 @@ TEST(HostileInput, AByteOrderMarkIsNoPartOfACorrespondence) {
 
 TEST(HostileInput, PointsWithoutCoordinatesAreRefused) {
   const TemporaryFolder tmp;
-  put(tmp / "a.ply", std::string("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nend_header\n") + std::string(4, '\0'));
+  put(tmp / "a.ply",
+      std::string("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nend_header\n") +
+          std::string(4, '\0'));
   EXPECT_TRUE(has(refusal({"inspect", tmp / "a.ply"}), "x, y and z"));
 }
 
@@ -119,7 +124,8 @@ TEST(HostileInput, SizesBeyondWhatNumbersHoldAreRefused) {
   for (const double radius : {1e120, 1e-170}) {
     put(tmp / "a.csv", circle(radius, 60, 60));
     EXPECT_TRUE(has(refusal(match(tmp / "a.csv", tmp / "o")), "scale the shape"));
-    put(tmp / "a.obj", fmt::format("v 0 0 0\nv {0} 0 0\nv 0 {0} 0\nv 0 0 {0}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", radius));
+    put(tmp / "a.obj",
+        fmt::format("v 0 0 0\nv {0} 0 0\nv 0 {0} 0\nv 0 0 {0}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", radius));
     EXPECT_TRUE(has(refusal({"inspect", tmp / "a.obj"}), "scale the shape"));
   }
   put(tmp / "a.csv", circle(1e40, 60, 60));
@@ -130,7 +136,8 @@ TEST(HostileInput, AContourThatIsCutOffIsMentioned) {
   const TemporaryFolder tmp;
   put(tmp / "cut.csv", circle(1, 200, 150));
   put(tmp / "whole.csv", circle(1, 200, 200));
-  const ProgramResult cut = run_program({"inspect", tmp / "cut.csv"}), whole = run_program({"inspect", tmp / "whole.csv"});
+  const ProgramResult cut = run_program({"inspect", tmp / "cut.csv"}),
+                      whole = run_program({"inspect", tmp / "whole.csv"});
   EXPECT_EQ(cut.exit_code, 0);
   EXPECT_TRUE(has(cut.out, "ring 1 is closed by a segment of length 1.4")) << cut.out;
   EXPECT_FALSE(has(whole.out, "is closed by")) << whole.out;
@@ -138,14 +145,19 @@ TEST(HostileInput, AContourThatIsCutOffIsMentioned) {
 
 TEST(HostileInput, PipesAreRefusedAndNotWaitedFor) {
   const TemporaryFolder tmp;
-  for (const char* name : {"pipe.ply", "pipe.csv", "pipe.vtu", "pipe.txt"}) ASSERT_EQ(mkfifo((tmp / name).c_str(), 0600), 0);
+  for (const char* name : {"pipe.ply", "pipe.csv", "pipe.vtu", "pipe.txt"})
+    ASSERT_EQ(mkfifo((tmp / name).c_str(), 0600), 0);
   const auto brief = std::chrono::seconds(5);
   EXPECT_TRUE(has(refusal({"inspect", tmp / "pipe.ply"}, brief), "pipe"));
   EXPECT_TRUE(has(refusal(match(tmp / "pipe.csv", tmp / "o"), brief), "pipe"));
-  EXPECT_TRUE(has(refusal(match("generate:circle", tmp / "o", {"--set", "input.correspondence=" + tmp / "pipe.txt"}), brief), "pipe"));
+  EXPECT_TRUE(
+      has(refusal(match("generate:circle", tmp / "o", {"--set", "input.correspondence=" + tmp / "pipe.txt"}), brief),
+          "pipe"));
   EXPECT_TRUE(has(refusal({"apply", tmp / "pipe.vtu", tmp / "pipe.csv", "-o", tmp / "b.csv"}, brief), "no file"));
   EXPECT_TRUE(has(refusal({"generate", "sphere", "-o", tmp / "pipe.ply", "--force"}, brief), "pipe"));
-  put(tmp / "study.yaml", "version: 1\nproblems: {a: {set: {input: {reference: pipe.csv, template: 'generate:ellipse'}}}}\nsolvers: [newton]\n");
+  put(tmp / "study.yaml",
+      "version: 1\nproblems: {a: {set: {input: {reference: pipe.csv, template: 'generate:ellipse'}}}}\nsolvers: "
+      "[newton]\n");
   EXPECT_TRUE(has(refusal({"study", tmp / "study.yaml", "-o", tmp / "s"}, brief), "no file"));
 }
 
@@ -164,7 +176,8 @@ TEST(HostileInput, OneSignalEndsTheWaitForAPipe) {
 TEST(HostileInput, AGridThatCannotFitIsRefusedBeforeStartsAreTriedOnIt) {
   const TemporaryFolder tmp;
   const auto begin = std::chrono::steady_clock::now();
-  const ProgramResult result = run_program({"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / "o", "--levels", "12:12"});
+  const ProgramResult result =
+      run_program({"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / "o", "--levels", "12:12"});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_TRUE(has(result.err, "level 12 needs about")) << result.err;
@@ -190,8 +203,8 @@ TEST(HostileInput, CurvatureClosesWhatMatchCloses) {
 TEST(HostileInput, APoseByTooFewLandmarksNamesTheKey) {
   const TemporaryFolder tmp;
   put(tmp / "points.csv", "vertex1,vertex2\n0,0\n1,1\n");
-  const ProgramResult result =
-      run_program({"match", "generate:sphere", "generate:sphere", "-o", tmp / "o", "--levels", "3:3", "--landmarks", tmp / "points.csv", "--align", "landmarks"});
+  const ProgramResult result = run_program({"match", "generate:sphere", "generate:sphere", "-o", tmp / "o", "--levels",
+                                            "3:3", "--landmarks", tmp / "points.csv", "--align", "landmarks"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(has(result.err, "align.mode: landmarks: a pose needs at least 3")) << result.err;
 }

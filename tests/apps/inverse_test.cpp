@@ -46,8 +46,8 @@ struct AppliedMaps {
     std::ofstream moved(tmp / "moved.csv");
     for (const Vec<2>& x : points(tmp / "sharp.csv")) moved << x[0] + shift[0] << ',' << x[1] + shift[1] << '\n';
     moved.close();
-    run({"match", tmp / "star.csv", tmp / "moved.csv", "-o", tmp / "out", "--levels", "3:5", "--set", "pictures=none", "-q",
-         "--set", "align.mode=rigid", "--set", "align.direction=" + direction});
+    run({"match", tmp / "star.csv", tmp / "moved.csv", "-o", tmp / "out", "--levels", "3:5", "--set", "pictures=none",
+         "-q", "--set", "align.mode=rigid", "--set", "align.direction=" + direction});
     star = points(tmp / "star.csv");
     there = apply("star.csv", "there.csv", {});
     back = apply("there.csv", "back.csv", {"--inverse"});
@@ -80,9 +80,11 @@ TEST_P(ApplyInverse, CarriesPointsBackAndKeepsThePoseWhereAsked) {
 
 TEST(ApplyKeepPose, SaysWhereThereIsNone) {
   const TemporaryFolder tmp;
-  run({"match", "generate:circle", "generate:ellipse", "-o", tmp / "out", "--levels", "3:3", "--set", "pictures=none", "-q", "--align", "none"});
+  run({"match", "generate:circle", "generate:ellipse", "-o", tmp / "out", "--levels", "3:3", "--set", "pictures=none",
+       "-q", "--align", "none"});
   run({"generate", "circle", "-o", tmp / "circle.csv"});
-  const ProgramResult result = run_program({"apply", tmp / "out", tmp / "circle.csv", "-o", tmp / "moved.csv", "--keep-pose"});
+  const ProgramResult result =
+      run_program({"apply", tmp / "out", tmp / "circle.csv", "-o", tmp / "moved.csv", "--keep-pose"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.err.find("changes nothing"), std::string::npos) << result.err;
 }

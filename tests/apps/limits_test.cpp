@@ -20,8 +20,19 @@ using testing::TemporaryFolder;
 using Clock = std::chrono::steady_clock;
 
 Words match(const std::string& out, const std::string& levels, const Words& more = {}) {
-  Words words{"match", "generate:sphere", "generate:ellipsoid/long", "-o", out, "--levels", levels, "--align", "none",
-              "--set", "resume.min_seconds=0", "--set", "pictures=none"};
+  Words words{"match",
+              "generate:sphere",
+              "generate:ellipsoid/long",
+              "-o",
+              out,
+              "--levels",
+              levels,
+              "--align",
+              "none",
+              "--set",
+              "resume.min_seconds=0",
+              "--set",
+              "pictures=none"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -47,15 +58,18 @@ TEST(Limits, EstimatesAreWithinThirtyPercentOfThePeak) {
   struct Case {
     const char *reference, *template_shape, *levels;
   };
-  for (const Case& c : {Case{"generate:sphere", "generate:ellipsoid/long", "3:6"}, Case{"generate:hand", "generate:hand/bent", "3:5"},
-                        Case{"generate:circle", "generate:ellipse/long", "4:9"}}) {
+  for (const Case& c :
+       {Case{"generate:sphere", "generate:ellipsoid/long", "3:6"}, Case{"generate:hand", "generate:hand/bent", "3:5"},
+        Case{"generate:circle", "generate:ellipse/long", "4:9"}}) {
     SCOPED_TRACE(c.reference);
     const TemporaryFolder tmp;
-    const ProgramResult run = run_program({"match", c.reference, c.template_shape, "-o", tmp / "o", "--levels", c.levels, "--align", "none",
-                                           "-q", "--set", "pictures=none", "--set", "solver.stop.max_iterations=2"});
+    const ProgramResult run =
+        run_program({"match", c.reference, c.template_shape, "-o", tmp / "o", "--levels", c.levels, "--align", "none",
+                     "-q", "--set", "pictures=none", "--set", "solver.stop.max_iterations=2"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const MatchSummary s = read_summary(tmp / "o/summary.json");
-    const std::vector<double> estimates = s.run.level_memory_estimates.value(), peaks = s.run.level_memory_peaks.value();
+    const std::vector<double> estimates = s.run.level_memory_estimates.value(),
+                              peaks = s.run.level_memory_peaks.value();
     ASSERT_EQ(estimates.size(), s.levels.size());
     ASSERT_EQ(peaks.size(), s.levels.size());
     for (std::size_t i = 0; i < peaks.size(); ++i) {
@@ -78,7 +92,8 @@ TEST(Limits, EveryCommandKeepsThem) {
   expect_in_time({"curvature", "generate:sphere", "-o", tmp / "c", "--levels", "3:8", "--max-seconds", "1"});
   expect_in_time({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-seconds", "0.05"});
   expect_in_time({"self-test", "--max-seconds", "0.5"});
-  put(tmp / "e.yaml", "input: {reference: 'generate:sphere', template: 'generate:ellipsoid'}\ncascade: {max_level: 7}\n");
+  put(tmp / "e.yaml",
+      "input: {reference: 'generate:sphere', template: 'generate:ellipsoid'}\ncascade: {max_level: 7}\n");
   expect_in_time({"check-gradient", tmp / "e.yaml", "--level", "7", "--max-seconds", "1"});
   EXPECT_EQ(tmp.entries(), Words{"e.yaml"});
 }
@@ -92,7 +107,8 @@ TEST(Limits, AStudyKeepsItsResults) {
   const ProgramResult stopped = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "-q", "--max-seconds", "1"});
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(4));
   EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
-  EXPECT_TRUE(has(stopped.err, "--max-seconds 1 is over: stopped; the same command goes on where it was")) << stopped.err;
+  EXPECT_TRUE(has(stopped.err, "--max-seconds 1 is over: stopped; the same command goes on where it was"))
+      << stopped.err;
   // The runs share the memory; one that needs more is ended, which is its result.
   const ProgramResult small = run_program({"study", tmp / "s.yaml", "-o", tmp / "o", "--max-memory", "60MB"});
   EXPECT_EQ(small.exit_code, 0) << small.err;

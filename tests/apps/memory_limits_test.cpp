@@ -17,8 +17,21 @@ namespace fs = std::filesystem;
 using testing::TemporaryFolder;
 
 Words match(const std::string& out, const std::string& levels) {
-  return {"match", "generate:sphere", "generate:ellipsoid/long", "-o", out, "--levels", levels, "--align", "none",
-          "--set", "resume.min_seconds=0", "--set", "pictures=none", "--max-memory", "180MB"};
+  return {"match",
+          "generate:sphere",
+          "generate:ellipsoid/long",
+          "-o",
+          out,
+          "--levels",
+          levels,
+          "--align",
+          "none",
+          "--set",
+          "resume.min_seconds=0",
+          "--set",
+          "pictures=none",
+          "--max-memory",
+          "180MB"};
 }
 
 TEST(MemoryLimits, ALevelThatDoesNotFitIsNotBegun) {
@@ -26,7 +39,9 @@ TEST(MemoryLimits, ALevelThatDoesNotFitIsNotBegun) {
   const ProgramResult stopped = run_program(match(tmp / "o", "3:7"));
   EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
   const std::string told = last_line(stopped.err);
-  EXPECT_TRUE(has(told, "--max-memory 180MB does not suffice: level ") && has(told, " would need about ") && has(told, "give more")) << told;
+  EXPECT_TRUE(has(told, "--max-memory 180MB does not suffice: level ") && has(told, " would need about ") &&
+              has(told, "give more"))
+      << told;
   EXPECT_TRUE(has(told, "is kept in")) << told;
   EXPECT_FALSE(fs::exists(tmp / "o"));
   const MatchSummary kept = read_summary(tmp / "o.unfinished/summary.json");
@@ -36,12 +51,14 @@ TEST(MemoryLimits, ALevelThatDoesNotFitIsNotBegun) {
   // What cannot suffice for any level is refused before the first.
   const ProgramResult refused = run_program(match(tmp / "p", "3:9"));
   EXPECT_EQ(refused.exit_code, 4) << refused.err;
-  EXPECT_TRUE(has(refused.err, "level 9 would need at least") && has(refused.err, "nothing was written")) << refused.err;
+  EXPECT_TRUE(has(refused.err, "level 9 would need at least") && has(refused.err, "nothing was written"))
+      << refused.err;
 }
 
 TEST(MemoryLimits, ResidentMemoryIsWatchedWhereNothingIsForeseen) {
   const TemporaryFolder tmp;
-  const ProgramResult result = run_program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-memory", "30MB"});
+  const ProgramResult result =
+      run_program({"generate", "hand", "-o", tmp / "h.ply", "--edge-length", "0.003", "--max-memory", "30MB"});
   EXPECT_EQ(result.exit_code, 4) << result.err;
   EXPECT_TRUE(has(result.err, "--max-memory 30MB does not suffice: stopped; nothing was written")) << result.err;
   EXPECT_EQ(tmp.entries(), Words{});

@@ -26,9 +26,10 @@ struct Render : ::testing::Test {
   void SetUp() override {
     if (tmp != nullptr) return;
     tmp = new TemporaryFolder;  // it is named after a test
-    for (const Words& pair : {Words{"generate:circle", "generate:ellipse/long", "plane"}, Words{"generate:sphere", "generate:ellipsoid/long", "space"}})
-      run_program({"match", pair[0], pair[1], "-o", *tmp / pair[2], "--levels", "2:3", "--align", "none", "--set", "pictures=none", "--set", "report=false",
-                   "--set", "input.unit=mm", "-q"});
+    for (const Words& pair : {Words{"generate:circle", "generate:ellipse/long", "plane"},
+                              Words{"generate:sphere", "generate:ellipsoid/long", "space"}})
+      run_program({"match", pair[0], pair[1], "-o", *tmp / pair[2], "--levels", "2:3", "--align", "none", "--set",
+                   "pictures=none", "--set", "report=false", "--set", "input.unit=mm", "-q"});
   }
   static void TearDownTestSuite() { delete tmp; }
 
@@ -48,13 +49,21 @@ struct Render : ::testing::Test {
 TEST_F(Render, EveryChoiceIsAnotherPicture) {
   for (const char* folder : {"plane", "space"}) {
     std::set<std::vector<std::uint8_t>> pictures;
-    const std::vector<Words> choices = {{}, {"--show", "reference"}, {"--show", "template"}, {"--show", "overlay"}, {"--show", "all"}, {"--color", "distance"},
-                                        {"--color", "distortion"}, {"--color", "plain"}, {"--time", "0.5"}};
+    const std::vector<Words> choices = {{},
+                                        {"--show", "reference"},
+                                        {"--show", "template"},
+                                        {"--show", "overlay"},
+                                        {"--show", "all"},
+                                        {"--color", "distance"},
+                                        {"--color", "distortion"},
+                                        {"--color", "plain"},
+                                        {"--time", "0.5"}};
     for (const Words& more : choices) pictures.insert(drawn(folder, more).pixels);
     EXPECT_EQ(pictures.size(), choices.size()) << folder;
     EXPECT_GT(drawn(folder, {"--show", "all"}).width, 3 * 120);
   }
-  EXPECT_NE(drawn("space", {"--azimuth", "0", "--elevation", "0"}).pixels, drawn("space", {"--azimuth", "90", "--elevation", "0"}).pixels);
+  EXPECT_NE(drawn("space", {"--azimuth", "0", "--elevation", "0"}).pixels,
+            drawn("space", {"--azimuth", "90", "--elevation", "0"}).pixels);
 }
 
 // At t = 0 the result is the reference, but for its caption.
@@ -62,7 +71,9 @@ TEST_F(Render, TimeBeginsAtTheReference) {
   for (const char* folder : {"plane", "space"}) {
     const Image begin = drawn(folder, {"--time", "0"}), reference = drawn(folder, {"--show", "reference"});
     ASSERT_EQ(begin.width, reference.width);
-    const auto above_caption = [](const Image& image) { return std::vector<std::uint8_t>(image.pixels.begin(), image.pixels.begin() + 3l * image.width * 130); };
+    const auto above_caption = [](const Image& image) {
+      return std::vector<std::uint8_t>(image.pixels.begin(), image.pixels.begin() + 3l * image.width * 130);
+    };
     EXPECT_EQ(above_caption(begin), above_caption(reference)) << folder;
   }
 }
@@ -80,7 +91,8 @@ TEST_F(Render, WritesVectorFormatsWithUnits) {
 TEST_F(Render, AnimationsAreNumberedPictures) {
   ASSERT_EQ(render("space", "turn", {"--motion", "turntable", "--frames", "4"}).exit_code, 0);
   std::set<std::string> frames;
-  for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"}) frames.insert(contents_of(*tmp / "turn/" + name));
+  for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"})
+    frames.insert(contents_of(*tmp / "turn/" + name));
   EXPECT_EQ(frames.size(), 4u);
   EXPECT_FALSE(fs::exists(*tmp / "turn/frame_0004.png"));
   ASSERT_EQ(render("plane", "morph", {"--motion", "morph", "--frames", "3"}).exit_code, 0);
@@ -91,16 +103,21 @@ TEST_F(Render, AnimationsAreNumberedPictures) {
 
 // At full quality the file has the pixels of the folder.
 TEST_F(Render, AnAnimationIsOneFile) {
-  for (const auto& [folder, motion] : {std::pair{"plane", "morph"}, std::pair{"space", "morph"}, std::pair{"space", "turntable"}}) {
-    ASSERT_EQ(render(folder, "a.webp", {"--motion", motion, "--frames", "5", "--quality", "100", "--seconds", "2"}).exit_code, 0);
+  for (const auto& [folder, motion] :
+       {std::pair{"plane", "morph"}, std::pair{"space", "morph"}, std::pair{"space", "turntable"}}) {
+    ASSERT_EQ(
+        render(folder, "a.webp", {"--motion", motion, "--frames", "5", "--quality", "100", "--seconds", "2"}).exit_code,
+        0);
     ASSERT_EQ(render(folder, "pictures", {"--motion", motion, "--frames", "5"}).exit_code, 0);
     const testing::DecodedAnimation decoded = testing::decoded_animation(contents_of(*tmp / "a.webp"));
     ASSERT_EQ(decoded.pictures.size(), 5u) << folder << " " << motion;
     for (int i = 0; i < 5; ++i)
-      EXPECT_EQ(decoded.pictures[i], read_png(*tmp / ("pictures/frame_000" + std::to_string(i) + ".png"))) << folder << " " << motion << " " << i;
+      EXPECT_EQ(decoded.pictures[i], read_png(*tmp / ("pictures/frame_000" + std::to_string(i) + ".png")))
+          << folder << " " << motion << " " << i;
     // A morph rests half a second at either end.
     const bool is_morph = motion == std::string("morph");
-    EXPECT_EQ(decoded.ends, (is_morph ? std::vector<int>{900, 1300, 1700, 2100, 3000} : std::vector<int>{400, 800, 1200, 1600, 2000}));
+    EXPECT_EQ(decoded.ends, (is_morph ? std::vector<int>{900, 1300, 1700, 2100, 3000}
+                                      : std::vector<int>{400, 800, 1200, 1600, 2000}));
   }
   ASSERT_EQ(render("plane", "b.webp", {"--motion", "morph", "--frames", "10"}).exit_code, 0);
   EXPECT_EQ(testing::decoded_animation(contents_of(*tmp / "b.webp")).ends.back(), 1400) << "25 a second";
@@ -126,14 +143,18 @@ TEST_F(Render, RefusesWhatCannotBeDrawn) {
     Words more;
     std::string words;
   };
-  for (const Case& c : {Case{"plane", "x.gif", {}, "written as .png, .svg, .pdf"}, Case{"plane", "x.png", {"--show", "both"}, "result, reference, template, overlay, all"},
-                        Case{"plane", "x.png", {"--time", "1.5"}, "from 0 to 1"}, Case{"plane", "x", {"--motion", "turntable"}, "in the plane"},
-                        Case{"space", "x.png", {"--frames", "3"}, "--motion"},
-                        Case{"space", "x.webp", {}, "--motion"}, Case{"space", "x.gif", {"--motion", "morph"}, "one file .webp"},
-                        Case{"space", "x", {"--motion", "morph", "--quality", "50"}, ".webp"}, Case{"space", "x.png", {"--seconds", "2"}, "--motion"},
-                        Case{"space", "x.webp", {"--motion", "morph", "--quality", "0"}, "from 1 to 100"},
-                        Case{"space", "x", {"--motion", "spin"}, "morph or turntable"},
-                        Case{"space", "x.png", {"--elevation", "nan"}, "from -90 to 90"}, Case{"nothing", "x.png", {}, "nothing"}}) {
+  for (const Case& c :
+       {Case{"plane", "x.gif", {}, "written as .png, .svg, .pdf"},
+        Case{"plane", "x.png", {"--show", "both"}, "result, reference, template, overlay, all"},
+        Case{"plane", "x.png", {"--time", "1.5"}, "from 0 to 1"},
+        Case{"plane", "x", {"--motion", "turntable"}, "in the plane"},
+        Case{"space", "x.png", {"--frames", "3"}, "--motion"}, Case{"space", "x.webp", {}, "--motion"},
+        Case{"space", "x.gif", {"--motion", "morph"}, "one file .webp"},
+        Case{"space", "x", {"--motion", "morph", "--quality", "50"}, ".webp"},
+        Case{"space", "x.png", {"--seconds", "2"}, "--motion"},
+        Case{"space", "x.webp", {"--motion", "morph", "--quality", "0"}, "from 1 to 100"},
+        Case{"space", "x", {"--motion", "spin"}, "morph or turntable"},
+        Case{"space", "x.png", {"--elevation", "nan"}, "from -90 to 90"}, Case{"nothing", "x.png", {}, "nothing"}}) {
     const ProgramResult result = render(c.folder, c.output, c.more);
     EXPECT_EQ(result.exit_code, 2) << c.words;
     EXPECT_TRUE(has(result.err, c.words)) << result.err;
@@ -142,7 +163,8 @@ TEST_F(Render, RefusesWhatCannotBeDrawn) {
 }
 
 TEST_F(Render, AnAnimationLargerThanTheFormatIsRefusedBeforeItIsDrawn) {
-  const ProgramResult result = run_program({"render", *tmp / "space", "-o", *tmp / "large.webp", "--motion", "morph", "--size", "6000", "--show", "all"});
+  const ProgramResult result = run_program(
+      {"render", *tmp / "space", "-o", *tmp / "large.webp", "--motion", "morph", "--size", "6000", "--show", "all"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(has(result.err, "--size 6000: pictures of an animation end at 16383")) << result.err;
   EXPECT_FALSE(fs::exists(*tmp / "large.webp"));
@@ -159,7 +181,8 @@ TEST_F(Render, RefusesAnotherReference) {
   const TemporaryFolder other;
   run_program({"generate", "circle", "-o", other / "a.csv"});
   run_program({"generate", "ellipse", "-o", other / "b.csv"});
-  run_program({"match", other / "a.csv", other / "b.csv", "-o", other / "o", "--levels", "3:3", "--align", "none", "--set", "pictures=none", "-q"});
+  run_program({"match", other / "a.csv", other / "b.csv", "-o", other / "o", "--levels", "3:3", "--align", "none",
+               "--set", "pictures=none", "-q"});
   const std::string whole = contents_of(other / "a.csv");
   put(other / "a.csv", "0,0\n1,0\n1,1\n");
   const ProgramResult result = run_program({"render", other / "o", "-o", other / "x.png"});
@@ -168,7 +191,8 @@ TEST_F(Render, RefusesAnotherReference) {
   // The same number of vertices does not suffice.
   std::istringstream points(whole);
   std::string turned, x, y;
-  while (std::getline(points, x, ',') && std::getline(points, y)) turned += x.starts_with('#') || x == "x" ? "" : fmt::format("{},{}\n", 2 * std::stod(x), y);
+  while (std::getline(points, x, ',') && std::getline(points, y))
+    turned += x.starts_with('#') || x == "x" ? "" : fmt::format("{},{}\n", 2 * std::stod(x), y);
   put(other / "a.csv", turned);
   const ProgramResult moved = run_program({"render", other / "o", "-o", other / "x.png"});
   EXPECT_EQ(moved.exit_code, 2);

@@ -20,8 +20,8 @@ using testing::TemporaryFolder;
 
 // Pictures, which take a second in all, leave the time to send a signal.
 Words match(const std::string& out, const Words& more = {}) {
-  Words words{"match", "generate:circle", "generate:ellipse/long", "-o", out, "--levels", "3:6", "--align", "none",
-              "--set", "resume.min_seconds=0", "--set", "pictures=all"};
+  Words words{"match", "generate:circle", "generate:ellipse/long", "-o",    out,           "--levels", "3:6", "--align",
+              "none",  "--set",           "resume.min_seconds=0",  "--set", "pictures=all"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -51,7 +51,8 @@ TEST(StoppedRun, SignalsAreToldInOneLineAndTheSameCommandGoesOn) {
     const std::size_t at = stopped.err.find("shellmatch: stopped in level ");
     ASSERT_NE(at, std::string::npos) << stopped.err;
     EXPECT_EQ(stopped.err.find('\n', at), stopped.err.size() - 1) << "more than one line: " << stopped.err.substr(at);
-    EXPECT_NE(stopped.err.find("out.unfinished: the same command goes on from there", at), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("out.unfinished: the same command goes on from there", at), std::string::npos)
+        << stopped.err;
     EXPECT_EQ(stopped.out, "");
 
     const ProgramResult resumed = run_program(match(tmp / "out"));
@@ -100,7 +101,8 @@ TEST(StoppedRun, TwoRunsOfOneNameDoNotMeet) {
 // In the middle of a loop over the nodes of a large grid, seconds away from the next iteration.
 TEST(StoppedRun, LongWorkIsLeftWithinASecond) {
   const TemporaryFolder tmp;
-  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "out", "--levels", "6:6", "--align", "none", "-v"});
+  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "out", "--levels", "6:6",
+                   "--align", "none", "-v"});
   ASSERT_TRUE(program.wait_for_stderr("matching ("));
   usleep(300000);
   const auto begin = std::chrono::steady_clock::now();

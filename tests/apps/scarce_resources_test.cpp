@@ -1,5 +1,5 @@
-// Where memory is scarce, the program says so and leaves nothing (tests/faults disturbs it in many more ways). Sanitizers have memory
-// of their own, so that this file is not built with them.
+// Where memory is scarce, the program says so and leaves nothing (tests/faults disturbs it in many more ways).
+// Sanitizers have memory of their own, so that this file is not built with them.
 
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
@@ -55,7 +55,9 @@ solvers: [newton]
       // Fontconfig says something itself before it.
       const std::size_t error = result.err.find("shellmatch: error: ");
       EXPECT_TRUE(error != std::string::npos && result.err.find('\n', error) == result.err.size() - 1) << result.err;
-      EXPECT_TRUE(has(result.err, "not enough memory") || has(result.err, "no further thread") || has(result.err, "Cannot allocate memory")) << result.err;
+      EXPECT_TRUE(has(result.err, "not enough memory") || has(result.err, "no further thread") ||
+                  has(result.err, "Cannot allocate memory"))
+          << result.err;
     }
     n_refused += result.exit_code == 3;
     n_done += result.exit_code == 0 && !has(result.err, "is missing");
@@ -68,18 +70,40 @@ solvers: [newton]
     EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, WantOfMemory,
-                         ::testing::Values("match generate:circle generate:ellipse --levels 3:4 --align none --set threads=1 --set pictures=result",
-                                           "match generate:circle generate:ellipse --levels 3:4 --align none --set threads=3 --set pictures=none",
-                                           "curvature generate:circle --levels 3:4 --set threads=1", "study STUDY"));
+INSTANTIATE_TEST_SUITE_P(
+    Commands, WantOfMemory,
+    ::testing::Values(
+        "match generate:circle generate:ellipse --levels 3:4 --align none --set threads=1 --set pictures=result",
+        "match generate:circle generate:ellipse --levels 3:4 --align none --set threads=3 --set pictures=none",
+        "curvature generate:circle --levels 3:4 --set threads=1", "study STUDY"));
 
 // The factor of a metric is made by a library in C, whose loops ask for threads as well.
 TEST(Factor, WantOfMemoryIsALimitWhereTheUserHasSetOne) {
   const TemporaryFolder tmp;
-  const Words words{"match", "generate:sphere", "generate:ellipsoid", "--levels", "4:4", "--align", "none", "--set", "solver.name=lbfgs", "--set",
-                    "solver.metric=h1", "--set", "solver.fallback=[]", "--set", "solver.stop.max_iterations=1", "--set", "pictures=none", "--threads", "1",
-                    "-q", "-o", tmp / "o"};
-  // Whether it ends in the factor, with this exit code and text wherever it ends, as the memory grows up to what suffices.
+  const Words words{"match",
+                    "generate:sphere",
+                    "generate:ellipsoid",
+                    "--levels",
+                    "4:4",
+                    "--align",
+                    "none",
+                    "--set",
+                    "solver.name=lbfgs",
+                    "--set",
+                    "solver.metric=h1",
+                    "--set",
+                    "solver.fallback=[]",
+                    "--set",
+                    "solver.stop.max_iterations=1",
+                    "--set",
+                    "pictures=none",
+                    "--threads",
+                    "1",
+                    "-q",
+                    "-o",
+                    tmp / "o"};
+  // Whether it ends in the factor, with this exit code and text wherever it ends, as the memory grows up to what
+  // suffices.
   const auto ends_in_factor = [&](const Words& all, int code, const std::string& text) {
     bool found = false;
     for (std::size_t megabytes = 28; megabytes < 400; megabytes += 4) {
@@ -88,7 +112,9 @@ TEST(Factor, WantOfMemoryIsALimitWhereTheUserHasSetOne) {
       EXPECT_EQ(result.exit_code, code) << megabytes << " MB: " << result.err;
       EXPECT_TRUE(has(result.err, text)) << result.err;
       EXPECT_EQ(tmp.entries(), Words{});
-      found = found || has(result.err, "there is not enough memory for the factor of the metric on 4913 nodes; use solver.metric l2");
+      found =
+          found || has(result.err,
+                       "there is not enough memory for the factor of the metric on 4913 nodes; use solver.metric l2");
     }
     return false;
   };
@@ -113,9 +139,11 @@ TEST(RayCaster, WantOfMemoryIsToldAsSuch) {
   std::string told;
   for (rlim_t megabytes = least; megabytes < least + 400; megabytes += 5) {
     // Without alignment, which would need more memory than the ray caster.
-    const ProgramResult result = run_within(megabytes, {"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / std::to_string(megabytes), "--levels",
-                                                        "2:2", "--align", "none", "--set", "report=false"});
-    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3) << megabytes << " MB: " << result.exit_code << " " << result.err;
+    const ProgramResult result =
+        run_within(megabytes, {"match", "generate:sphere", "generate:ellipsoid", "-o", tmp / std::to_string(megabytes),
+                               "--levels", "2:2", "--align", "none", "--set", "report=false"});
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 3)
+        << megabytes << " MB: " << result.exit_code << " " << result.err;
     EXPECT_FALSE(has(result.err, "Embree error")) << result.err;
     told += result.err;
     if (has(told, "to draw a picture") || (result.exit_code == 0 && !has(result.err, "memory"))) break;

@@ -21,7 +21,8 @@ TEST(SelfTestCommand, PassesWithinSeconds) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_FALSE(has(result.out, "FAILED")) << result.out;
-  for (const char* group : {"closed forms", "gradients, 2D", "gradients, 3D", "folds, 2D", "folds, 3D", "match, 2D", "match, 3D"})
+  for (const char* group :
+       {"closed forms", "gradients, 2D", "gradients, 3D", "folds, 2D", "folds, 3D", "match, 2D", "match, 3D"})
     EXPECT_TRUE(has(result.out, group)) << group;
   EXPECT_GE(std::ranges::count(result.out, '\n'), 25);
 }

@@ -54,8 +54,8 @@ TEST(Signals, OneThatIsIgnoredStaysIgnored) {
 
 TEST(Signals, TheEndOfTheTerminalStopsARunInOrder) {
   const TemporaryFolder tmp;
-  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7", "--align", "none", "--set",
-                   "resume.min_seconds=0", "--set", "pictures=none"});
+  Program program({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7", "--align",
+                   "none", "--set", "resume.min_seconds=0", "--set", "pictures=none"});
   ASSERT_TRUE(program.wait_for_stderr("level 4/7"));
   program.send_signal(SIGHUP);
   const ProgramResult stopped = program.wait();

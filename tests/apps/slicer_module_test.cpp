@@ -1,4 +1,5 @@
-// What `--xml` prints obeys the rules of 3D Slicer's ModuleDescriptionParser, and the program understands what Slicer calls it with.
+// What `--xml` prints obeys the rules of 3D Slicer's ModuleDescriptionParser, and the program understands what Slicer
+// calls it with.
 
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
@@ -80,14 +81,22 @@ TEST_P(SlicerModule, ObeysTheRulesOfTheParser) {
   const Element root = module_of(GetParam());
   EXPECT_EQ(root.tag, "executable");
   // The schema's order.
-  const std::vector<std::string> head = {"category", "title", "description", "version", "documentation-url", "license", "contributor", "parameters"};
+  const std::vector<std::string> head = {"category",          "title",   "description", "version",
+                                         "documentation-url", "license", "contributor", "parameters"};
   ASSERT_GE(root.children.size(), head.size());
-  for (std::size_t k = 0; k < root.children.size(); ++k) EXPECT_EQ(root.children[k].tag, head[std::min(k, head.size() - 1)]);
+  for (std::size_t k = 0; k < root.children.size(); ++k)
+    EXPECT_EQ(root.children[k].tag, head[std::min(k, head.size() - 1)]);
   static const std::regex variable("[A-Za-z_][A-Za-z0-9_]*");
   static const std::map<std::string, std::regex> attributes = {
-      {"integer", std::regex("")}, {"boolean", std::regex("")}, {"string", std::regex("( multiple=\"true\")?")}, {"string-enumeration", std::regex("")},
-      {"directory", std::regex("")}, {"file", std::regex(" fileExtensions=\"[a-z.,]+\"")}, {"geometry", std::regex(" fileExtensions=\"[a-z.,]+\"")}};
-  static const std::set<std::string> inner = {"name", "index", "longflag", "label", "description", "channel", "default", "element", "constraints"};
+      {"integer", std::regex("")},
+      {"boolean", std::regex("")},
+      {"string", std::regex("( multiple=\"true\")?")},
+      {"string-enumeration", std::regex("")},
+      {"directory", std::regex("")},
+      {"file", std::regex(" fileExtensions=\"[a-z.,]+\"")},
+      {"geometry", std::regex(" fileExtensions=\"[a-z.,]+\"")}};
+  static const std::set<std::string> inner = {"name",    "index",   "longflag", "label",      "description",
+                                              "channel", "default", "element",  "constraints"};
   std::set<std::string> names;
   int index = 0;
   for (const Element& p : parameters_of(root)) {
@@ -100,7 +109,8 @@ TEST_P(SlicerModule, ObeysTheRulesOfTheParser) {
     EXPECT_NE(p.text_of("label"), "");
     EXPECT_NE(p.text_of("description"), "");
     EXPECT_NE(p.child("index") == nullptr, p.child("longflag") == nullptr) << "either of both";
-    const bool has_index = p.child("index") != nullptr, is_file = p.tag == "file" || p.tag == "geometry" || p.tag == "directory";
+    const bool has_index = p.child("index") != nullptr,
+               is_file = p.tag == "file" || p.tag == "geometry" || p.tag == "directory";
     EXPECT_EQ(p.text_of("index"), has_index ? std::to_string(index++) : "");
     EXPECT_TRUE(has_index || std::regex_match(p.text_of("longflag"), variable));
     EXPECT_TRUE(!is_file || p.text_of("channel") == "input" || p.text_of("channel") == "output");
@@ -117,10 +127,12 @@ std::vector<std::string> called(const std::string& command, const std::map<std::
   for (const Element& p : parameters_of(module_of(command))) {
     const std::string name = p.text_of("name"), value = given.contains(name) ? given.at(name) : p.text_of("default");
     if (p.child("index")) last.push_back(value);
-    else if (p.tag == "boolean") { if (value == "true") words.push_back("--" + p.text_of("longflag")); }
-    else if (p.attributes.find("multiple") != std::string::npos) {
+    else if (p.tag == "boolean") {
+      if (value == "true") words.push_back("--" + p.text_of("longflag"));
+    } else if (p.attributes.find("multiple") != std::string::npos) {
       std::istringstream parts(value);
-      for (std::string part; std::getline(parts, part, ',');) words.insert(words.end(), {"--" + p.text_of("longflag"), part});
+      for (std::string part; std::getline(parts, part, ',');)
+        words.insert(words.end(), {"--" + p.text_of("longflag"), part});
     } else if (!value.empty()) words.insert(words.end(), {"--" + p.text_of("longflag"), value});
   }
   words.insert(words.end(), last.begin(), last.end());
@@ -130,15 +142,28 @@ std::vector<std::string> called(const std::string& command, const std::map<std::
 TEST(SlicerModules, AreCalledAsTheyDescribeThemselves) {
   const TemporaryFolder tmp;
   for (const char* shape : {"ellipsoid/long", "sphere"})
-    ASSERT_EQ(run_program({"generate", shape, "-o", tmp / (std::string(shape) == "sphere" ? "b.ply" : "a.ply"), "--edge-length", "0.05"}).exit_code, 0);
+    ASSERT_EQ(run_program({"generate", shape, "-o", tmp / (std::string(shape) == "sphere" ? "b.ply" : "a.ply"),
+                           "--edge-length", "0.05"})
+                  .exit_code,
+              0);
   testing::put(tmp / "a.csv", "name,x,y,z\ntop,0.5,0.5,0.8\n");
-  ProgramResult result = run_program(called("match", {{"reference", tmp / "a.ply"}, {"template", tmp / "b.ply"}, {"output", tmp / "out"}, {"levels", "3:4"},
-                                                      {"align", "none"}, {"set", "pictures=none,vertex_table=true"}, {"quiet", "true"}, {"max_seconds", "500"}}));
+  ProgramResult result = run_program(called("match", {{"reference", tmp / "a.ply"},
+                                                      {"template", tmp / "b.ply"},
+                                                      {"output", tmp / "out"},
+                                                      {"levels", "3:4"},
+                                                      {"align", "none"},
+                                                      {"set", "pictures=none,vertex_table=true"},
+                                                      {"quiet", "true"},
+                                                      {"max_seconds", "500"}}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(tmp / "out/deformed.ply"));
-  EXPECT_EQ(testing::contents_of(tmp / "out/deformed.csv").find("x,y,z,distance_to_template,area_ratio,template_face,template_v0"), 0u);
+  EXPECT_EQ(testing::contents_of(tmp / "out/deformed.csv")
+                .find("x,y,z,distance_to_template,area_ratio,template_face,template_v0"),
+            0u);
   EXPECT_EQ(testing::contents_of(tmp / "out/template.csv").find("x,y,z,distance_to_deformed"), 0u);
-  result = run_program(called("apply", {{"dir", tmp / "out"}, {"file", tmp / "a.csv"}, {"output", tmp / "moved.mrk.json"}, {"keep_pose", "true"}}));
+  result = run_program(called(
+      "apply",
+      {{"dir", tmp / "out"}, {"file", tmp / "a.csv"}, {"output", tmp / "moved.mrk.json"}, {"keep_pose", "true"}}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(tmp / "moved.mrk.json"));
   // The flags that only differ by '_' are those with '-'.
@@ -147,7 +172,8 @@ TEST(SlicerModules, AreCalledAsTheyDescribeThemselves) {
 }
 
 TEST(SlicerModules, AreSingleCommands) {
-  const ProgramResult whole = run_program({"--xml"}), other = run_program({"inspect", "--xml"}), more = run_program({"match", "a", "b", "--xml"});
+  const ProgramResult whole = run_program({"--xml"}), other = run_program({"inspect", "--xml"}),
+                      more = run_program({"match", "a", "b", "--xml"});
   EXPECT_EQ(whole.exit_code, 2);
   EXPECT_TRUE(has(whole.err, "shellmatch match --xml or shellmatch apply --xml")) << whole.err;
   EXPECT_EQ(other.exit_code, 2);

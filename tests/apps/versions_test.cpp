@@ -45,12 +45,15 @@ TEST(Versions, AreThoseOfTheLinkedLibraries) {
   EXPECT_TRUE(has(verbose.out, "\nlicence: GPL-3.0-or-later\n"));
   EXPECT_GE(linked_libraries().size(), 24u);
   for (const LinkedLibrary& library : linked_libraries()) {
-    EXPECT_TRUE(has(verbose.out, library.name) && has(verbose.out, library.version) && has(verbose.out, library.licence)) << library.name;
+    EXPECT_TRUE(has(verbose.out, library.name) && has(verbose.out, library.version) &&
+                has(verbose.out, library.licence))
+        << library.name;
     EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(library.version[0]))) << library.name << " " << library.version;
   }
 }
 
-// CMake packages of other libraries may put all of VTK, with Qt, Java, Python and MPI, among what is linked (ITK 5.4 does).
+// CMake packages of other libraries may put all of VTK, with Qt, Java, Python and MPI, among what is linked (ITK 5.4
+// does).
 TEST(Versions, NothingIsLinkedThatIsNotNeeded) {
   const std::string command = std::string("LD_TRACE_LOADED_OBJECTS=1 '") + SHELLMATCH_PROGRAM + "'";
   const std::unique_ptr<FILE, int (*)(FILE*)> listing(popen(command.c_str(), "r"), pclose);
@@ -60,7 +63,8 @@ TEST(Versions, NothingIsLinkedThatIsNotNeeded) {
   for (char line[4096]; std::fgets(line, sizeof line, listing.get()); ++n_lines) all += line;
   EXPECT_GT(n_lines, 20);
   EXPECT_LT(n_lines, 130) << all;
-  for (const char* name : {"libQt", "libjvm", "libpython", "libmpi", "libvtkRendering"}) EXPECT_FALSE(has(all, name)) << all;
+  for (const char* name : {"libQt", "libjvm", "libpython", "libmpi", "libvtkRendering"})
+    EXPECT_FALSE(has(all, name)) << all;
 }
 
 TEST(Versions, SayWhichVectorCodeRuns) {
@@ -83,7 +87,8 @@ TEST(Versions, LicencesAreThoseOfTheDocument) {
     ++n_rows;
     const auto cells = cells_of(line);
     ASSERT_EQ(cells.size(), 4u) << line;
-    const auto known = std::ranges::find_if(linked_libraries(), [&](const LinkedLibrary& l) { return cells[0].starts_with(l.name); });
+    const auto known =
+        std::ranges::find_if(linked_libraries(), [&](const LinkedLibrary& l) { return cells[0].starts_with(l.name); });
     ASSERT_NE(known, linked_libraries().end()) << cells[0];
     EXPECT_TRUE(cells[2].starts_with(known->licence)) << cells[2] << " and " << known->licence;
     EXPECT_EQ(cells[3], known->binds) << cells[0];

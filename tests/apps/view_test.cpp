@@ -19,7 +19,10 @@ using testing::put;
 using testing::TemporaryFolder;
 
 struct View : ::testing::Test {
-  View() { run_program({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:3", "--align", "none", "--set", "pictures=none", "-q"}); }
+  View() {
+    run_program({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:3", "--align", "none",
+                 "--set", "pictures=none", "-q"});
+  }
   const TemporaryFolder tmp;
   const std::string page = fs::canonical(tmp / ".").string() + "/o/report.html";
 };
@@ -27,7 +30,8 @@ struct View : ::testing::Test {
 // An xdg-open of ours, which keeps what it is given.
 Words with_desktop(const TemporaryFolder& tmp, const std::string& display) {
   fs::create_directories(tmp / "bin");
-  put(tmp / "bin/xdg-open", "#!/bin/sh\nprintf '%s' \"$1\" > " + (tmp / "opened.new") + "\nmv " + (tmp / "opened.new") + " " + (tmp / "opened") + "\n");
+  put(tmp / "bin/xdg-open", "#!/bin/sh\nprintf '%s' \"$1\" > " + (tmp / "opened.new") + "\nmv " + (tmp / "opened.new") +
+                                " " + (tmp / "opened") + "\n");
   fs::permissions(tmp / "bin/xdg-open", fs::perms::owner_all);
   return {"PATH=" + (tmp / "bin") + ":" + std::getenv("PATH"), "DISPLAY=" + display, "WAYLAND_DISPLAY="};
 }
@@ -68,8 +72,10 @@ TEST_F(View, SaysWhatToOpenWhereThereIsNone) {
 TEST_F(View, RefusesWhatHasNoPage) {
   fs::remove(page);
   fs::create_directories(tmp / "empty");
-  for (const auto& [what, words] : {std::pair<std::string, std::string>{tmp / "o", "report=true"}, {tmp / "empty", "not the output folder of a run"},
-                                    {tmp / "gone", "is not there"}, {tmp / "o/summary.json", "is no report"}}) {
+  for (const auto& [what, words] : {std::pair<std::string, std::string>{tmp / "o", "report=true"},
+                                    {tmp / "empty", "not the output folder of a run"},
+                                    {tmp / "gone", "is not there"},
+                                    {tmp / "o/summary.json", "is no report"}}) {
     const ProgramResult result = run_program({"view", what, "--print"});
     EXPECT_EQ(result.exit_code, 2) << what;
     EXPECT_TRUE(has(result.err, words)) << result.err;

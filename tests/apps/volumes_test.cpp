@@ -35,13 +35,16 @@ const VoxelGrid turned = grid_over({-12, 30, 4}, {1, 1, 1}, {28, 24, 22}, {true,
 // Two lobes of two labels; the template's are bent and thicker.
 double lobes(const Vec<3>& x, double bend, double thick) {
   const Vec<3> p(x[0] - 1.7, x[1] - 41.2 - bend * std::pow(x[0] - 1.7, 2), x[2] - 14.6);
-  const bool is_in = std::pow(p[0] / 10.3, 2) + std::pow(p[1] / (5.1 + thick), 2) + std::pow(p[2] / (4.4 + 0.15 * p[0]), 2) < 1;
+  const bool is_in =
+      std::pow(p[0] / 10.3, 2) + std::pow(p[1] / (5.1 + thick), 2) + std::pow(p[2] / (4.4 + 0.15 * p[0]), 2) < 1;
   return !is_in ? 0 : p[0] < 1 ? 1 : 2;
 }
 double in_reference(const Vec<3>& x) { return lobes(x, 0, 0); }
 double in_template(const Vec<3>& x) { return lobes(x, 0.02, 1); }
 
-void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size())); }
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
 
 ProgramResult run(const std::vector<std::string>& words) {
   ProgramResult result = run_program(words);
@@ -49,13 +52,17 @@ ProgramResult run(const std::vector<std::string>& words) {
   return result;
 }
 
-void match(const std::string& reference, const std::string& target, const std::string& output, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{"match", reference, target, "-o", output, "--levels", "3:4", "--set", "pictures=none", "--align", "none", "-q"};
+void match(const std::string& reference, const std::string& target, const std::string& output,
+           const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"match", reference, target,          "-o",      output, "--levels",
+                                 "3:4",   "--set",   "pictures=none", "--align", "none", "-q"};
   words.insert(words.end(), more.begin(), more.end());
   run(words);
 }
 
-std::vector<Vec<3>> deformed(const std::string& folder) { return read_points_or_mesh_3d(folder + "/deformed.ply").vertices; }
+std::vector<Vec<3>> deformed(const std::string& folder) {
+  return read_points_or_mesh_3d(folder + "/deformed.ply").vertices;
+}
 
 double largest_distance(const std::vector<Vec<3>>& a, const std::vector<Vec<3>>& b) {
   EXPECT_EQ(a.size(), b.size());
@@ -119,8 +126,9 @@ TEST_F(Volumes, AMeshInLpsAndAVolumeLieInOnePlace) {
   for (std::size_t v = 0; v < a.values.size(); ++v) n_different += a.values[v] != b.values[v];
   EXPECT_LT(n_different, 40u);
   // The user's word counts more than the mesh's, which is converted.
-  const ProgramResult result = run_program({"match", other / "slicer.ply", *tmp / "b.nii", "-o", other / "ras", "--levels", "3:3", "--set", "pictures=none", "--align",
-                                            "none", "--set", "input.space=ras"});
+  const ProgramResult result =
+      run_program({"match", other / "slicer.ply", *tmp / "b.nii", "-o", other / "ras", "--levels", "3:3", "--set",
+                   "pictures=none", "--align", "none", "--set", "input.space=ras"});
   EXPECT_NE(result.err.find("slicer.ply: from LPS to RAS"), std::string::npos) << result.err;
   EXPECT_EQ(read_deformation<3>(other / "ras").space, Space::ras);
 }
@@ -138,15 +146,21 @@ TEST_F(Volumes, LabelsAreCarriedOntoTheTemplate) {
   EXPECT_GT(2 * both / sum, 0.97);
   // A label's surface is carried as a mesh.
   run({"apply", *tmp / "out", *tmp / "a.nii:2", "-o", *tmp / "second.ply"});
-  EXPECT_EQ(read_points_or_mesh_3d(*tmp / "second.ply").vertices.size(), volume_shape({*tmp / "a.nii", {{2}, 0}}, "a", Space::ras).original.vertices.size());
+  EXPECT_EQ(read_points_or_mesh_3d(*tmp / "second.ply").vertices.size(),
+            volume_shape({*tmp / "a.nii", {{2}, 0}}, "a", Space::ras).original.vertices.size());
 }
 
 TEST_F(Volumes, GreyValuesArePulledBackExactly) {
   const Deformation<3> map = read_deformation<3>(*tmp / "out");
   for (const bool inverse : {false, true}) {
     // The value is a coordinate of the place that it comes from.
-    write_volume(*tmp / "grey.nrrd", volume_of(grid_over({-20, 20, -5}, {2, 2, 2}, {25, 25, 25}, {true, false, true}), [](const Vec<3>& x) { return x[1] + 0.53 * x[0]; }, VoxelType::float64), Existing::is_replaced);
-    std::vector<std::string> words{"apply", *tmp / "out", *tmp / "grey.nrrd", "-o", *tmp / "pulled.mha", "--like", *tmp / "a.nii", "--force"};
+    write_volume(*tmp / "grey.nrrd",
+                 volume_of(
+                     grid_over({-20, 20, -5}, {2, 2, 2}, {25, 25, 25}, {true, false, true}),
+                     [](const Vec<3>& x) { return x[1] + 0.53 * x[0]; }, VoxelType::float64),
+                 Existing::is_replaced);
+    std::vector<std::string> words{"apply",  *tmp / "out",   *tmp / "grey.nrrd", "-o", *tmp / "pulled.mha",
+                                   "--like", *tmp / "a.nii", "--force"};
     if (inverse) words.push_back("--inverse");
     run(words);
     const Volume pulled = read_volume(*tmp / "pulled.mha");
@@ -170,7 +184,8 @@ TEST(VolumeFrames, AreItks) {
   oblique.axes = Eigen::AngleAxisd(0.6, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * oblique.axes;
   for (const bool left_handed : {false, true}) {
     if (left_handed) oblique.axes.col(1) *= -1;
-    const Volume volume = volume_of(oblique, [](const Vec<3>& x) { return std::round(100 * x[0] + 7 * x[1] - x[2]); }, VoxelType::int16);
+    const Volume volume = volume_of(
+        oblique, [](const Vec<3>& x) { return std::round(100 * x[0] + 7 * x[1] - x[2]); }, VoxelType::int16);
     for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"}) {
       write_volume(other / name, volume, Existing::is_replaced);
       for (const std::array<int, 3>& at : {std::array{0, 0, 0}, std::array{6, 0, 0}, std::array{1, 4, 3}}) {
@@ -179,7 +194,10 @@ TEST(VolumeFrames, AreItks) {
         EXPECT_LT((Vec<3>(itk.position[0], itk.position[1], itk.position[2]) - ours).norm(), 1e-4) << name;
         EXPECT_EQ(itk.value, volume.values[volume.grid.number(at[0], at[1], at[2])]) << name;
         const Volume read = read_volume(other / name);
-        EXPECT_LT((read.grid.position(Vec<3>(at[0], at[1], at[2])) - volume.grid.position(Vec<3>(at[0], at[1], at[2]))).norm(), 1e-4) << name;
+        EXPECT_LT((read.grid.position(Vec<3>(at[0], at[1], at[2])) - volume.grid.position(Vec<3>(at[0], at[1], at[2])))
+                      .norm(),
+                  1e-4)
+            << name;
       }
     }
   }
@@ -190,10 +208,16 @@ TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
   const Folder other;
   const VoxelGrid straight = grid_over({1, 2, 3}, {1, 1.5, 2}, {6, 5, 4});
   Volume volume = volume_of(straight, [](const Vec<3>& x) { return std::round(x.sum()); });
-  const auto lps = [](const ItkVoxel& v) { return exchange_space(Vec<3>(v.position[0], v.position[1], v.position[2])); };
-  Mat<3> rotated = Eigen::AngleAxisd(0.3, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * straight.axes, sheared = straight.axes;
+  const auto lps = [](const ItkVoxel& v) {
+    return exchange_space(Vec<3>(v.position[0], v.position[1], v.position[2]));
+  };
+  Mat<3> rotated = Eigen::AngleAxisd(0.3, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * straight.axes,
+         sheared = straight.axes;
   sheared(0, 1) = 0.5;
-  for (const auto& [name, axes] : {std::pair<std::string, Mat<3>>{"equal", straight.axes}, {"turned", rotated}, {"sheared", sheared}, {"unit", Mat<3>::Identity()}})
+  for (const auto& [name, axes] : {std::pair<std::string, Mat<3>>{"equal", straight.axes},
+                                   {"turned", rotated},
+                                   {"sheared", sheared},
+                                   {"unit", Mat<3>::Identity()}})
     for (const int q : {0, 1, 2})
       for (const int s : {0, 1, 2, 4}) {
         SCOPED_TRACE(fmt::format("{} sform, codes {} and {}", name, q, s));
@@ -201,8 +225,10 @@ TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
         std::string bytes = nifti(volume);
         put<std::int16_t>(bytes, 252, static_cast<std::int16_t>(q));
         put<std::int16_t>(bytes, 254, static_cast<std::int16_t>(s));
-        for (int k = 0; k < 3; ++k) put(bytes, 80 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.axes(k, k)));
-        for (int k = 0; k < 3; ++k) put(bytes, 268 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.origin[k]));
+        for (int k = 0; k < 3; ++k)
+          put(bytes, 80 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.axes(k, k)));
+        for (int k = 0; k < 3; ++k)
+          put(bytes, 268 + 4 * static_cast<std::size_t>(k), static_cast<float>(straight.origin[k]));
         write(other / "model.nii", bytes);
         const Volume read = read_volume(other / "model.nii");
         write_volume(other / "kept.nii", read, Existing::is_replaced);
@@ -214,21 +240,23 @@ TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
         const std::array<int, 3> at{5, 3, 2};
         const Vec<3> index(5, 3, 2), ours = read.grid.position(index);
         if (choice == ItkChoice::refused) {
-          // Axes of other lengths than pixdim says are refused by ITK 5.2; ITK 5.4 warns, and takes the lengths of pixdim.
+          // Axes of other lengths than pixdim says are refused by ITK 5.2; ITK 5.4 warns, and takes the lengths of
+          // pixdim.
           if (name == "unit" && itk_version() >= 504)
             EXPECT_LT((lps(voxel_by_itk(other / "model.nii", at)) - straight.position(index)).norm(), 1e-4);
-          else
-            EXPECT_ANY_THROW(voxel_by_itk(other / "model.nii", at));
+          else EXPECT_ANY_THROW(voxel_by_itk(other / "model.nii", at));
           EXPECT_FALSE(volume_notes(read.grid).empty());
           continue;
         }
         const Vec<3> itk = lps(voxel_by_itk(other / "model.nii", at));
         const Vec<3> expected = choice == ItkChoice::identity ? exchange_space(Vec<3>(straight.axes * index))
-                                : choice == ItkChoice::qform  ? Vec<3>(straight.axes * index + straight.origin)
-                                                              : Vec<3>(axes.colwise().normalized() * (straight.axes * index) + straight.origin);
+                                : choice == ItkChoice::qform
+                                    ? Vec<3>(straight.axes * index + straight.origin)
+                                    : Vec<3>(axes.colwise().normalized() * (straight.axes * index) + straight.origin);
         EXPECT_LT((itk - expected).norm(), 1e-5);
         EXPECT_EQ(lps(voxel_by_itk(other / "kept.nii", at)), itk);
-        EXPECT_EQ(volume_notes(read.grid).empty(), (itk - ours).norm() < 1e-5 && !(s > 0 && q > 0 && (name == "turned" || name == "sheared")));
+        EXPECT_EQ(volume_notes(read.grid).empty(),
+                  (itk - ours).norm() < 1e-5 && !(s > 0 && q > 0 && (name == "turned" || name == "sheared")));
       }
   // What was no NIfTI and cannot be said in one.
   volume.grid.axes = sheared;
@@ -241,7 +269,8 @@ TEST(VolumeFrames, OfNiftisAreItksOrItIsSaid) {
 // NRRD's axes without directions, which begin at the middle of the first voxel or at its border.
 TEST(VolumeFrames, OfAxesWithoutDirectionsAreItks) {
   const Folder other;
-  for (const std::string centres : {"", "centers: cell cell cell\n", "centers: node node node\n", "centers: node cell ???\n"}) {
+  for (const std::string centres :
+       {"", "centers: cell cell cell\n", "centers: node node node\n", "centers: node cell ???\n"}) {
     const std::string axes = "dimension: 3\nsizes: 3 4 2\nspacings: 1 0.5 2\naxis mins: -3 4 5\n" + centres;
     write(other / "a.nrrd", "NRRD0004\ntype: uint8\n" + axes + "encoding: raw\n\n" + std::string(24, '\1'));
     const LpsPoint itk = voxel_by_itk(other / "a.nrrd", {2, 1, 1}).position;
@@ -261,8 +290,8 @@ TEST_F(Volumes, ResultsAreInTheUnitOfTheirVoxels) {
       a.grid.origin /= 10;
     }
     write_volume(other / "a.nrrd", a, Existing::is_replaced);
-    run({"apply", *tmp / "out", other / "a.nrrd", "-o", other / "moved.nrrd", "--displacement", other / "u.nii", "--jacobian",
-         other / "j.nii", "--force"});
+    run({"apply", *tmp / "out", other / "a.nrrd", "-o", other / "moved.nrrd", "--displacement", other / "u.nii",
+         "--jacobian", other / "j.nii", "--force"});
     run({"apply", *tmp / "out", *tmp / "a.nii", "--like", other / "a.nrrd", "-o", other / "like.nrrd", "--force"});
     for (const char* name : {"moved.nrrd", "like.nrrd"}) {
       EXPECT_EQ(read_voxel_grid(other / name).unit, unit.empty() ? "" : "mm") << name;
@@ -278,7 +307,8 @@ TEST_F(Volumes, ResultsAreInTheUnitOfTheirVoxels) {
 TEST_F(Volumes, ItkMovesPointsByOurField) {
   const Deformation<3> map = read_deformation<3>(*tmp / "out");
   for (const bool inverse : {false, true}) {
-    std::vector<std::string> words{"apply", *tmp / "out", "--displacement", *tmp / "field.nii.gz", "--like", *tmp / "a.nii", "--force"};
+    std::vector<std::string> words{"apply",  *tmp / "out",   "--displacement", *tmp / "field.nii.gz",
+                                   "--like", *tmp / "a.nii", "--force"};
     if (inverse) words.push_back("--inverse");
     run(words);
     const UserMap<3> ours(map, inverse ? Toward::reference : Toward::template_shape, false);
@@ -298,7 +328,9 @@ TEST_F(Volumes, ItkMovesPointsByOurField) {
     double second = 0;
     for (std::size_t n = 19; n < in_ras.size(); ++n)
       for (int k = 0; k < 3; ++k)
-        second = std::max(second, (displacement(in_ras[n] + Vec<3>::Unit(k)) - 2 * displacement(in_ras[n]) + displacement(in_ras[n] - Vec<3>::Unit(k))).norm());
+        second = std::max(second, (displacement(in_ras[n] + Vec<3>::Unit(k)) - 2 * displacement(in_ras[n]) +
+                                   displacement(in_ras[n] - Vec<3>::Unit(k)))
+                                      .norm());
     const double tolerance = 3 * second / 4;
     EXPECT_LT(tolerance, 0.6);
     const std::vector<LpsPoint> moved = moved_by_itk(*tmp / "field.nii.gz", points);
@@ -318,9 +350,11 @@ TEST_F(Volumes, ItkMovesPointsByOurField) {
 }
 
 TEST_F(Volumes, DeterminantsSayHowVolumesChange) {
-  run({"apply", *tmp / "out", "--jacobian", *tmp / "j.nii", "--log-jacobian", *tmp / "log.nii", "--like", *tmp / "a.nii"});
+  run({"apply", *tmp / "out", "--jacobian", *tmp / "j.nii", "--log-jacobian", *tmp / "log.nii", "--like",
+       *tmp / "a.nii"});
   run({"apply", *tmp / "out", "--jacobian", *tmp / "back.nii", "--like", *tmp / "a.nii", "--inverse"});
-  const Volume j = read_volume(*tmp / "j.nii"), log = read_volume(*tmp / "log.nii"), back = read_volume(*tmp / "back.nii");
+  const Volume j = read_volume(*tmp / "j.nii"), log = read_volume(*tmp / "log.nii"),
+               back = read_volume(*tmp / "back.nii");
   const Volume from = volume_of(grid, in_reference), to = volume_of(grid, in_template);
   double n_from = 0, n_to = 0, forward = 0, backward = 0;
   for (std::size_t v = 0; v < j.values.size(); ++v) {
@@ -333,7 +367,8 @@ TEST_F(Volumes, DeterminantsSayHowVolumesChange) {
   EXPECT_GT(std::abs(n_to / n_from - 1), 0.1);
 }
 
-// Two segmentations of the Medical Segmentation Decathlon: distance in millimetres, and the carried label against the other one.
+// Two segmentations of the Medical Segmentation Decathlon: distance in millimetres, and the carried label against the
+// other one.
 TEST(VolumeData, HippocampusOntoAnother) {
   const std::string folder = (test::data_folder() / "hippocampus_msd").string() + "/";
   const std::string from = folder + "hippocampus_001_label.nii.gz", to = folder + "hippocampus_006_label.nii.gz";
@@ -366,12 +401,14 @@ TEST_F(Volumes, Refusals) {
   says({"apply", out, a + ":1", "-o", to}, "a volume is carried as a whole");
   says({"apply", out, a, "-o", a}, "exists already");
   says({"apply", out, a, "-o", to, "--sampling", "cubic"}, "expected nearest, label or linear");
-  says({"apply", out, *tmp / "out/deformed.ply", "-o", *tmp / "new.ply", "--like", a}, "--like and --sampling are for volumes");
+  says({"apply", out, *tmp / "out/deformed.ply", "-o", *tmp / "new.ply", "--like", a},
+       "--like and --sampling are for volumes");
   says({"apply", out, *tmp / "out/deformed.ply", "-o", *tmp / "new.ply", "--jacobian", to}, "without a file to move");
   says({"apply", out, a, "-o", to, "--jacobian", to}, "is named for two results");
   says({"apply", out, "--jacobian", to, "--like", a, "--sampling", "label"}, "for a volume that is carried");
   says({"match", a, "generate:circle", "-o", *tmp / "plane"}, "both shapes must have the same dimension");
-  write(*tmp / "far.nii", nifti(volume_of(grid_over({500, 0, 0}, {1, 1, 1}, {4, 4, 4}), [](const Vec<3>&) { return 1; })));
+  write(*tmp / "far.nii",
+        nifti(volume_of(grid_over({500, 0, 0}, {1, 1, 1}, {4, 4, 4}), [](const Vec<3>&) { return 1; })));
   says({"apply", out, a, "-o", to, "--like", *tmp / "far.nii"}, "none of its voxels lies where the map is defined");
   // The second of two results has no place: the first one is not left alone.
   const ProgramResult half = run_program({"apply", out, a, "-o", to, "--jacobian", "/proc/new.nii"});

@@ -23,8 +23,7 @@ TEST(Error, BadInputCarriesItsFormattedText) {
 }
 
 TEST(Error, TheEnvironmentCarriesItsFormattedText) {
-  EXPECT_EQ(text_of<EnvironmentError>([] { throw_environment_error("{} of {} bytes", 1, 2); }),
-            "1 of 2 bytes");
+  EXPECT_EQ(text_of<EnvironmentError>([] { throw_environment_error("{} of {} bytes", 1, 2); }), "1 of 2 bytes");
 }
 
 // The program chooses its exit code by the type.
@@ -46,10 +45,8 @@ TEST(Error, ABrokenInvariantNamesItselfInEveryBuild) {
 // Used as a statement it must not capture the else of the code around it.
 TEST(Error, ACheckIsOneStatement) {
   bool other = false;
-  if (other)
-    SHELLMATCH_CHECK(false, "not reached");
-  else
-    other = true;
+  if (other) SHELLMATCH_CHECK(false, "not reached");
+  else other = true;
   EXPECT_TRUE(other);
 }
 

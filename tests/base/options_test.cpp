@@ -12,8 +12,7 @@ namespace shellmatch {
 enum class Fruit { apple, pear };
 template <>
 struct EnumNames<Fruit> {
-  static constexpr std::pair<Fruit, std::string_view> names[] = {{Fruit::apple, "apple"},
-                                                                 {Fruit::pear, "pear"}};
+  static constexpr std::pair<Fruit, std::string_view> names[] = {{Fruit::apple, "apple"}, {Fruit::pear, "pear"}};
 };
 
 namespace {

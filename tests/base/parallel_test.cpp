@@ -105,10 +105,13 @@ TEST_F(Parallel, LoopsEndWhereAStopIsWanted) {
     set_n_threads(threads);
     std::atomic<std::size_t> done = 0;
     stop_is_wanted = false;
-    EXPECT_NO_THROW(parallel_for(1000, [&](std::size_t) { ++done; }, 1));
+    EXPECT_NO_THROW(parallel_for(
+        1000, [&](std::size_t) { ++done; }, 1));
     EXPECT_EQ(done, 1000u);
     done = 0;
-    EXPECT_THROW(parallel_for(1000, [&](std::size_t) { stop_is_wanted = ++done >= 10; }, 1), Stopped);
+    EXPECT_THROW(parallel_for(
+                     1000, [&](std::size_t) { stop_is_wanted = ++done >= 10; }, 1),
+                 Stopped);
     EXPECT_LT(done, 20u) << threads << " threads";
     try {
       parallel_for(1, [](std::size_t) {});
@@ -141,8 +144,7 @@ TEST_F(Parallel, OneThreadStaysInTheCallersThread) {
 
 // Sums of anything that adds, matrices for instance.
 TEST_F(Parallel, SumsAnythingThatAdds) {
-  const std::string text =
-      parallel_sum(5, 1, std::string(), [](const Chunk& c) { return std::to_string(c.index); });
+  const std::string text = parallel_sum(5, 1, std::string(), [](const Chunk& c) { return std::to_string(c.index); });
   EXPECT_EQ(text, "01234");
 }
 
@@ -159,7 +161,8 @@ TEST_F(Parallel, ALoopWithinOneThatEndsDoesNotReturnWithChunksLeftOut) {
           throw std::runtime_error("the end");
         }
         std::vector<char> done(20000, 0);
-        parallel_for(done.size(), [&](std::size_t k) { done[k] = 1, ++n_done; }, 1);
+        parallel_for(
+            done.size(), [&](std::size_t k) { done[k] = 1, ++n_done; }, 1);
         if (std::count(done.begin(), done.end(), 0) > 0) ++n_torn;
       });
     } catch (const std::runtime_error&) {

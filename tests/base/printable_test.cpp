@@ -9,7 +9,10 @@ TEST(Printable, TextStaysAndControlCharactersAreWrittenOut) {
   EXPECT_EQ(printable("hand.ply: größer, 形状, 🙂"), "hand.ply: größer, 形状, 🙂");
   EXPECT_EQ(printable("a\x1b[31mb\n\tc\x7f"), "a\\x1b[31mb\\n\\tc\\x7f");
   EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
-  EXPECT_EQ(printable("\xc2\x9b" "2J"), "\\xc2\\x9b2J") << "a control sequence of one character";
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "\\xc2\\x9b2J")
+      << "a control sequence of one character";
   EXPECT_EQ(printable("a\u202egnp.exe"), "a\\xe2\\x80\\xaegnp.exe") << "a mark that turns what follows";
 }
 

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 class ReplaceFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / (std::string("shellmatch_replace_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::path(::testing::TempDir()) /
+              (std::string("shellmatch_replace_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -33,7 +34,8 @@ class ReplaceFile : public ::testing::Test {
   }
   std::set<std::string> names() const {
     std::set<std::string> all;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+      all.insert(entry.path().filename().string());
     return all;
   }
 
@@ -115,8 +117,9 @@ TEST_F(ReplaceFile, WhatFailsLeavesNothing) {
 
 // A process that is killed releases its lock and leaves its file.
 TEST_F(ReplaceFile, LeftoversOfTheNameGoUnlessSomebodyWrites) {
-  const std::set<std::string> others{".a.csv.partial-mine", ".a.csv.partial-0123456789abcdeg.csv", ".b.csv.partial-0123456789abcdef.csv",
-                                     ".partial-0123456789abcdef.csv", "a.csv.partial-0123456789abcdef.csv"};
+  const std::set<std::string> others{".a.csv.partial-mine", ".a.csv.partial-0123456789abcdeg.csv",
+                                     ".b.csv.partial-0123456789abcdef.csv", ".partial-0123456789abcdef.csv",
+                                     "a.csv.partial-0123456789abcdef.csv"};
   for (const std::string& name : others) put(name, "text");
   put(".a.csv.partial-0123456789abcdef.csv", "a part");
   put(".a.csv.partial-0123456789abcde0", "a part");

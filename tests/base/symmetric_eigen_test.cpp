@@ -68,7 +68,8 @@ TEST(SymmetricEigen, NegativeEigenvaluesAreSetToZero) {
       const Matrix positive = with_eigenvalues(values.cwiseMax(0.0), same);
       EXPECT_NEAR(largest_eigenvalue(n, a.data()), values.maxCoeff(), 1e-14 * n * values.norm());
       remove_negative_eigenvalues(n, a.data());
-      EXPECT_LE((a - positive).norm(), 1e-14 * n * values.norm()) << "n " << n << ", eigenvalues " << values.transpose();
+      EXPECT_LE((a - positive).norm(), 1e-14 * n * values.norm())
+          << "n " << n << ", eigenvalues " << values.transpose();
     }
 }
 

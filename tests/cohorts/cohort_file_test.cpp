@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 class CohortFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_cohortfile_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("shellmatch_cohortfile_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -32,7 +33,8 @@ class CohortFile : public testing::Test {
     } catch (const InputError& error) {
       message = error.what();
     }
-    for (const char* part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << " is missing in: " << message;
+    for (const char* part : parts)
+      EXPECT_NE(message.find(part), std::string::npos) << part << " is missing in: " << message;
   }
   fs::path folder_;
 };
@@ -50,15 +52,18 @@ TEST_F(CohortFile, TheLeastThatRuns) {
 TEST_F(CohortFile, PathsAreRelativeToTheFile) {
   fs::create_directories(folder_ / "deep");
   for (const char* name : {"atlas.ply", "a.ply", "deep/b.ply"}) std::ofstream(folder_ / name) << "a file";
-  const Cohort cohort = read("version: 1\nshapes: [a.ply, deep/b.ply]\natlas: {kind: given, shape: atlas.ply, landmarks: points.csv}\n");
+  const Cohort cohort =
+      read("version: 1\nshapes: [a.ply, deep/b.ply]\natlas: {kind: given, shape: atlas.ply, landmarks: points.csv}\n");
   EXPECT_EQ(cohort.subjects[1].source, (folder_ / "deep/b.ply").string());
   EXPECT_EQ(cohort.options.atlas.shape, (folder_ / "atlas.ply").string());
   EXPECT_EQ(cohort.options.atlas.landmarks, (folder_ / "points.csv").string());
 }
 
 TEST_F(CohortFile, WhatIsWrittenIsReadBack) {
-  const Cohort cohort = read(two + "title: \"two: shapes\"\natlas: {kind: medoid, shape: ellipse}\nlandmarks: compare\n"
-                                   "statistics: {procrustes: similarity, modes: 3}\nset: {cascade: {max_level: 5}, energy: {delta: 0.5}, solver: {fallback: []}}\n");
+  const Cohort cohort = read(two +
+                             "title: \"two: shapes\"\natlas: {kind: medoid, shape: ellipse}\nlandmarks: compare\n"
+                             "statistics: {procrustes: similarity, modes: 3}\nset: {cascade: {max_level: 5}, energy: "
+                             "{delta: 0.5}, solver: {fallback: []}}\n");
   const std::string text = to_yaml(cohort);
   EXPECT_NE(text.find("set:\n  cascade:\n    max_level: 5\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("sigma_cells"), std::string::npos) << "what is as by default is left out: " << text;
@@ -71,7 +76,8 @@ TEST_F(CohortFile, WhatIsWrittenIsReadBack) {
 
 TEST_F(CohortFile, TheCommandLineWins) {
   CohortWords words;
-  words.overrides = {{"statistics.modes", "7", "--set"}, {"cascade.max_level", "6", "--set"}, {"landmarks", "compare", "--set"}};
+  words.overrides = {
+      {"statistics.modes", "7", "--set"}, {"cascade.max_level", "6", "--set"}, {"landmarks", "compare", "--set"}};
   words.atlas = "ellipse";
   const Cohort cohort = read(two + "set: {cascade: {max_level: 5}}\n", words);
   EXPECT_EQ(cohort.options.statistics.modes, 7);
@@ -99,12 +105,15 @@ TEST_F(CohortFile, MistakesAreSaidWithTheirPlace) {
 TEST_F(CohortFile, EveryFileThatIsMissingIsToldAtOnce) {
   std::ofstream(folder_ / "here.ply") << "a file";
   expect_refused("version: 1\nshapes: [here.ply, lost.ply, generate:circl, scan.nii.gz:3, deep]\n",
-                 {"cohort.yaml: subject lost: ", "lost.ply: no such file", "subject circl: ", "subject scan_3: ", "scan.nii.gz: no such file", "subject deep: "});
+                 {"cohort.yaml: subject lost: ", "lost.ply: no such file",
+                  "subject circl: ", "subject scan_3: ", "scan.nii.gz: no such file", "subject deep: "});
   std::ofstream(folder_ / "table.csv") << "id,file\none,here.ply\ntwo,gone.ply\n";
-  expect_refused("version: 1\ntable: table.csv\n", {"table.csv: subject two: ", "gone.ply: no such file; check the name and the folder"});
+  expect_refused("version: 1\ntable: table.csv\n",
+                 {"table.csv: subject two: ", "gone.ply: no such file; check the name and the folder"});
   std::string many;
   for (int k = 0; k < 30; ++k) many += "gone" + std::to_string(k) + ".ply, ";
-  expect_refused("version: 1\nshapes: [" + many + "here.ply]\n", {"subject gone9: ", "and the files of 20 further subjects"});
+  expect_refused("version: 1\nshapes: [" + many + "here.ply]\n",
+                 {"subject gone9: ", "and the files of 20 further subjects"});
 }
 
 TEST_F(CohortFile, TheReferenceHasEveryOption) {

@@ -82,8 +82,7 @@ GeometryField<Dim> field(const Octree<Dim>& grid, const CoefficientFields<Dim>& 
 }
 
 template <int Dim>
-Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, CoefficientFields<Dim> t,
-                      const ProblemOptions& o)
+Problem<Dim>::Problem(const Octree<Dim>& g, CoefficientFields<Dim> r, CoefficientFields<Dim> t, const ProblemOptions& o)
     : grid(g),
       reference(std::move(r)),
       target_values(std::move(t)),
@@ -115,14 +114,14 @@ std::vector<double> Problem<Dim>::gradient(const std::vector<Vec<Dim>>& phi, con
   return g;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                \
-  template Octree<Dim> hanging_grid<Dim>(double);                                                                  \
-  template std::vector<double> sum_elements<Dim>(const Unknowns<Dim>&, std::span<const double>);                   \
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                  \
+  template Octree<Dim> hanging_grid<Dim>(double);                                                                    \
+  template std::vector<double> sum_elements<Dim>(const Unknowns<Dim>&, std::span<const double>);                     \
   template std::vector<Vec<Dim>> at_nodes<Dim>(const Octree<Dim>&, const std::function<Vec<Dim>(const Vec<Dim>&)>&); \
-  template std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field<Dim>(unsigned);                                   \
-  template std::vector<Vec<Dim>> deformed<Dim>(const Octree<Dim>&, double, unsigned, bool);                        \
-  template CoefficientFields<Dim> linear_fields<Dim>(const Octree<Dim>&);                                          \
-  template GeometryField<Dim> field<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, bool);                 \
+  template std::function<Vec<Dim>(const Vec<Dim>&)> smooth_field<Dim>(unsigned);                                     \
+  template std::vector<Vec<Dim>> deformed<Dim>(const Octree<Dim>&, double, unsigned, bool);                          \
+  template CoefficientFields<Dim> linear_fields<Dim>(const Octree<Dim>&);                                            \
+  template GeometryField<Dim> field<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&, bool);                   \
   template struct Problem<Dim>;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)

@@ -52,9 +52,12 @@ TEST(EnergyOptions, NumbersThatAProgramHasSetAreChecked) {
     expect_input_error([&] { EnergyTerms<3>{options}; }, parts);
   };
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-  refuse([&](EnergyOptions& o) { o.lambda = nan; }, {"energy.lambda: nan is out of range; expected a finite number, x >= 0"});
-  refuse([&](EnergyOptions& o) { o.mu = infinite; }, {"energy.mu: inf is out of range; expected a finite number, x > 0"});
-  refuse([&](EnergyOptions& o) { o.terms.own("fold_threshold") = nan; }, {"energy.fold_threshold: nan", "0 < x <= 0.9"});
+  refuse([&](EnergyOptions& o) { o.lambda = nan; },
+         {"energy.lambda: nan is out of range; expected a finite number, x >= 0"});
+  refuse([&](EnergyOptions& o) { o.mu = infinite; },
+         {"energy.mu: inf is out of range; expected a finite number, x > 0"});
+  refuse([&](EnergyOptions& o) { o.terms.own("fold_threshold") = nan; },
+         {"energy.fold_threshold: nan", "0 < x <= 0.9"});
   refuse([&](EnergyOptions& o) { o.terms.factor("match"_term) = -1; }, {"energy.match_weight: -1", "x >= 0"});
 }
 
@@ -66,7 +69,8 @@ TEST(EnergyOptions, ThoseOfATermFromElsewhereAreChecked) {
   // A density whose second derivative is not finite where it should rest.
   auto broken = alignment;
   broken.modulus = [](const Material<double>& c) { return std::sqrt(-c.mu); };
-  expect_input_error([&] { terms.add(broken); }, {"the stiffness of the term normal_alignment is", "lambda = 1 and mu = 1"});
+  expect_input_error([&] { terms.add(broken); },
+                     {"the stiffness of the term normal_alignment is", "lambda = 1 and mu = 1"});
   EXPECT_EQ(terms.size(), term_names().size()) << "nothing was added";
   EXPECT_NO_THROW(terms.add(alignment, {2.0}));
 }

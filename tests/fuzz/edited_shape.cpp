@@ -44,7 +44,9 @@ class MeshEdits {
   explicit MeshEdits(std::string_view bytes) : bytes_(bytes) {}
 
   OriginalShape<3> shape() {
-    for (int n = 0; n < most_edits && bytes_.any() && x_.size() < most_vertices && polygons_.size() < most_polygons; ++n) edit();
+    for (int n = 0; n < most_edits && bytes_.any() && x_.size() < most_vertices && polygons_.size() < most_polygons;
+         ++n)
+      edit();
     return {std::move(x_), std::move(polygons_), {}};
   }
 
@@ -79,7 +81,8 @@ class MeshEdits {
     const double side = bytes_.number();
     const Index a = vertex(at), b = vertex(at + side * Vec<3>::UnitX()), c = vertex(at + side * Vec<3>::UnitY()),
                 d = vertex(at + side * Vec<3>::UnitZ());
-    for (const std::vector<Index>& face : {std::vector{a, c, b}, std::vector{a, b, d}, std::vector{a, d, c}, std::vector{b, c, d}})
+    for (const std::vector<Index>& face :
+         {std::vector{a, c, b}, std::vector{a, b, d}, std::vector{a, d, c}, std::vector{b, c, d}})
       polygons_.push_back(face);
   }
 

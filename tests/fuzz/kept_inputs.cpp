@@ -23,7 +23,8 @@ std::string input_of(std::string_view line) {
     line.remove_prefix(1);
     if (letter == 'x') {
       unsigned value = 0;
-      demand(line.size() >= 2 && std::from_chars(line.data(), line.data() + 2, value, 16).ptr == line.data() + 2, "\\x has two digits");
+      demand(line.size() >= 2 && std::from_chars(line.data(), line.data() + 2, value, 16).ptr == line.data() + 2,
+             "\\x has two digits");
       bytes += static_cast<char>(value);
       line.remove_prefix(2);
       continue;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The kept corpus, tests/fuzz/corpus/TARGET.txt: one input on each line, in which \n, \r, \t, \\ and \z (the zero byte) stand
-/// for characters and \xNN for bytes that are not printed. Lines that begin with '#' are comments.
+/// The kept corpus, tests/fuzz/corpus/TARGET.txt: one input on each line, in which \n, \r, \t, \\ and \z (the zero
+/// byte) stand for characters and \xNN for bytes that are not printed. Lines that begin with '#' are comments.
 
 #include <string>
 #include <string_view>

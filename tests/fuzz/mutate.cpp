@@ -1,5 +1,5 @@
-// The mutator that knows PNG: the checksums of its chunks are set right after each change, or every change would be refused
-// for its checksum. Of other formats changes are those of the engine.
+// The mutator that knows PNG: the checksums of its chunks are set right after each change, or every change would be
+// refused for its checksum. Of other formats changes are those of the engine.
 #include "tests/fuzz/target.h"
 
 #include <zlib.h>
@@ -15,7 +15,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   size = LLVMFuzzerMutate(data, size, max_size);
   if (!is_png) return size;
   for (std::size_t at = 8; at + 12 <= size;) {
-    const std::size_t length = std::size_t{data[at]} << 24 | std::size_t{data[at + 1]} << 16 | std::size_t{data[at + 2]} << 8 | data[at + 3];
+    const std::size_t length =
+        std::size_t{data[at]} << 24 | std::size_t{data[at + 1]} << 16 | std::size_t{data[at + 2]} << 8 | data[at + 3];
     if (length > size - at - 12) break;
     const auto crc = static_cast<std::uint32_t>(crc32(0, data + at + 4, static_cast<uInt>(length + 4)));
     for (int k = 0; k < 4; ++k) data[at + 8 + length + k] = static_cast<std::uint8_t>(crc >> (24 - 8 * k));

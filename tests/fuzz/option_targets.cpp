@@ -59,7 +59,8 @@ std::vector<Override> overrides_of(const std::vector<std::string_view>& parts) {
 
 template <>
 struct shellmatch::EnumNames<shellmatch::fuzz::Colour> {
-  static constexpr std::pair<fuzz::Colour, std::string_view> names[] = {{fuzz::Colour::red, "red"}, {fuzz::Colour::green, "green"}};
+  static constexpr std::pair<fuzz::Colour, std::string_view> names[] = {{fuzz::Colour::red, "red"},
+                                                                        {fuzz::Colour::green, "green"}};
 };
 
 namespace shellmatch::fuzz {
@@ -112,7 +113,8 @@ void check_subject_list(const std::vector<Subject>& subjects) {
   std::set<std::string> ids;
   for (const Subject& subject : subjects) {
     demand(ids.insert(subject.id).second, "ids differ");
-    demand(!subject.id.empty() && subject.id == safe_file_name(subject.id) && subject.id[0] != '.', "an id is the name of a folder");
+    demand(!subject.id.empty() && subject.id == safe_file_name(subject.id) && subject.id[0] != '.',
+           "an id is the name of a folder");
     demand(!subject.source.empty(), "a subject has a shape");
   }
 }
@@ -136,7 +138,8 @@ void read_whole_cohort(std::string_view bytes) {
   words.overrides = overrides_of(parts);
   const Cohort cohort = read_cohort(file.path(), words);
   check_subject_list(cohort.subjects);
-  demand(cohort.round_level() >= cohort.experiment.cascade.min_level && cohort.round_level() <= cohort.experiment.cascade.max_level,
+  demand(cohort.round_level() >= cohort.experiment.cascade.min_level &&
+             cohort.round_level() <= cohort.experiment.cascade.max_level,
          "the rounds' level is one of the cascade's");
   const std::string text = to_yaml(cohort);
   const MemoryFile again(text);

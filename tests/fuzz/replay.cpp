@@ -1,5 +1,5 @@
-// Reads the kept corpus of every target, or of one, without libFuzzer: what any compiler with sanitizers can do. With a number
-// of seconds it changes the inputs at random for so long, without the guidance of coverage.
+// Reads the kept corpus of every target, or of one, without libFuzzer: what any compiler with sanitizers can do. With a
+// number of seconds it changes the inputs at random for so long, without the guidance of coverage.
 //
 //     fuzz_replay CORPUS_FOLDER [TARGET [SECONDS [SEED]]]
 #include "tests/fuzz/kept_inputs.h"
@@ -17,7 +17,8 @@
 #include <fstream>
 #include <random>
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed);
 
 namespace {
 
@@ -38,7 +39,8 @@ void keep_input() {
 }
 
 void end_by_signal(int signal) {
-  std::fprintf(stderr, signal == SIGALRM ? "an input takes more than %u seconds\n" : "ended within %u seconds\n", most_seconds);
+  std::fprintf(stderr, signal == SIGALRM ? "an input takes more than %u seconds\n" : "ended within %u seconds\n",
+               most_seconds);
   keep_input();
   std::_Exit(1);
 }
@@ -87,9 +89,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
     case 2:
       for (std::size_t k = 0; k < std::min<std::size_t>(n, 8); ++k) data[at + k] = telling[below(2) * 12];
       return size;
-    case 3:
-      std::copy(data + at + n, data + size, data + at);
-      return size - n;
+    case 3: std::copy(data + at + n, data + size, data + at); return size - n;
     case 4: {
       if (size + n > max_size) return size;
       const std::vector<std::uint8_t> piece(data + at, data + at + n);

@@ -56,7 +56,8 @@ void check_landmarks(const LandmarkOptions& options) {
   const auto landmarks = read_landmarks<Dim>(options, vertices, vertices);
   demand(!landmarks.empty(), "a file that is read has a landmark");
   for (const Landmark<Dim>& landmark : landmarks)
-    demand(landmark.on_reference.allFinite() && landmark.on_template.allFinite() && std::isfinite(landmark.weight) && landmark.weight > 0,
+    demand(landmark.on_reference.allFinite() && landmark.on_template.allFinite() && std::isfinite(landmark.weight) &&
+               landmark.weight > 0,
            "landmarks are finite, weights positive");
 }
 
@@ -148,20 +149,24 @@ void read_result_of_run(std::string_view bytes) {
   write_run_result(*result, written.path());
   const auto again = read_run_result(written.path());
   demand(again && again->status == result->status && again->peak_memory_bytes == result->peak_memory_bytes &&
-             again->exit_code == result->exit_code, "a result that is written is read back");
+             again->exit_code == result->exit_code,
+         "a result that is written is read back");
 }
 
 namespace {
 
 // CSV, or what files of 3D Slicer's and of TPS begin with.
 std::string_view ending_of_landmarks(std::string_view bytes) {
-  return bytes.starts_with("# Markups") ? ".fcsv" : bytes.starts_with("{") ? ".mrk.json" : bytes.starts_with("LM") ? ".tps" : ".csv";
+  return bytes.starts_with("# Markups") ? ".fcsv"
+         : bytes.starts_with("{")       ? ".mrk.json"
+         : bytes.starts_with("LM")      ? ".tps"
+                                        : ".csv";
 }
 
 }  // namespace
 
-// One part is one file with both shapes, of two parts each has a shape, a third one takes the first file away, a fourth one leaves out
-// what one of them lacks. Both dimensions see them.
+// One part is one file with both shapes, of two parts each has a shape, a third one takes the first file away, a fourth
+// one leaves out what one of them lacks. Both dimensions see them.
 void read_landmark_files(std::string_view bytes) {
   const auto parts = parts_of(bytes, separator);
   const std::string_view second = parts.size() > 1 ? parts[1] : "";
@@ -186,7 +191,8 @@ void check_slicer_points(SlicerPoints file, auto parse) {
   const std::vector<SlicerPoint> again = parse(file.path, with_positions(file, positions));
   demand(again.size() == file.points.size(), "a file of control points that is written is read back");
   for (std::size_t i = 0; i < again.size(); ++i)
-    demand(again[i].position == positions[i] && again[i].name == file.points[i].name && again[i].space == file.points[i].space,
+    demand(again[i].position == positions[i] && again[i].name == file.points[i].name &&
+               again[i].space == file.points[i].space,
            "control points go out as they came in");
   if (file.points.empty()) return;
   // Written anew, in one frame.
@@ -200,20 +206,25 @@ void check_slicer_points(SlicerPoints file, auto parse) {
     const std::vector<SlicerPoint> anew = is_json ? parse_markups("a.mrk.json", text) : parse_fcsv("a.fcsv", text);
     demand(anew.size() == set.points.size(), "points that are written anew are read back");
     for (std::size_t i = 0; i < anew.size(); ++i)
-      demand(anew[i].has_position == set.points[i].has_value() && (!set.points[i] || anew[i].position == *set.points[i]), "they are where they were");
+      demand(
+          anew[i].has_position == set.points[i].has_value() && (!set.points[i] || anew[i].position == *set.points[i]),
+          "they are where they were");
   }
 }
 
 }  // namespace
 
 void read_fcsv_file(std::string_view bytes) { check_slicer_points({"input.fcsv", std::string(bytes), {}}, parse_fcsv); }
-void read_markups_file(std::string_view bytes) { check_slicer_points({"input.mrk.json", std::string(bytes), {}}, parse_markups); }
+void read_markups_file(std::string_view bytes) {
+  check_slicer_points({"input.mrk.json", std::string(bytes), {}}, parse_markups);
+}
 
 void read_correspondence_file(std::string_view bytes) {
   const MemoryFile file(bytes);
   const auto check = [](const auto& list) {
     demand(!list.empty(), "a file that is read has a correspondence");
-    for (const auto& [index, x] : list) demand(index >= 0 && index < 9 && x.allFinite(), "a correspondence is of a vertex");
+    for (const auto& [index, x] : list)
+      demand(index >= 0 && index < 9 && x.allFinite(), "a correspondence is of a vertex");
     const std::vector vertices(9, list.front().second);
     demand(correspondence_error({list.front()}, vertices) == 0, "a vertex where it belongs has no error");
   };

@@ -56,8 +56,8 @@ void run_input(const Target& target, std::string_view bytes) {
   }
   const auto limit = static_cast<std::int64_t>(target.most_bytes + target.most_bytes_per_byte * bytes.size());
   if (most_held <= limit) return;
-  std::fprintf(stderr, "memory: %lld bytes for an input of %zu, the limit is %lld\n", static_cast<long long>(most_held), bytes.size(),
-               static_cast<long long>(limit));
+  std::fprintf(stderr, "memory: %lld bytes for an input of %zu, the limit is %lld\n", static_cast<long long>(most_held),
+               bytes.size(), static_cast<long long>(limit));
   std::abort();
 }
 

@@ -26,17 +26,21 @@ template <int Dim>
 void check_original(const OriginalShape<Dim>& shape) {
   for (const Vec<Dim>& x : shape.vertices) demand(x.allFinite(), "coordinates are finite");
   for (const auto& polygon : shape.polygons)
-    for (const Index v : polygon) demand(v >= 0 && static_cast<std::size_t>(v) < shape.vertices.size(), "polygons have vertices");
+    for (const Index v : polygon)
+      demand(v >= 0 && static_cast<std::size_t>(v) < shape.vertices.size(), "polygons have vertices");
   for (const VertexAttribute& a : shape.attributes)
-    demand((a.type == "text" ? a.texts.size() : a.values.size()) == shape.vertices.size(), "an attribute has a value for each vertex");
+    demand((a.type == "text" ? a.texts.size() : a.values.size()) == shape.vertices.size(),
+           "an attribute has a value for each vertex");
 }
 
 void check_image(const Picture& picture) {
   const GreyImage& image = picture.brightness;
-  demand(image.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), "an image is full");
+  demand(image.values.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+         "an image is full");
   demand(picture.values.size() == image.values.size(), "a picture has a value for each pixel");
   std::vector<std::string> notes;
-  if (image.values.size() < 100000) check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
+  if (image.values.size() < 100000)
+    check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
 }
 
 // Whole, and one part of it, if its areas have names.
@@ -62,7 +66,8 @@ void check_mended(const Surface<3>& surface) {
 
 void check_mended(const Surface<2>& surface) {
   std::vector<int> n_in(surface.vertices.size(), 0), n_out = n_in;
-  for (const auto& [a, b] : surface.facets) ++n_out.at(static_cast<std::size_t>(a)), ++n_in.at(static_cast<std::size_t>(b));
+  for (const auto& [a, b] : surface.facets)
+    ++n_out.at(static_cast<std::size_t>(a)), ++n_in.at(static_cast<std::size_t>(b));
   for (std::size_t v = 0; v < n_in.size(); ++v) demand(n_in[v] == 1 && n_out[v] == 1, "an outline is made of rings");
   // Rings may touch at a point.
   demand(crossing_segments(surface, Contact::of_inner_points, 1).empty(), "an outline does not cross itself");
@@ -112,15 +117,19 @@ void read_tps_bytes(std::string_view bytes) {
     for (const auto& x : specimen.landmarks)
       for (int k = 0; k < specimen.dimension; ++k) coordinates.push_back(x ? (*x)[k] : std::nan(""));
     const std::size_t begin = again.size();
-    append_tps_specimen(again, specimen.id.value_or(""), coordinates, static_cast<std::size_t>(specimen.dimension), specimen.space);
-    demand(parse_tps("again", std::string_view(again).substr(begin)).front().landmarks == specimen.landmarks, "landmarks are read back");
+    append_tps_specimen(again, specimen.id.value_or(""), coordinates, static_cast<std::size_t>(specimen.dimension),
+                        specimen.space);
+    demand(parse_tps("again", std::string_view(again).substr(begin)).front().landmarks == specimen.landmarks,
+           "landmarks are read back");
     if (specimen.landmarks.empty()) continue;
     if (specimen.dimension == 2) scaled_landmarks<2>(specimen, "input");
     else scaled_landmarks<3>(specimen, "input");
   }
   check_drawing(read_tps_outline("input", text, part), part);
 }
-void read_roi_bytes(std::string_view bytes) { check_drawing(bytes.starts_with("Iout") ? read_roi("input.roi", bytes) : read_roi_set("input", bytes)); }
+void read_roi_bytes(std::string_view bytes) {
+  check_drawing(bytes.starts_with("Iout") ? read_roi("input.roi", bytes) : read_roi_set("input", bytes));
+}
 void read_geojson_bytes(std::string_view bytes) { check_drawing(read_geojson("input", bytes)); }
 void read_svg_bytes(std::string_view bytes) { check_drawing(read_svg("input", bytes)); }
 void read_tiff_bytes(std::string_view bytes) { check_image(read_tiff("input", bytes)); }

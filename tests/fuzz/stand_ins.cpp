@@ -1,5 +1,5 @@
-// In place of sources that readers are linked with and whose work is no reading: they would take longer to compile than all
-// readers.
+// In place of sources that readers are linked with and whose work is no reading: they would take longer to compile than
+// all readers.
 #include "base/error.h"
 #include "geometry/generate/exact_shape.h"
 #include "geometry/generate/generate_shape.h"
@@ -16,7 +16,9 @@ namespace shellmatch {
 std::vector<std::string> files_of_shape(const std::string& source) { return {source}; }
 
 // Of make_minimizer() the readers of options use the refusals only.
-std::vector<std::string> minimizer_names() { return {"fletcher_reeves", "lbfgs", "newton", "ceres_lbfgs", "nlopt_lbfgs"}; }
+std::vector<std::string> minimizer_names() {
+  return {"fletcher_reeves", "lbfgs", "newton", "ceres_lbfgs", "nlopt_lbfgs"};
+}
 
 std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
   const auto names = minimizer_names();

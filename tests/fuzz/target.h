@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The readers that scripts/fuzz feeds: whatever the bytes, a reader returns what its header promises or throws an InputError.
+/// The readers that scripts/fuzz feeds: whatever the bytes, a reader returns what its header promises or throws an
+/// InputError.
 
 #include <cstddef>
 #include <span>
@@ -10,7 +11,8 @@ namespace shellmatch::fuzz {
 
 struct Target {
   std::string_view name;
-  /// Reads the bytes as a file of the format and demands what the reader promises. \throws InputError where it refuses them
+  /// Reads the bytes as a file of the format and demands what the reader promises. \throws InputError where it refuses
+  /// them
   void (*read)(std::string_view bytes);
   /// Memory that the reader may hold at a time: so much, and so much more for each byte of input.
   std::size_t most_bytes = std::size_t{32} << 20, most_bytes_per_byte = 1500;

@@ -7,14 +7,15 @@ namespace shellmatch::fuzz {
 
 namespace {
 
-// The image that a PNG of a few bytes declares may take as much as the largest that is read (geometry/picture/read_mask.h).
+// The image that a PNG of a few bytes declares may take as much as the largest that is read
+// (geometry/picture/read_mask.h).
 constexpr std::size_t largest_image = std::size_t{700} << 20;
 
 // Bytes that zlib expands, each to a number.
 constexpr std::size_t largest_expansion = 30000;
 
-// A byte of a volume's file may stand for a thousand voxels (geometry/volume/volume_header.cpp), which take 4 bytes each, twice where they
-// are turned, and a few more where they are a label's.
+// A byte of a volume's file may stand for a thousand voxels (geometry/volume/volume_header.cpp), which take 4 bytes
+// each, twice where they are turned, and a few more where they are a label's.
 constexpr std::size_t volume_start = std::size_t{32} << 20, most_per_volume_byte = 10000;
 
 // A wrap has as many triangles as its bound on gaps asks for, however few the input has.

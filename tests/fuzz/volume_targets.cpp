@@ -21,7 +21,8 @@ namespace {
 class NamedFile {
  public:
   NamedFile(std::string_view bytes, const char* ending)
-      : path_((std::filesystem::temp_directory_path() / fmt::format("shellmatch-fuzz-{}{}", getpid(), ending)).string()) {
+      : path_(
+            (std::filesystem::temp_directory_path() / fmt::format("shellmatch-fuzz-{}{}", getpid(), ending)).string()) {
     std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
   ~NamedFile() {
@@ -41,7 +42,8 @@ void read_as(std::string_view bytes, const char* ending) {
   const Volume volume = canonical(read_volume_part({file.path(), {}}).volume);
   demand(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
   for (const float v : volume.values) demand(std::isfinite(v), "values are finite");
-  demand(volume.grid.origin.allFinite() && volume.grid.axes.allFinite() && volume.grid.voxel_volume() > 0, "voxels lie in space");
+  demand(volume.grid.origin.allFinite() && volume.grid.axes.allFinite() && volume.grid.voxel_volume() > 0,
+         "voxels lie in space");
   if (volume.values.size() > 20000) return;
   const LabelRegion region = label_region(volume, {}, "input");
   const SmoothedLabel label(region);
@@ -60,7 +62,8 @@ void read_nrrd_bytes(std::string_view bytes) {
     demand(segment.label && segment.layer, "a segment has a label and a layer");
     try {
       const VolumePart part = read_volume_part({file.path(), {{}, 0, segment.name}});
-      demand(part.choice.labels.size() == 1 && part.volume.values.size() == part.volume.grid.n_voxels(), "a segment is one label of one layer");
+      demand(part.choice.labels.size() == 1 && part.volume.values.size() == part.volume.grid.n_voxels(),
+             "a segment is one label of one layer");
     } catch (const InputError&) {  // of a layer that is not there, or named twice
     }
   }

@@ -25,8 +25,7 @@ struct ExactShape {
     Vec<Dim> g;
     for (int k = 0; k < Dim; ++k) {
       const Vec<Dim> e = step * Vec<Dim>::Unit(k);
-      g[k] = (8 * (distance(x + e) - distance(x - e)) - (distance(x + 2 * e) - distance(x - 2 * e))) /
-             (12 * step);
+      g[k] = (8 * (distance(x + e) - distance(x - e)) - (distance(x + 2 * e) - distance(x - 2 * e))) / (12 * step);
     }
     return g.normalized();
   }

@@ -30,8 +30,7 @@ Octree<Dim> shape_grid(int start, int finest, const std::function<double(const V
   Octree<Dim> grid(start);
   for (int l = start; l < finest; ++l)
     grid.refine([&](Index leaf) {
-      return std::abs(distance(grid.cell_centre(leaf))) <=
-             0.5 * std::sqrt(double(Dim)) * grid.cell(leaf).side();
+      return std::abs(distance(grid.cell_centre(leaf))) <= 0.5 * std::sqrt(double(Dim)) * grid.cell(leaf).side();
     });
   return grid;
 }

@@ -1,4 +1,5 @@
-// A ring with a gap onto one whose ends press into each other: what lies inside the body pulls nothing and is not measured.
+// A ring with a gap onto one whose ends press into each other: what lies inside the body pulls nothing and is not
+// measured.
 
 #include "matching/input/shape_source.h"
 #include "matching/match_shapes.h"
@@ -27,7 +28,9 @@ struct Heard : Observer {
 
 class Buried : public ::testing::Test {
  protected:
-  static Shape<3> ring(const std::string& variant) { return std::get<Shape<3>>(open_shape("generate:ring/" + variant)); }
+  static Shape<3> ring(const std::string& variant) {
+    return std::get<Shape<3>>(open_shape("generate:ring/" + variant));
+  }
   static ExperimentOptions options(Burial buried) {
     ExperimentOptions o = profile_defaults(Profile::standard);
     o.cascade.max_level = 6;
@@ -37,7 +40,8 @@ class Buried : public ::testing::Test {
   }
   // Largest distance of the template's boundary, without what is buried, from the deformed reference; diagonals.
   static double largest_miss(const MatchResult<3>& result, const Shape<3>& target) {
-    const Evidence<3> evidence = without_buried(target.surface, {}, buried_parts(target.surface, target.crossing).facets);
+    const Evidence<3> evidence =
+        without_buried(target.surface, {}, buried_parts(target.surface, target.crossing).facets);
     std::vector<Vec<3>> points;
     for (const auto& [a, b, c] : evidence.observed.facets)
       points.push_back((target.surface.vertices[a] + target.surface.vertices[b] + target.surface.vertices[c]) / 3);

@@ -71,8 +71,10 @@ TEST(MatchShapes, GivesWhatARunWrites) {
     EXPECT_EQ(map.apply(x), result.map.apply(x));
 
   write_result_folder(result, o, tmp / "written");
-  for (const char* file : {"deformed.csv", "deformation.vtu", "config.yaml", "pictures/result.png", "pictures/energy.png"})
-    EXPECT_EQ(contents_of(tmp / (std::string("written/") + file)), contents_of(tmp / (std::string("run/") + file))) << file;
+  for (const char* file :
+       {"deformed.csv", "deformation.vtu", "config.yaml", "pictures/result.png", "pictures/energy.png"})
+    EXPECT_EQ(contents_of(tmp / (std::string("written/") + file)), contents_of(tmp / (std::string("run/") + file)))
+        << file;
 }
 
 // Every vertex comes back in its order and where the map has it, a seam that mending welds included.
@@ -96,7 +98,8 @@ TEST(MatchShapes, VerticesKeepTheirOrderAndFollowTheMap) {
   EXPECT_EQ(r.surfaces.distance.size(), r.surfaces.reference.vertices.size());
   // At the surface's vertices the unit domain's distance is that of the summary, relative to the template's diagonal.
   const double diagonal = bounding_box(r.surfaces.template_shape.vertices).diagonal();
-  for (const double d : r.surfaces.distance) EXPECT_LE(d / diagonal, r.summary.distance->deformed_to_template.max * 1.0001);
+  for (const double d : r.surfaces.distance)
+    EXPECT_LE(d / diagonal, r.summary.distance->deformed_to_template.max * 1.0001);
 }
 
 TEST(MatchShapes, AnObserverStopsItAndTheResultSaysSo) {

@@ -18,7 +18,8 @@ namespace {
 
 ShapePair<2> ellipses() {
   Observer quiet;
-  return std::get<ShapePair<2>>(open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"generate:ellipse/long"}}, {}, {}, quiet));
+  return std::get<ShapePair<2>>(
+      open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"generate:ellipse/long"}}, {}, {}, quiet));
 }
 
 ExperimentOptions options_of_level(int max_level) {
@@ -60,13 +61,18 @@ TEST(PairLevel, IsThatOfTheCascade) {
 TEST(PairLevel, ShapesInMemoryAreThoseOfFiles) {
   Observer quiet;
   const auto original = std::get<OriginalShape<2>>(generate_shape("ellipse", "long"));
-  auto pair = std::get<ShapePair<2>>(open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"mine", original}}, {}, {}, quiet));
+  auto pair = std::get<ShapePair<2>>(
+      open_shape_pair({ShapeInput{"generate:ellipse/round"}, ShapeInput{"mine", original}}, {}, {}, quiet));
   EXPECT_EQ(pair.template_shape.source, "mine");
   const ExperimentOptions o = options_of_level(4);
-  EXPECT_EQ(match_shapes(std::move(pair), o, quiet, {}).deformed.vertices, match_shapes(ellipses(), o, quiet, {}).deformed.vertices);
+  EXPECT_EQ(match_shapes(std::move(pair), o, quiet, {}).deformed.vertices,
+            match_shapes(ellipses(), o, quiet, {}).deformed.vertices);
   const auto ball = std::get<OriginalShape<3>>(generate_shape("sphere", ""));
-  expect_input_error([&] { open_shape_pair({ShapeInput{"ball", ball}, ShapeInput{"mine", original}}, {}, {}, quiet); },
-                           {"ball is 3-dimensional", "mine is 2-dimensional"});
+  expect_input_error(
+      [&] {
+        open_shape_pair({ShapeInput{"ball", ball}, ShapeInput{"mine", original}}, {}, {}, quiet);
+      },
+      {"ball is 3-dimensional", "mine is 2-dimensional"});
 }
 
 // In a cell the map is multilinear, so that the midpoint rule has no error but rounding along an axis.

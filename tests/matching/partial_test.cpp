@@ -1,5 +1,5 @@
-// A whole head onto one without its neck, and the reverse: what is there is matched as between whole heads, and what the
-// other lacks is neither pulled nor measured.
+// A whole head onto one without its neck, and the reverse: what is there is matched as between whole heads, and what
+// the other lacks is neither pulled nor measured.
 
 #include "geometry/repair/make_shape.h"
 #include "matching/input/shape_source.h"
@@ -89,7 +89,8 @@ class Partial : public ::testing::Test {
   static double difference(const std::vector<Index>& vertices, EndOf&& end_of) {
     EXPECT_GT(vertices.size(), 1000u);
     double sum = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) sum += (end_of(i) - whole->deformed.vertices[static_cast<std::size_t>(vertices[i])]).norm();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      sum += (end_of(i) - whole->deformed.vertices[static_cast<std::size_t>(vertices[i])]).norm();
     return sum / static_cast<double>(vertices.size()) / bounding_box(other->original.vertices).diagonal();
   }
 
@@ -125,7 +126,8 @@ TEST_F(Partial, AWholeHeadFitsAPartOfOne) {
   const VertexAttribute* observed = column(fitted.deformed, "template_observed");
   ASSERT_NE(observed, nullptr);
   const auto share_observed = [&](const std::vector<Index>& vertices) {
-    const auto n = std::ranges::count_if(vertices, [&](Index v) { return observed->values[static_cast<std::size_t>(v)] != 0; });
+    const auto n =
+        std::ranges::count_if(vertices, [&](Index v) { return observed->values[static_cast<std::size_t>(v)] != 0; });
     return static_cast<double>(n) / static_cast<double>(vertices.size());
   };
   EXPECT_GT(share_observed(kept), 0.95);
@@ -144,7 +146,8 @@ TEST_F(Partial, APartOfAHeadFitsAWholeOne) {
     EXPECT_EQ(fitted.summary.verdict->outcome, "matched") << verdict_lines(fitted.summary).back();
     const VertexAttribute* observed = column(fitted.template_shape, "deformed_observed");
     ASSERT_NE(observed, nullptr);
-    const double share = static_cast<double>(std::ranges::count(observed->values, 1.0)) / static_cast<double>(observed->values.size());
+    const double share =
+        static_cast<double>(std::ranges::count(observed->values, 1.0)) / static_cast<double>(observed->values.size());
     EXPECT_NEAR(share, 2.0 / 3, 0.1);
   }
 }
@@ -152,7 +155,9 @@ TEST_F(Partial, APartOfAHeadFitsAWholeOne) {
 // A result that is used as a reference has the columns of its own matching only.
 TEST_F(Partial, ColumnsOfAnEarlierMatchingGo) {
   Shape<3> used = *reference, seen = *other;
-  const auto zeros = [](const Shape<3>& s, const char* name) { return VertexAttribute{name, "uchar", std::vector<double>(s.original.vertices.size(), 0)}; };
+  const auto zeros = [](const Shape<3>& s, const char* name) {
+    return VertexAttribute{name, "uchar", std::vector<double>(s.original.vertices.size(), 0)};
+  };
   used.original.attributes.push_back(zeros(used, "template_observed"));
   seen.original.attributes.push_back(zeros(seen, "deformed_observed"));
   ExperimentOptions o = options();
@@ -178,7 +183,8 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   const Shape<3> sideways = make_shape(std::move(turned), "sideways");
   const Shape<3> part = cut(*other, down, 1.0 / 3).shape;
   Notes notes, back;
-  const MatchResult<3> onto_part = match_shapes(sideways, part, o, notes), onto_whole = match_shapes(part, sideways, o, back);
+  const MatchResult<3> onto_part = match_shapes(sideways, part, o, notes),
+                       onto_whole = match_shapes(part, sideways, o, back);
   EXPECT_NE(notes.all.find("searched as a part"), std::string::npos) << notes.all;
   EXPECT_NEAR(onto_part.summary.alignment->angle, 90, 10) << notes.all;
   EXPECT_NEAR(onto_whole.summary.alignment->angle, 90, 10) << back.all;

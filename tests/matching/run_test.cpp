@@ -43,8 +43,9 @@ TEST_F(RunTest, WritesEveryFileAndMatches) {
   ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 7);
   o.pictures = Pictures::all;
   run_matching(o, out, {}, quiet);
-  for (const char* name : {"deformed.csv", "template.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
-                           "pictures/result.png", "report.html", "pictures/energy.png", "pictures/level_07.png"})
+  for (const char* name :
+       {"deformed.csv", "template.csv", "deformation.vtu", "history.csv", "summary.json", "config.yaml",
+        "pictures/result.png", "report.html", "pictures/energy.png", "pictures/level_07.png"})
     EXPECT_TRUE(fs::exists(fs::path(out) / name)) << name;
   const MatchSummary s = read_summary(fs::path(out) / "summary.json");
   EXPECT_EQ(s.levels.size(), 5u);
@@ -130,7 +131,8 @@ TEST_F(RunTest, OptionsThatAProgramHasSetAreCheckedBeforeAnythingIsRead) {
   expect_input_error([&] { run_gradient_check(no_levels, {}, listener); }, {"cascade.max_level"});
   ExperimentOptions no_material = options("generate:circle", "generate:ellipse/long", 4);
   no_material.energy.mu = std::nan("");
-  expect_input_error([&] { run_matching(no_material, folder / "x", {}, listener); }, {"energy.mu: nan is out of range"});
+  expect_input_error([&] { run_matching(no_material, folder / "x", {}, listener); },
+                     {"energy.mu: nan is out of range"});
   EXPECT_TRUE(fs::is_empty(folder));
 }
 

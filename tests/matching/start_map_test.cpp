@@ -63,8 +63,9 @@ TEST_F(StartMap, TheLevelsBeforeAreLeftOutAndTheResultIsAsGood) {
   EXPECT_EQ(begun.levels[0].n_nodes, whole.levels.back().n_nodes) << "the grid is that of the shapes, not of the map";
   const auto energy = [](const MatchSummary& s) { return s.levels.back().energy_minimised.back().second; };
   EXPECT_NEAR(energy(begun), energy(whole), 0.01 * energy(whole));
-  EXPECT_TRUE(std::ranges::any_of(begun.levels[0].energy_minimised, [](const auto& term) { return term.first == "coverage" && term.second > 0; }))
-      << "the finest level is two-sided";
+  EXPECT_TRUE(std::ranges::any_of(begun.levels[0].energy_minimised, [](const auto& term) {
+    return term.first == "coverage" && term.second > 0;
+  })) << "the finest level is two-sided";
   EXPECT_LT(begun.distance->deformed_to_template.mean, 1.1 * whole.distance->deformed_to_template.mean);
   EXPECT_EQ(begun.levels.back().folds.n_uncertified_cells, 0);
   // The pose that alignment has found is taken over, and no other one is sought.
@@ -101,7 +102,8 @@ TEST_F(StartMap, ShapesThatLieElsewhereBeginAnew) {
   ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 4);
   o.start.map = folder / "small";
   const MatchSummary s = run(o, "out");
-  EXPECT_TRUE(listener.has("do not lie where those of that run do")) << "the unit domain of the small ones does not hold these";
+  EXPECT_TRUE(listener.has("do not lie where those of that run do"))
+      << "the unit domain of the small ones does not hold these";
   EXPECT_EQ(s.levels.size(), 2u);
 }
 

@@ -16,8 +16,8 @@ inline Surface<3> sphere(int n_around, double radius, const Vec<3>& centre = Vec
   for (int j = 0; j <= n_rings; ++j)
     for (int i = 0; i < n_around; ++i) {
       const double a = 2 * std::numbers::pi * i / n_around, b = std::numbers::pi * j / n_rings;
-      s.vertices.push_back(
-          centre + radius * Vec<3>(std::sin(b) * std::cos(a), std::cos(b), -std::sin(b) * std::sin(a)));
+      s.vertices.push_back(centre +
+                           radius * Vec<3>(std::sin(b) * std::cos(a), std::cos(b), -std::sin(b) * std::sin(a)));
     }
   const auto at = [&](int i, int j) { return static_cast<Index>(j * n_around + i % n_around); };
   for (int j = 0; j < n_rings; ++j)
@@ -31,14 +31,9 @@ inline Surface<3> sphere(int n_around, double radius, const Vec<3>& centre = Vec
 /// The cube [-1/2, 1/2]^3 times `side`, twelve triangles on eight shared vertices.
 inline Surface<3> cube(double side) {
   Surface<3> s;
-  for (int c = 0; c < 8; ++c)
-    s.vertices.push_back(side * Vec<3>((c & 1) - 0.5, ((c >> 1) & 1) - 0.5, (c >> 2) - 0.5));
-  for (const auto& [a, b, c, d] : {std::array<Index, 4>{0, 2, 3, 1},
-                                   {4, 5, 7, 6},
-                                   {0, 1, 5, 4},
-                                   {2, 6, 7, 3},
-                                   {0, 4, 6, 2},
-                                   {1, 3, 7, 5}}) {
+  for (int c = 0; c < 8; ++c) s.vertices.push_back(side * Vec<3>((c & 1) - 0.5, ((c >> 1) & 1) - 0.5, (c >> 2) - 0.5));
+  for (const auto& [a, b, c, d] :
+       {std::array<Index, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     s.facets.push_back({a, b, c});
     s.facets.push_back({a, c, d});
   }

@@ -19,11 +19,18 @@ struct Adapter {
 
 const std::vector<Adapter>& adapter_table() {
   static const std::vector<Adapter> table = {
-      // The dual numbers and cost functions alone, without the solvers; hence before the entry for the rest of Ceres; so is the checker.
+      // The dual numbers and cost functions alone, without the solvers; hence before the entry for the rest of Ceres;
+      // so is the checker.
       {"Ceres' dual numbers", {"ceres/jet.h"}, {"energies/*/*", "solvers/libraries/ceres_*.cpp"}},
-      {"Ceres' cost functions", {"ceres/autodiff_cost_function.h", "ceres/cost_function.h", "ceres/loss_function.h"}, {"energies/cost/*"}},
-      {"Ceres' problems", {"ceres/first_order_function.h", "ceres/problem.h"}, {"energies/assembly/ceres_problem.*", "solvers/libraries/ceres_*.cpp"}},
-      {"Ceres' gradient checker", {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"}, {"matching/derivative_check/ceres_checker.cpp"}},
+      {"Ceres' cost functions",
+       {"ceres/autodiff_cost_function.h", "ceres/cost_function.h", "ceres/loss_function.h"},
+       {"energies/cost/*"}},
+      {"Ceres' problems",
+       {"ceres/first_order_function.h", "ceres/problem.h"},
+       {"energies/assembly/ceres_problem.*", "solvers/libraries/ceres_*.cpp"}},
+      {"Ceres' gradient checker",
+       {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"},
+       {"matching/derivative_check/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "bench/own_code/cgal_*.cpp"}},
@@ -33,7 +40,10 @@ const std::vector<Adapter>& adapter_table() {
       {"pybind11", {"pybind11/"}, {"python/bindings/*"}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
-      {"nlohmann json", {"nlohmann/"}, {"geometry/outline/json_*.cpp", "matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp", "cohorts/*/json_*.cpp"}},
+      {"nlohmann json",
+       {"nlohmann/"},
+       {"geometry/outline/json_*.cpp", "matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp",
+        "cohorts/*/json_*.cpp"}},
       {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
       {"libpng", {"png.h"}, {"geometry/picture/png_*.cpp"}},
       {"libtiff", {"tiff"}, {"geometry/picture/tiff_*.cpp"}},
@@ -61,13 +71,12 @@ const std::vector<Adapter>& adapter_table() {
 
 // Headers that the sources of one adapter share among themselves. They do show the library's types.
 bool is_private_header(std::string_view file) {
-  return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/*/pugixml_*.h") || matches(file, "matching/*/json_*.h") ||
-         matches(file, "studies/*/json_*.h") || matches(file, "cohorts/*/json_*.h");
+  return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/*/pugixml_*.h") ||
+         matches(file, "matching/*/json_*.h") || matches(file, "studies/*/json_*.h") ||
+         matches(file, "cohorts/*/json_*.h");
 }
 
-std::string file_as_header(std::string_view file) {
-  return std::string(file.substr(0, file.rfind('.'))) + ".h";
-}
+std::string file_as_header(std::string_view file) { return std::string(file.substr(0, file.rfind('.'))) + ".h"; }
 
 }  // namespace
 
@@ -80,11 +89,9 @@ std::vector<Finding> check_include_direction(const SourceTree& tree) {
     if (!include.quoted || rule == folder_table().end()) continue;
     const std::string_view to = top_folder(path);
     if (!folder_table().contains(to)) {
-      findings.push_back(
-          {file, line, fmt::format("\"{}\" is not written from the repository root", path)});
+      findings.push_back({file, line, fmt::format("\"{}\" is not written from the repository root", path)});
     } else if (std::find(rule->second.begin(), rule->second.end(), to) == rule->second.end()) {
-      findings.push_back(
-          {file, line, fmt::format("{}/ may not include {}/ (\"{}\")", rule->first, to, path)});
+      findings.push_back({file, line, fmt::format("{}/ may not include {}/ (\"{}\")", rule->first, to, path)});
     } else if (!tree.files.contains(path)) {
       findings.push_back({file, line, fmt::format("\"{}\" does not exist", path)});
     }
@@ -103,8 +110,7 @@ std::vector<Finding> check_adapters(const SourceTree& tree) {
       if (is_private_header(path) && !is_private_header(file) && !is_private_header(file_as_header(file)) &&
           !matches(file, "matching/*/*json*.cpp"))
         findings.push_back(
-            {file, line,
-             fmt::format("\"{}\" shows a library's types: only its adapter may include it", path)});
+            {file, line, fmt::format("\"{}\" shows a library's types: only its adapter may include it", path)});
       continue;
     }
     const auto adapter = std::find_if(adapter_table().begin(), adapter_table().end(), [&](const Adapter& a) {
@@ -119,11 +125,9 @@ std::vector<Finding> check_adapters(const SourceTree& tree) {
     // What is left has to be the standard library: in headers without a suffix, in sources also C's headers
     // and those of the operating system and the processor.
     const bool standard = path.find('/') == std::string::npos &&
-                          (path.find('.') == std::string::npos ||
-                           (file.ends_with(".cpp") && path.ends_with(".h")));
+                          (path.find('.') == std::string::npos || (file.ends_with(".cpp") && path.ends_with(".h")));
     if (!standard)
-      findings.push_back(
-          {file, line, fmt::format("<{}>: a library without an adapter in include_rules.cpp", path)});
+      findings.push_back({file, line, fmt::format("<{}>: a library without an adapter in include_rules.cpp", path)});
   }
   return findings;
 }

@@ -55,12 +55,19 @@ const std::map<std::string_view, std::vector<std::string_view>>& folder_table() 
       {"matching", {"matching", "base", "geometry", "alignment", "grid", "energies", "solvers", "render"}},
       {"studies", {"studies", "base", "solvers", "render", "matching"}},
       {"cohorts", {"cohorts", "base", "statistics", "geometry", "render", "matching", "studies"}},
-      {"apps", {"apps", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "cohorts"}},
+      {"apps",
+       {"apps", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching",
+        "studies", "cohorts"}},
       {"python", {"python", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "matching"}},
-      {"bench", {"bench", "tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
-      {"examples", {"examples", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching"}},
-      {"tests", {"tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching", "studies", "cohorts", "apps",
-        "examples"}}};
+      {"bench",
+       {"bench", "tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render",
+        "matching"}},
+      {"examples",
+       {"examples", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render",
+        "matching"}},
+      {"tests",
+       {"tests", "base", "statistics", "geometry", "alignment", "grid", "energies", "solvers", "render", "matching",
+        "studies", "cohorts", "apps", "examples"}}};
   return table;
 }
 

@@ -28,9 +28,7 @@ TEST(Repository, IncludesRunOneWay) { expect_none(check_include_direction(this_r
 TEST(Repository, LibrariesAreIncludedByTheirAdaptersOnly) { expect_none(check_adapters(this_repository())); }
 TEST(Repository, FilesDoNotIncludeEachOther) { expect_none(check_unit_cycles(this_repository())); }
 TEST(Repository, RoomsAreSmall) { expect_none(check_room_sizes(this_repository())); }
-TEST(Repository, RoomsDoNotIncludeEachOther) {
-  expect_none(check_room_cycles(this_repository(), {}));
-}
+TEST(Repository, RoomsDoNotIncludeEachOther) { expect_none(check_room_cycles(this_repository(), {})); }
 TEST(Repository, TestsMirrorTheFolders) { expect_none(check_test_folders(this_repository())); }
 TEST(Repository, FilesAreShort) { expect_none(check_lengths(this_repository())); }
 TEST(Repository, NamesNoMachine) { expect_none(check_machine_paths(this_repository())); }

@@ -12,25 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_word_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-}
+bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; }
 
 // The anchor that a heading of Markdown gets: small letters, blanks to hyphens, punctuation dropped.
 std::string anchor_of(std::string_view heading) {
   std::string anchor;
   for (const char c : heading.substr(std::min(heading.find_first_not_of("# "), heading.size())))
-    if (c == ' ')
-      anchor += '-';
-    else if (is_word_character(c))
-      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == ' ') anchor += '-';
+    else if (is_word_character(c)) anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return anchor;
 }
 
 bool has_anchor(const std::vector<std::string>& lines, const std::string& anchor) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-    return line.starts_with("#") && anchor_of(line) == anchor;
-  });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.starts_with("#") && anchor_of(line) == anchor; });
 }
 
 // Is there a link of Markdown to `target`, written in `file`? Says what is wrong, "" where nothing is.
@@ -39,8 +34,7 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
       target.starts_with("mailto:"))
     return {};
   const std::size_t hash = target.find('#');
-  const fs::path path =
-      hash == 0 ? fs::path(file) : fs::path(file).parent_path() / fs::path(target.substr(0, hash));
+  const fs::path path = hash == 0 ? fs::path(file) : fs::path(file).parent_path() / fs::path(target.substr(0, hash));
   const std::string name = path.lexically_normal().generic_string();
   if (!fs::exists(tree.root / name)) return fmt::format("link to {}, which does not exist", target);
   const auto text = tree.files.find(name);
@@ -52,9 +46,9 @@ std::string fault_of_link(const SourceTree& tree, const std::string& file, std::
 
 // Is it the path of a file as this repository has them, "grid/octree/octree.h"?
 bool looks_like_file(std::string_view text) {
-  static const std::set<std::string_view> folders = {"base",    "geometry", "alignment", "grid",  "energies", "solvers",
-                                                     "render",  "matching", "apps",  "docs",     "cmake",
-                                                     "configs", "python",  "scripts",  "tests", "bench",    "statistics"};
+  static const std::set<std::string_view> folders = {"base",   "geometry", "alignment", "grid",  "energies",  "solvers",
+                                                     "render", "matching", "apps",      "docs",  "cmake",     "configs",
+                                                     "python", "scripts",  "tests",     "bench", "statistics"};
   const std::size_t dot = text.rfind('.');
   return folders.contains(top_folder(text)) && dot != std::string_view::npos && dot > text.rfind('/') &&
          text.find(' ') == std::string_view::npos;
@@ -62,12 +56,11 @@ bool looks_like_file(std::string_view text) {
 
 bool names_a_file(const SourceTree& tree, std::string_view pattern) {
   if (pattern.find('*') == std::string_view::npos) return fs::exists(tree.root / fs::path(pattern));
-  return std::any_of(tree.files.begin(), tree.files.end(),
-                     [&](const auto& f) { return matches(f.first, pattern); });
+  return std::any_of(tree.files.begin(), tree.files.end(), [&](const auto& f) { return matches(f.first, pattern); });
 }
 
-void check_line_of_markdown(const SourceTree& tree, const std::string& file, int number,
-                            std::string_view line, std::vector<Finding>& findings) {
+void check_line_of_markdown(const SourceTree& tree, const std::string& file, int number, std::string_view line,
+                            std::vector<Finding>& findings) {
   for (std::size_t at = line.find("]("); at != std::string_view::npos; at = line.find("](", at + 2)) {
     const std::size_t end = line.find(')', at);
     if (end == std::string_view::npos) break;
@@ -104,8 +97,7 @@ std::vector<Finding> check_lengths(const SourceTree& tree, std::size_t most) {
     const bool counts = is_source(file) || file.ends_with("CMakeLists.txt") || file.ends_with(".cmake") ||
                         top_folder(file) == "scripts";
     if (counts && lines.size() > most)
-      findings.push_back(
-          {file, static_cast<int>(lines.size()), fmt::format("more than {} lines: split it", most)});
+      findings.push_back({file, static_cast<int>(lines.size()), fmt::format("more than {} lines: split it", most)});
   }
   return findings;
 }
@@ -139,8 +131,7 @@ std::vector<Finding> check_machine_paths(const SourceTree& tree) {
                             (is_word_character(lines[i][at - 1]) ||
                              std::string_view("./})").find(lines[i][at - 1]) != std::string_view::npos);
         if (at != std::string::npos && !inside)
-          findings.push_back(
-              {file, static_cast<int>(i + 1), fmt::format("'{}' belongs to one machine", trace)});
+          findings.push_back({file, static_cast<int>(i + 1), fmt::format("'{}' belongs to one machine", trace)});
       }
   return findings;
 }
@@ -161,7 +152,8 @@ std::vector<Finding> check_links(const SourceTree& tree) {
 std::vector<Finding> check_dependencies(const SourceTree& tree) {
   const std::string built = "cmake/Dependencies.cmake", installed = "cmake/ShellmatchConfig.cmake.in";
   // These serve the program, the tests, the benchmarks and the Python module, which nobody links to.
-  static const std::set<std::string> not_linked = {"CLI11", "GTest", "ITK", "Python", "assimp", "benchmark", "pybind11"};
+  static const std::set<std::string> not_linked = {"CLI11",  "GTest",     "ITK",     "Python",
+                                                   "assimp", "benchmark", "pybind11"};
   const auto lines = tree.files.find(built), config = tree.files.find(installed);
   if (lines == tree.files.end()) return {{built, 0, "does not exist"}};
   if (config == tree.files.end()) return {{installed, 0, "does not exist"}};

@@ -19,9 +19,7 @@ std::string message_of(const SolverOptions& options) {
   return "";
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(MakeMinimizer, EveryNameMakesAMinimizerOfThatName) {
   for (const std::string& name : minimizer_names()) {
@@ -91,9 +89,10 @@ TEST(CeresVariants, AllSolveRosenbrock) {
         const auto problem = testing::extended_rosenbrock(2);
         std::vector<double> x = problem->start();
         const auto summary = make_minimizer(options)->minimize(*problem, x, options.stop);
-        // By value alone. Armijo's rule does not make directions of Hestenes and Stiefel descend: Ceres may give up before
-        // the minimum, at a point that hangs on the last digits.
-        const bool may_give_up = cg == CeresConjugateGradient::hestenes_stiefel && line_search == CeresLineSearch::armijo;
+        // By value alone. Armijo's rule does not make directions of Hestenes and Stiefel descend: Ceres may give up
+        // before the minimum, at a point that hangs on the last digits.
+        const bool may_give_up =
+            cg == CeresConjugateGradient::hestenes_stiefel && line_search == CeresLineSearch::armijo;
         EXPECT_LT(summary.final_value, may_give_up ? 1e-3 : 1e-6)
             << cg_name << ", " << line_search_name << ", " << interpolation_name << ": " << summary.message;
       }

@@ -16,12 +16,10 @@ IterationRecord record(int iteration, double value, double gradient_norm) {
 }
 
 TEST(StopMonitor, MeasuresTheDecreaseOverTheWindow) {
-  StopMonitor monitor(
-      {.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});
+  StopMonitor monitor({.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});
   // Falls by 4 % per step: over three steps by 11.5 %, which goes on; then by 1 % per step.
   double value = 100;
-  for (int k = 0; k < 10; ++k, value *= 0.96)
-    EXPECT_EQ(monitor.check(record(k, value, 1)), std::nullopt) << k;
+  for (int k = 0; k < 10; ++k, value *= 0.96) EXPECT_EQ(monitor.check(record(k, value, 1)), std::nullopt) << k;
   value /= 0.96;
   value *= 0.99;  // 9.1 % over the last three steps
   EXPECT_EQ(monitor.check(record(10, value, 1)), StopReason::relative_decrease);
@@ -64,16 +62,13 @@ TEST(StopMonitor, TakesNoShortenedStepForTheEnd) {
 }
 
 TEST(StopMonitor, IsNotFooledByASlowStartOfTheWindow) {
-  StopMonitor monitor(
-      {.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});
-  for (int k = 0; k < 3; ++k)
-    EXPECT_EQ(monitor.check(record(k, 100, 1)), std::nullopt) << k;  // window not full yet
+  StopMonitor monitor({.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 3, .gradient_norm = 0});
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(monitor.check(record(k, 100, 1)), std::nullopt) << k;  // window not full yet
   EXPECT_EQ(monitor.check(record(3, 80, 1)), std::nullopt);
 }
 
 TEST(StopMonitor, ComparesTheGradientWithItsFirstValue) {
-  StopMonitor monitor(
-      {.max_iterations = 100, .relative_decrease = 0, .decrease_window = 3, .gradient_norm = 0.01});
+  StopMonitor monitor({.max_iterations = 100, .relative_decrease = 0, .decrease_window = 3, .gradient_norm = 0.01});
   EXPECT_EQ(monitor.check(record(0, 1, 50)), std::nullopt);
   EXPECT_EQ(monitor.check(record(1, 1, 0.51)), std::nullopt);
   EXPECT_EQ(monitor.check(record(2, 1, 0.5)), StopReason::gradient_norm);
@@ -100,7 +95,8 @@ TEST(StopMonitor, AWindowOfZeroIsOneAndIsCalledSo) {
   StopMonitor monitor({.max_iterations = 100, .relative_decrease = 0.1, .decrease_window = 0, .gradient_norm = 0});
   EXPECT_EQ(monitor.check(record(0, 100, 1)), std::nullopt);
   EXPECT_EQ(monitor.check(record(1, 95, 1)), StopReason::relative_decrease);
-  EXPECT_EQ(monitor.message(StopReason::relative_decrease), "the value fell by less than 0.1 of itself over 1 iterations");
+  EXPECT_EQ(monitor.message(StopReason::relative_decrease),
+            "the value fell by less than 0.1 of itself over 1 iterations");
 }
 
 }  // namespace

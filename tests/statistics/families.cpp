@@ -26,7 +26,8 @@ Eigen::VectorXd random_weights(Eigen::Index n_points, std::uint64_t seed) {
 double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& weights) {
   const Eigen::Index dimension = a.size() / weights.size();
   double sum = 0;
-  for (Eigen::Index row = 0; row < a.size(); ++row) sum += weights[row / dimension] * (a[row] - b[row]) * (a[row] - b[row]);
+  for (Eigen::Index row = 0; row < a.size(); ++row)
+    sum += weights[row / dimension] * (a[row] - b[row]) * (a[row] - b[row]);
   return std::sqrt(sum);
 }
 
@@ -36,7 +37,8 @@ Eigen::MatrixXd prescribed_scores(Eigen::Index n, const std::vector<double>& var
     const double amplitude =
         std::sqrt(2 * variances[static_cast<std::size_t>(k)] * static_cast<double>(n - 1) / static_cast<double>(n));
     for (Eigen::Index i = 0; i < n; ++i)
-      scores(i, k) = amplitude * std::cos(2 * std::numbers::pi * static_cast<double>((k + 1) * i) / static_cast<double>(n));
+      scores(i, k) =
+          amplitude * std::cos(2 * std::numbers::pi * static_cast<double>((k + 1) * i) / static_cast<double>(n));
   }
   return scores;
 }
@@ -71,7 +73,8 @@ Sphere sphere(int n_rings, double crowding) {
     const double polar = std::numbers::pi * std::pow(static_cast<double>(ring) / n_rings, crowding);
     for (int j = 0; j < m; ++j) {
       const double angle = 2 * std::numbers::pi * j / m;
-      points.insert(points.end(), {std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
+      points.insert(points.end(),
+                    {std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
     }
   }
   points.insert(points.end(), {0, 0, -1});

@@ -1,4 +1,5 @@
-// Differences of groups: T^2 from its definition, permutations counted one by one, and rates of errors over many data sets.
+// Differences of groups: T^2 from its definition, permutations counted one by one, and rates of errors over many data
+// sets.
 #include "statistics/group_difference.h"
 
 #include "base/error.h"
@@ -104,13 +105,15 @@ TEST(GroupDifference, OfSmallGroupsIsExact) {
   for (Eigen::Index p = 0; p < 40; ++p) {
     const double observed = statistics(p, 0);
     EXPECT_DOUBLE_EQ(result.p[p], static_cast<double>((statistics.row(p).array() >= observed * equal).count()) / 20);
-    const auto n_greater = std::count_if(greatest.begin(), greatest.end(), [&](double g) { return g >= observed * equal; });
+    const auto n_greater =
+        std::count_if(greatest.begin(), greatest.end(), [&](double g) { return g >= observed * equal; });
     EXPECT_DOUBLE_EQ(result.p_corrected[p], static_cast<double>(n_greater) / 20);
     EXPECT_GE(result.p[p], 0.1);  // a split and its complement have the same statistic
   }
-  EXPECT_DOUBLE_EQ(result.global_p, static_cast<double>(std::count_if(distances.begin(), distances.end(),
-                                                                      [&](double d) { return d >= distances[0] * equal; })) /
-                                        20);
+  EXPECT_DOUBLE_EQ(result.global_p,
+                   static_cast<double>(std::count_if(distances.begin(), distances.end(),
+                                                     [&](double d) { return d >= distances[0] * equal; })) /
+                       20);
   EXPECT_EQ(result.p, other_seed.p);
   EXPECT_EQ(result.p.minCoeff(), 0.1);
 }
@@ -119,7 +122,8 @@ TEST(GroupDifference, OfSmallGroupsIsExact) {
 PointSets smooth_sets(Eigen::Index n_points, Eigen::Index n_sets, std::uint64_t seed) {
   const PointSets noise = random_sets(3, n_points + 2, n_sets, seed);
   const Eigen::Index rows = 3 * n_points;
-  return {3, noise.coordinates.topRows(rows) + noise.coordinates.middleRows(3, rows) + noise.coordinates.bottomRows(rows)};
+  return {3,
+          noise.coordinates.topRows(rows) + noise.coordinates.middleRows(3, rows) + noise.coordinates.bottomRows(rows)};
 }
 
 TEST(GroupDifference, ErrorRatesWithoutDifference) {
@@ -128,7 +132,8 @@ TEST(GroupDifference, ErrorRatesWithoutDifference) {
   int n_family = 0, n_global = 0, n_pointwise = 0, n_discoveries = 0;
   double sum_of_p = 0;
   for (int data = 0; data < n_data; ++data) {
-    const GroupDifference result = group_difference(smooth_sets(n_points, 14, 1000 + data), weights, last_are_b(14, 6), 100, 7);
+    const GroupDifference result =
+        group_difference(smooth_sets(n_points, 14, 1000 + data), weights, last_are_b(14, 6), 100, 7);
     n_family += result.p_corrected.minCoeff() <= 0.05 ? 1 : 0;
     n_global += result.global_p <= 0.05 ? 1 : 0;
     n_discoveries += result.q.minCoeff() <= 0.05 ? 1 : 0;
@@ -175,7 +180,7 @@ TEST(GroupDifference, OfPointsThatHardlyMove) {
     x.segment<3>(3) << 100 / 3.0 + 1e-14 * static_cast<double>(i % 3), 0.2, 0.3;                // equal to rounding
     x.segment<3>(6) << 0.1, line.coordinates(0, i), 0.3;                                        // on a line
     x.segment<3>(9) << line.coordinates(0, i), line.coordinates(1, i), line.coordinates(0, i);  // in a plane
-    x.segment<3>(12) << 0.1, is_b[static_cast<std::size_t>(i)] != 0 ? 1 : 0, 0.3;               // the groups do not vary
+    x.segment<3>(12) << 0.1, is_b[static_cast<std::size_t>(i)] != 0 ? 1 : 0, 0.3;  // the groups do not vary
   }
   const GroupDifference result = group_difference(sets, uniform_weights(6), is_b, 500, 1);
   EXPECT_EQ(result.statistic[0], 0);
@@ -194,8 +199,8 @@ TEST(GroupDifference, OfPointsThatHardlyMove) {
 
 TEST(GroupDifference, FalseDiscoveryRates) {
   // The example of Benjamini and Hochberg (1995): 15 tests, of which four are discoveries at 0.05.
-  const Eigen::VectorXd p{
-      {0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344, 0.0459, 0.3240, 0.4262, 0.5719, 0.6528, 0.7590, 1.0000}};
+  const Eigen::VectorXd p{{0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344, 0.0459, 0.3240, 0.4262,
+                           0.5719, 0.6528, 0.7590, 1.0000}};
   const Eigen::VectorXd q = false_discovery_rates(p);
   EXPECT_EQ((q.array() <= 0.05).count(), 4);
   EXPECT_NEAR(q[3], 0.0095 * 15 / 4, 1e-15);
@@ -215,8 +220,10 @@ std::string error_of_groups(const PointSets& sets, const std::vector<char>& is_b
 }
 
 TEST(GroupDifference, SaysWhatIsWrong) {
-  EXPECT_NE(error_of_groups(random_sets(3, 5, 6, 1), last_are_b(6, 1)).find("groups of 5 and 1 shapes"), std::string::npos);
-  EXPECT_NE(error_of_groups(random_sets(3, 5, 6, 1), last_are_b(6, 6)).find("groups of 0 and 6 shapes"), std::string::npos);
+  EXPECT_NE(error_of_groups(random_sets(3, 5, 6, 1), last_are_b(6, 1)).find("groups of 5 and 1 shapes"),
+            std::string::npos);
+  EXPECT_NE(error_of_groups(random_sets(3, 5, 6, 1), last_are_b(6, 6)).find("groups of 0 and 6 shapes"),
+            std::string::npos);
   EXPECT_NE(error_of_groups(random_sets(3, 5, 4, 1), last_are_b(4, 2)).find("5 in both"), std::string::npos);
   EXPECT_EQ(error_of_groups(random_sets(3, 5, 5, 1), last_are_b(5, 2)), "no InputError");
   EXPECT_EQ(error_of_groups(random_sets(2, 5, 4, 1), last_are_b(4, 2)), "no InputError");

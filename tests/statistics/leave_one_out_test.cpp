@@ -1,4 +1,5 @@
-// Components of a shape along the modes of all others, against a decomposition of those, for spectra that are hard to tell apart.
+// Components of a shape along the modes of all others, against a decomposition of those, for spectra that are hard to
+// tell apart.
 #include "statistics/leave_one_out.h"
 
 #include "statistics/gram_eigen.h"
@@ -12,7 +13,8 @@
 namespace shellmatch {
 namespace {
 
-// S' = diag(values) - rho z z^T, decomposed. What the shape has of directions in which S' is 0 remains whatever the number of modes.
+// S' = diag(values) - rho z z^T, decomposed. What the shape has of directions in which S' is 0 remains whatever the
+// number of modes.
 Eigen::VectorXd directly(const Eigen::VectorXd& values, const Eigen::VectorXd& z, double n) {
   const double rho = n / (n - 1), shift = values[0];  // all eigenvalues are positive then, and none is left out
   Eigen::MatrixXd matrix = (values.array() + shift).matrix().asDiagonal();
@@ -23,7 +25,8 @@ Eigen::VectorXd directly(const Eigen::VectorXd& values, const Eigen::VectorXd& z
   const auto is_mode = [&](Eigen::Index k) { return eigen.values[k] - shift > 1e-12 * values[0]; };
   for (Eigen::Index k = 0; k < values.size(); ++k)
     if (!is_mode(k)) squares[values.size()] += components[k] * components[k];
-  for (Eigen::Index k = values.size(); k-- > 0;) squares[k] = squares[k + 1] + (is_mode(k) ? components[k] * components[k] : 0);
+  for (Eigen::Index k = values.size(); k-- > 0;)
+    squares[k] = squares[k + 1] + (is_mode(k) ? components[k] * components[k] : 0);
   return squares;
 }
 
@@ -33,7 +36,8 @@ Eigen::VectorXd admissible(const Eigen::VectorXd& values, const Eigen::VectorXd&
 }
 
 void expect_same(const Eigen::VectorXd& values, const Eigen::VectorXd& z, double n, double tolerance) {
-  const Eigen::VectorXd ours = left_out_distances(values, z, static_cast<Eigen::Index>(n)), theirs = directly(values, z, n);
+  const Eigen::VectorXd ours = left_out_distances(values, z, static_cast<Eigen::Index>(n)),
+                        theirs = directly(values, z, n);
   ASSERT_EQ(ours.size(), theirs.size());
   EXPECT_LE((ours - theirs).cwiseAbs().maxCoeff(), tolerance * theirs[0]);
   const double rho = n / (n - 1);
@@ -51,7 +55,8 @@ TEST(LeaveOneOut, OfSpectraOfManyKinds) {
   for (const double share : {1.0, 0.999999, 0.5, 1e-3, 1e-8}) {
     for (const Eigen::VectorXd& values : {linear, geometric})
       expect_same(values, admissible(values, directions, n, share), n, 1e-9);
-    expect_same(pairs, admissible(pairs, directions, n, share), n, 1e-5);  // vectors of neighbours are determined to fewer digits
+    expect_same(pairs, admissible(pairs, directions, n, share), n,
+                1e-5);  // vectors of neighbours are determined to fewer digits
   }
   expect_same(linear.head(1), admissible(linear.head(1), directions.head(1), n, 0.7), n, 1e-12);
   expect_same(linear.head(2), admissible(linear.head(2), directions.head(2), n, 0.7), n, 1e-12);
@@ -76,14 +81,16 @@ TEST(LeaveOneOut, WhereTheOthersDoNotVary) {
   for (const double square : squares) EXPECT_NEAR(square, 9, 1e-12);
 }
 
-// Of equal eigenvalues, one combination of the modes holds all of the shape, and the others stay. What modes leave is known where
-// the shape lies in such a plane: all, as long as its own mode is not among them, whose eigenvalue is 2 - 9/8 |z|^2.
+// Of equal eigenvalues, one combination of the modes holds all of the shape, and the others stay. What modes leave is
+// known where the shape lies in such a plane: all, as long as its own mode is not among them, whose eigenvalue is 2 -
+// 9/8 |z|^2.
 TEST(LeaveOneOut, OfEqualEigenvalues) {
   constexpr Eigen::Index n = 9;
   const Eigen::VectorXd values{{5, 2, 2, 2, 1}}, z{{0, 0.6, 0.8, 0, 0}};
   const double whole = std::pow(n / (n - 1.0), 2);
   EXPECT_LE((left_out_distances(values, z, n) - Eigen::VectorXd{{whole, whole, whole, whole, whole, 0}}).norm(), 1e-13);
-  EXPECT_LE((100 * left_out_distances(values, z / 10, n) - Eigen::VectorXd{{whole, whole, whole, whole, 0, 0}}).norm(), 1e-13);
+  EXPECT_LE((100 * left_out_distances(values, z / 10, n) - Eigen::VectorXd{{whole, whole, whole, whole, 0, 0}}).norm(),
+            1e-13);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Compactness, generalisation and specificity against their definitions: models fitted anew, shapes compared point by point.
+// Compactness, generalisation and specificity against their definitions: models fitted anew, shapes compared point by
+// point.
 #include "statistics/model_curves.h"
 
 #include "base/error.h"
@@ -98,11 +99,12 @@ TEST(ModelCurves, WhereAShapeIsThereTwice) {
   EXPECT_GT(model_curves(sets, uniform_weights(7), 1, 1).generalisation.back(), 0.1);
 }
 
-// Seven shapes on a line and one beside it. Of the first seven one mode leaves something as long as the eighth turns it, two leave
-// nothing; of the eighth its distance from the line stays, whatever the number of modes.
+// Seven shapes on a line and one beside it. Of the first seven one mode leaves something as long as the eighth turns
+// it, two leave nothing; of the eighth its distance from the line stays, whatever the number of modes.
 TEST(ModelCurves, OfALineAndAShapeBesideIt) {
   PointSets sets = random_sets(3, 6, 8, 3);
-  const Eigen::VectorXd weights = uniform_weights(6), start = sets.coordinates.col(0), outlier = sets.coordinates.col(7);
+  const Eigen::VectorXd weights = uniform_weights(6), start = sets.coordinates.col(0),
+                        outlier = sets.coordinates.col(7);
   const Eigen::VectorXd direction = sets.coordinates.col(1).normalized();
   for (Eigen::Index i = 0; i < 7; ++i) sets.coordinates.col(i) = start + static_cast<double>(i) * direction;
   expect_definitions(sets, 1e-7);

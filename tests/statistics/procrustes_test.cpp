@@ -80,7 +80,8 @@ void finds_motions(ProcrustesKind kind) {
   const PointSets one = random_sets(Dim, 15, 1, 21, 2);
   const Eigen::VectorXd weights = random_weights(15, 22), base = one.coordinates.col(0);
   const PointSets copies{Dim, base.replicate(1, 9)};
-  const AlignedSets aligned = procrustes(moved<Dim>(copies, kind == ProcrustesKind::similarity, 23), weights, base, kind);
+  const AlignedSets aligned =
+      procrustes(moved<Dim>(copies, kind == ProcrustesKind::similarity, 23), weights, base, kind);
   EXPECT_LE(greatest_distance(aligned.sets, copies, weights), 1e-13 * 20);
   EXPECT_LE(distance(aligned.mean, base, weights), 1e-13 * 20);
   EXPECT_LE(aligned.n_iterations, 3);
@@ -129,8 +130,9 @@ void start_is_a_frame(ProcrustesKind kind) {
     for (Eigen::Index j = 0; j < sets.n_sets(); ++j) {
       const double before =
           distance(a.sets.coordinates.col(i), a.sets.coordinates.col(j), weights) / size_of(a.mean, weights, Dim);
-      EXPECT_NEAR(distance(b.sets.coordinates.col(i), b.sets.coordinates.col(j), weights) / size_of(b.mean, weights, Dim), before,
-                  1e-10);
+      EXPECT_NEAR(
+          distance(b.sets.coordinates.col(i), b.sets.coordinates.col(j), weights) / size_of(b.mean, weights, Dim),
+          before, 1e-10);
     }
   // The mean is where the start is: aligning it there again changes nothing.
   const PointSets again = align_to_mean({Dim, b.mean}, weights, start, ProcrustesKind::rigid);
@@ -139,7 +141,8 @@ void start_is_a_frame(ProcrustesKind kind) {
     EXPECT_NEAR(size_of(b.mean, weights, Dim), size_of(start, weights, Dim), 1e-12 * 20);
   } else {
     for (Eigen::Index i = 0; i < sets.n_sets(); ++i)
-      EXPECT_NEAR(size_of(b.sets.coordinates.col(i), weights, Dim), size_of(sets.coordinates.col(i), weights, Dim), 1e-13 * 20);
+      EXPECT_NEAR(size_of(b.sets.coordinates.col(i), weights, Dim), size_of(sets.coordinates.col(i), weights, Dim),
+                  1e-13 * 20);
   }
 }
 
@@ -152,7 +155,8 @@ TEST(Procrustes, StartIsAFrame) {
 
 double spread(const AlignedSets& aligned, const PointSets& sets, const Eigen::VectorXd& weights) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < sets.n_sets(); ++i) sum += std::pow(distance(sets.coordinates.col(i), aligned.mean, weights), 2);
+  for (Eigen::Index i = 0; i < sets.n_sets(); ++i)
+    sum += std::pow(distance(sets.coordinates.col(i), aligned.mean, weights), 2);
   return sum;
 }
 
@@ -170,7 +174,8 @@ void is_least(ProcrustesKind kind) {
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) skew(i, j) = normal(random);
     skew = (skew - skew.transpose()).eval();
-    const Mat<Dim> one = Mat<Dim>::Identity(), rotation = (one - 1e-3 * skew).inverse() * (one + 1e-3 * skew);  // Cayley
+    const Mat<Dim> one = Mat<Dim>::Identity(),
+                   rotation = (one - 1e-3 * skew).inverse() * (one + 1e-3 * skew);  // Cayley
     Vec<Dim> shift;
     for (double& x : shift) x = 1e-3 * normal(random);
     PointSets disturbed = aligned.sets;
@@ -184,8 +189,8 @@ TEST(Procrustes, NoMotionBringsAShapeNearerToTheMean) {
   is_least<3>(ProcrustesKind::rigid);
 }
 
-// With similarity: of all scales with a mean of this size, those of the first eigenvector of the correlations between shapes of
-// unit size have the least spread relative to the mean.
+// With similarity: of all scales with a mean of this size, those of the first eigenvector of the correlations between
+// shapes of unit size have the least spread relative to the mean.
 TEST(Procrustes, ScalesAreTheFirstEigenvector) {
   const PointSets sets = similar_sets(3, 12, 8, 0.3);
   const Eigen::VectorXd weights = random_weights(12, 41);
@@ -200,7 +205,8 @@ TEST(Procrustes, ScalesAreTheFirstEigenvector) {
     units.col(i) = (aligned.sets.coordinates.col(i) - place) / sizes[i];
   }
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) correlations(i, j) = 1 - std::pow(distance(units.col(i), units.col(j), weights), 2) / 2;
+    for (Eigen::Index j = 0; j < n; ++j)
+      correlations(i, j) = 1 - std::pow(distance(units.col(i), units.col(j), weights), 2) / 2;
   const Eigen::VectorXd image = correlations * sizes;
   const double value = image.dot(sizes) / sizes.squaredNorm();
   EXPECT_LE((image - value * sizes).norm(), 1e-9 * image.norm());
@@ -250,7 +256,8 @@ TEST(Procrustes, FurtherShapesComeToWhereTheyWerePut) {
 TEST(Procrustes, OneShapeComesToTheStart) {
   const PointSets start = random_sets(3, 9, 1, 71);
   const Eigen::VectorXd weights = uniform_weights(9);
-  const AlignedSets aligned = procrustes(moved<3>(start, false, 72), weights, start.coordinates.col(0), ProcrustesKind::rigid);
+  const AlignedSets aligned =
+      procrustes(moved<3>(start, false, 72), weights, start.coordinates.col(0), ProcrustesKind::rigid);
   EXPECT_LE(greatest_distance(aligned.sets, start, weights), 1e-12);
 }
 
@@ -280,10 +287,13 @@ TEST(Procrustes, SaysWhatIsWrong) {
   sets.coordinates.col(2) = Eigen::Vector3d(0.1, 100 / 3.0, 77).replicate(5, 1);
   EXPECT_NE(error_of_procrustes(sets, start).find("shape 2 (counted from 0): its points coincide"), std::string::npos);
   EXPECT_EQ(error_of_procrustes(sets, start, ProcrustesKind::none), "no InputError");
-  EXPECT_NE(error_of_procrustes(sets, sets.coordinates.col(2)).find("shape to align to: its points coincide"), std::string::npos);
+  EXPECT_NE(error_of_procrustes(sets, sets.coordinates.col(2)).find("shape to align to: its points coincide"),
+            std::string::npos);
   EXPECT_NE(error_of_procrustes(sets, Eigen::VectorXd::Zero(3)).find("3 coordinates"), std::string::npos);
-  EXPECT_NE(error_of_procrustes(sets, start * std::numeric_limits<double>::quiet_NaN()).find("not finite"), std::string::npos);
-  EXPECT_NE(error_of_procrustes(random_sets(3, 1, 2, 82), Eigen::Vector3d(1, 2, 3)).find("coincide"), std::string::npos);
+  EXPECT_NE(error_of_procrustes(sets, start * std::numeric_limits<double>::quiet_NaN()).find("not finite"),
+            std::string::npos);
+  EXPECT_NE(error_of_procrustes(random_sets(3, 1, 2, 82), Eigen::Vector3d(1, 2, 3)).find("coincide"),
+            std::string::npos);
   sets.coordinates(3, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(error_of_procrustes(sets, start).find("shape 1, point 1"), std::string::npos);
 }

@@ -20,9 +20,11 @@ double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Eigen::
 
 TEST(Products, AreSumsOverThePoints) {
   for (const int dimension : {2, 3}) {
-    const Eigen::MatrixXd a = random_sets(dimension, 411, 70, 1).coordinates, b = random_sets(dimension, 411, 131, 2).coordinates;
+    const Eigen::MatrixXd a = random_sets(dimension, 411, 70, 1).coordinates,
+                          b = random_sets(dimension, 411, 131, 2).coordinates;
     const Eigen::VectorXd weights = random_weights(411, 3), centre = a.col(5);
-    const Eigen::MatrixXd plain = inner_products({a}, {b}, weights), centred = inner_products({a, &centre}, {b}, weights);
+    const Eigen::MatrixXd plain = inner_products({a}, {b}, weights),
+                          centred = inner_products({a, &centre}, {b}, weights);
     const Eigen::MatrixXd gram = gram_matrix({b, &centre}, weights);
     for (const Eigen::Index i : {0, 63, 64, 69})
       for (const Eigen::Index j : {0, 1, 64, 127, 128, 130}) {
@@ -47,10 +49,12 @@ TEST(Products, Combinations) {
 // Sizes at which Eigen takes other kernels: no product, a vector, less than a register, more than a panel.
 TEST(Products, CombinationsDoNotDependOnTheColumnsThatFollow) {
   for (const Eigen::Index n_sets : {2, 11, 70}) {
-    const Eigen::MatrixXd a = random_sets(3, 411, n_sets, 1).coordinates, c = random_sets(2, n_sets, 100, 2).coordinates;
+    const Eigen::MatrixXd a = random_sets(3, 411, n_sets, 1).coordinates,
+                          c = random_sets(2, n_sets, 100, 2).coordinates;
     const Eigen::MatrixXd all = combinations({a}, c.topRows(n_sets));
     for (const Eigen::Index n : {0, 1, 2, 5, 15, 16, 17, 33, 99})
-      EXPECT_EQ(combinations({a}, c.topLeftCorner(n_sets, n)), all.leftCols(n)) << n_sets << " sets, " << n << " columns";
+      EXPECT_EQ(combinations({a}, c.topLeftCorner(n_sets, n)), all.leftCols(n))
+          << n_sets << " sets, " << n << " columns";
   }
 }
 

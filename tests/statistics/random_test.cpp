@@ -62,7 +62,8 @@ TEST(Random, NumbersBelowALimitAreEquallyFrequent) {
   EXPECT_EQ(random.below(1), 0u);
   // Of the numbers below 3 * 2^62 a third is above 2^63; a remainder of 2^64 would make them a quarter.
   int n_above = 0;
-  for (int i = 0; i < n; ++i) n_above += random.below(3u * (std::uint64_t{1} << 62)) >= (std::uint64_t{1} << 63) ? 1 : 0;
+  for (int i = 0; i < n; ++i)
+    n_above += random.below(3u * (std::uint64_t{1} << 62)) >= (std::uint64_t{1} << 63) ? 1 : 0;
   EXPECT_NEAR(n_above, n / 3.0, 5 * std::sqrt(n * 2 / 9.0));
 }
 

@@ -37,7 +37,8 @@ double angle_in_degrees(const Eigen::VectorXd& a, const Eigen::VectorXd& b, cons
 void expect_orthonormal(const ShapeModel& model, double tolerance) {
   for (Eigen::Index i = 0; i < model.modes.cols(); ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
-      EXPECT_NEAR(inner(model.modes.col(i), model.modes.col(j), model.weights), i == j ? 1 : 0, tolerance) << i << " " << j;
+      EXPECT_NEAR(inner(model.modes.col(i), model.modes.col(j), model.weights), i == j ? 1 : 0, tolerance)
+          << i << " " << j;
 }
 
 TEST(ShapeModel, OfPrescribedScoresIsExact) {
@@ -89,8 +90,8 @@ TEST(ShapeModel, PositiveScoresAreLargerShapes) {
   }
 }
 
-// Normal scores from the points of a lattice in the square, so that their moments are close to those of the distribution (J. M.
-// Hammersley 1960), noise, and a motion of each shape.
+// Normal scores from the points of a lattice in the square, so that their moments are close to those of the
+// distribution (J. M. Hammersley 1960), noise, and a motion of each shape.
 TEST(ShapeModel, OfRandomShapesIsThatOfTheFamily) {
   const BoxFamily family = box_family(3, 15);
   constexpr Eigen::Index n = 512;
@@ -98,7 +99,8 @@ TEST(ShapeModel, OfRandomShapesIsThatOfTheFamily) {
   for (Eigen::Index i = 0; i < n; ++i) {
     double reversed = 0, half = 0.5;
     for (Eigen::Index bits = i; bits > 0; bits >>= 1, half /= 2) reversed += static_cast<double>(bits & 1) * half;
-    const double radius = std::sqrt(-2 * std::log((static_cast<double>(i) + 0.5) / n)), angle = 2 * std::numbers::pi * reversed;
+    const double radius = std::sqrt(-2 * std::log((static_cast<double>(i) + 0.5) / n)),
+                 angle = 2 * std::numbers::pi * reversed;
     scores.row(i) << 0.5 * radius * std::cos(angle), 0.3 * radius * std::sin(angle);
   }
   PointSets shapes = family.shapes(scores);
@@ -107,8 +109,8 @@ TEST(ShapeModel, OfRandomShapesIsThatOfTheFamily) {
   std::normal_distribution<double> normal;
   for (Eigen::Index i = 0; i < n; ++i) {
     const Vec<3> a(normal(random), normal(random), normal(random)), b(normal(random), normal(random), normal(random));
-    const Mat<3> one = Mat<3>::Identity(),
-                 turn = (one - 2 / a.squaredNorm() * a * a.transpose()) * (one - 2 / b.squaredNorm() * b * b.transpose());
+    const Mat<3> one = Mat<3>::Identity(), turn = (one - 2 / a.squaredNorm() * a * a.transpose()) *
+                                                  (one - 2 / b.squaredNorm() * b * b.transpose());
     for (Eigen::Index p = 0; p < shapes.n_points(); ++p) {
       auto x = shapes.coordinates.col(i).segment<3>(3 * p);
       x = (turn * x + 10 * a).eval();
@@ -170,7 +172,8 @@ TEST(ShapeModel, ScoresAndShapesAreInverse) {
     for (int p = 0; p < 12; ++p) about_centre[3 * p + i] -= centre;
   }
   for (Eigen::Index k = 0; k < 8; ++k)
-    EXPECT_GT(inner(model.modes.col(k), about_centre, weights), -0.01 * std::sqrt(inner(about_centre, about_centre, weights)));
+    EXPECT_GT(inner(model.modes.col(k), about_centre, weights),
+              -0.01 * std::sqrt(inner(about_centre, about_centre, weights)));
   // Fewer scores are those of the first modes.
   const Eigen::MatrixXd two = model.inverse_transform(model.scores.leftCols(2));
   EXPECT_LE((model.transform(two).leftCols(2) - model.scores.leftCols(2)).norm(), 1e-12);
@@ -210,7 +213,8 @@ TEST(ShapeModel, SamplesHaveItsVariances) {
     EXPECT_NEAR(samples.col(k).mean(), 0, 5 * std::sqrt(model.variances[k] / n));
     EXPECT_NEAR(samples.col(k).squaredNorm() / n, model.variances[k], 5 * model.variances[k] * std::sqrt(2.0 / n));
   }
-  EXPECT_LE(std::abs(samples.col(0).dot(samples.col(1))) / n, 5 * std::sqrt(model.variances[0] * model.variances[1] / n));
+  EXPECT_LE(std::abs(samples.col(0).dot(samples.col(1))) / n,
+            5 * std::sqrt(model.variances[0] * model.variances[1] / n));
   EXPECT_EQ(model.sample_scores(10, 9), samples.topRows(10));
   EXPECT_NE(model.sample_scores(10, 10), samples.topRows(10));
   EXPECT_EQ(model.sample_scores(0, 9).rows(), 0);
@@ -258,8 +262,10 @@ TEST(ShapeModel, SaysWhatIsWrong) {
   EXPECT_EQ(error_of_model([&] { fit_shape_model(random_sets(3, 5, 1, 1), weights); }),
             "a shape model needs at least two shapes; there is one");
   EXPECT_NE(error_of_model([&] { fit_shape_model(sets, weights, -1); }).find("-1 modes"), std::string::npos);
-  EXPECT_NE(error_of_model([&] { model.transform(Eigen::MatrixXd::Zero(12, 2)); }).find("12 coordinates"), std::string::npos);
-  EXPECT_NE(error_of_model([&] { model.inverse_transform(Eigen::MatrixXd::Zero(2, 4)); }).find("4 modes"), std::string::npos);
+  EXPECT_NE(error_of_model([&] { model.transform(Eigen::MatrixXd::Zero(12, 2)); }).find("12 coordinates"),
+            std::string::npos);
+  EXPECT_NE(error_of_model([&] { model.inverse_transform(Eigen::MatrixXd::Zero(2, 4)); }).find("4 modes"),
+            std::string::npos);
   EXPECT_NE(error_of_model([&] { model.sample_scores(-1, 1); }).find("-1 random shapes"), std::string::npos);
   sets.coordinates(4, 3) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(error_of_model([&] { fit_shape_model(sets, weights); }).find("shape 3, point 1"), std::string::npos);

@@ -20,7 +20,9 @@ class StatisticsThreads : public ::testing::Test {
 // All numbers of all results, one after another.
 std::vector<double> everything(int dimension) {
   std::vector<double> numbers;
-  const auto add = [&](const auto& values) { numbers.insert(numbers.end(), values.data(), values.data() + values.size()); };
+  const auto add = [&](const auto& values) {
+    numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+  };
   PointSets sets = testing::random_sets(dimension, 700, 90, 1);
   sets.coordinates = (0.3 * sets.coordinates).colwise() + Eigen::VectorXd(10 * sets.coordinates.col(0));
   const Eigen::VectorXd weights = testing::random_weights(700, 2), start = sets.coordinates.col(0);
@@ -33,8 +35,8 @@ std::vector<double> everything(int dimension) {
   add(model.scores);
   add(model.inverse_transform(model.sample_scores(20, 3)));
   const ModelCurves curves = model_curves(model, 100, 3);
-  for (const auto& curve :
-       {curves.compactness, curves.generalisation, curves.generalisation_error, curves.specificity, curves.specificity_error})
+  for (const auto& curve : {curves.compactness, curves.generalisation, curves.generalisation_error, curves.specificity,
+                            curves.specificity_error})
     add(curve);
   std::vector<char> is_b(90, 0);
   std::fill(is_b.begin(), is_b.begin() + 35, 1);

@@ -44,7 +44,8 @@ std::string stored(const std::string& data) {
 
 }  // namespace
 
-std::string tiff_bytes(int width, int height, int bits, const PixelValue& value, int format, int photometric, int tile) {
+std::string tiff_bytes(int width, int height, int bits, const PixelValue& value, int format, int photometric,
+                       int tile) {
   std::string pixels;
   const int side_x = tile ? tile : width, side_y = tile ? tile : height;
   std::vector<std::size_t> starts;
@@ -84,7 +85,8 @@ std::string tiff_bytes(int width, int height, int bits, const PixelValue& value,
   if (tile) entry(324, 4, n, n == 1 ? starts[0] : lists_at);
   if (tile) entry(325, 4, n, n == 1 ? bytes_of_tile : lists_at + 4 * n);
   entry(339, 3, 1, format);
-  std::string bytes = std::string("II*\0", 4) + little(lists_at + lists.size(), 4) + pixels + lists + little(entries.size(), 2);
+  std::string bytes =
+      std::string("II*\0", 4) + little(lists_at + lists.size(), 4) + pixels + lists + little(entries.size(), 2);
   for (const std::string& e : entries) bytes += e;
   return bytes + little(0, 4);
 }
@@ -95,14 +97,15 @@ std::string bmp_bytes(int width, int height, int bits, const PixelValue& value, 
     for (int c = 0; c < 256; ++c) palette += std::string(3, static_cast<char>(c * palette_step)) + '\0';
   for (int line = 0; line < height; ++line) {
     std::string bytes;
-    for (int column = 0; column < width; ++column) bytes += little(value(column, downward ? line : height - 1 - line), bits / 8);
+    for (int column = 0; column < width; ++column)
+      bytes += little(value(column, downward ? line : height - 1 - line), bits / 8);
     bytes.resize((bytes.size() + 3) / 4 * 4);
     pixels += bytes;
   }
   const std::size_t start = 54 + palette.size();
   return "BM" + little(start + pixels.size(), 4) + little(0, 4) + little(start, 4) + little(40, 4) + little(width, 4) +
-         little(static_cast<std::uint32_t>(downward ? -height : height), 4) + little(1, 2) + little(bits, 2) + little(0, 4) + little(pixels.size(), 4) +
-         little(0, 16) + palette + pixels;
+         little(static_cast<std::uint32_t>(downward ? -height : height), 4) + little(1, 2) + little(bits, 2) +
+         little(0, 4) + little(pixels.size(), 4) + little(0, 16) + palette + pixels;
 }
 
 std::string png_bytes(int width, int height, int bits, const PixelValue& value, const std::string& palette) {
@@ -111,8 +114,10 @@ std::string png_bytes(int width, int height, int bits, const PixelValue& value, 
     rows.push_back('\0');
     for (int column = 0; column < width; ++column) rows += big(value(column, row), bits / 8);
   }
-  const std::string head = big(width, 4) + big(height, 4) + std::string(1, static_cast<char>(bits)) + std::string(1, palette.empty() ? '\0' : '\3') + std::string(3, '\0');
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + (palette.empty() ? "" : chunk("PLTE", palette)) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
+  const std::string head = big(width, 4) + big(height, 4) + std::string(1, static_cast<char>(bits)) +
+                           std::string(1, palette.empty() ? '\0' : '\3') + std::string(3, '\0');
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + (palette.empty() ? "" : chunk("PLTE", palette)) +
+         chunk("IDAT", stored(rows)) + chunk("IEND", "");
 }
 
 }  // namespace shellmatch::testing

@@ -14,8 +14,7 @@ template <class Function>
 ::testing::AssertionResult has_derivative(Function&& f, double derivative, const TaylorSteps& steps = {},
                                           double tolerance = 0.1) {
   const TaylorRemainder remainder = taylor_remainder(std::ref(f), derivative, steps);
-  auto result =
-      remainder.is_second_order(tolerance) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure();
+  auto result = remainder.is_second_order(tolerance) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure();
   result << "order of the Taylor remainder by decade:";
   for (const double o : remainder.orders) result << " " << o;
   return result;

@@ -34,12 +34,8 @@ struct Accumulator {
 
 class SumOfSquares : public TestProblem {
  public:
-  SumOfSquares(std::string name, std::vector<double> start, std::vector<double> minimizer,
-               double tolerance = 1e-3)
-      : name_(std::move(name)),
-        start_(std::move(start)),
-        minimizer_(std::move(minimizer)),
-        tolerance_(tolerance) {}
+  SumOfSquares(std::string name, std::vector<double> start, std::vector<double> minimizer, double tolerance = 1e-3)
+      : name_(std::move(name)), start_(std::move(start)), minimizer_(std::move(minimizer)), tolerance_(tolerance) {}
   std::string name() const override { return name_; }
   std::size_t size() const override { return start_.size(); }
   std::vector<double> start() const override { return start_; }
@@ -90,8 +86,8 @@ class Rosenbrock final : public SumOfSquares {
 class PowellSingular final : public SumOfSquares {
  public:
   explicit PowellSingular(std::size_t n)
-      : SumOfSquares(n == 4 ? "powell_singular" : fmt::format("extended_powell_{}", n),
-                     repeated({3, -1, 0, 1}, n), repeated({0}, n), 0.1) {}
+      : SumOfSquares(n == 4 ? "powell_singular" : fmt::format("extended_powell_{}", n), repeated({3, -1, 0, 1}, n),
+                     repeated({0}, n), 0.1) {}
   void add_residuals(std::span<const double> x, Accumulator& sum) const override {
     const double root5 = std::sqrt(5.0), root10 = std::sqrt(10.0);
     for (std::size_t i = 0; i < x.size(); i += 4) {
@@ -137,8 +133,7 @@ class HelicalValley final : public SumOfSquares {
     constexpr double turn = 2 * std::numbers::pi;
     const double squared = x[0] * x[0] + x[1] * x[1], radius = std::sqrt(squared);
     const double theta = std::atan(x[1] / x[0]) / turn + (x[0] < 0 ? 0.5 : 0);
-    sum.add(10 * (x[2] - 10 * theta),
-            {{0, 100 * x[1] / squared / turn}, {1, -100 * x[0] / squared / turn}, {2, 10}});
+    sum.add(10 * (x[2] - 10 * theta), {{0, 100 * x[1] / squared / turn}, {1, -100 * x[0] / squared / turn}, {2, 10}});
     sum.add(10 * (radius - 1), {{0, 10 * x[0] / radius}, {1, 10 * x[1] / radius}});
     sum.add(x[2], {{2, 1}});
   }
@@ -149,9 +144,7 @@ class Trigonometric final : public TestProblem {
   explicit Trigonometric(std::size_t n) : n_(n) {}
   std::string name() const override { return "trigonometric"; }
   std::size_t size() const override { return n_; }
-  std::vector<double> start() const override {
-    return std::vector<double>(n_, 1.0 / static_cast<double>(n_));
-  }
+  std::vector<double> start() const override { return std::vector<double>(n_, 1.0 / static_cast<double>(n_)); }
   std::vector<double> minima() const override { return {0.0, 2.79506e-5}; }  // the local one is for n = 10
   Entries jacobian(std::span<const double> x) const override {
     Entries entries;
@@ -350,9 +343,7 @@ std::vector<std::unique_ptr<TestProblem>> more_garbow_hillstrom() {
 }
 
 std::unique_ptr<TestProblem> extended_rosenbrock(std::size_t n) { return std::make_unique<Rosenbrock>(n); }
-std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu) {
-  return std::make_unique<LogBarrier>(n, mu);
-}
+std::unique_ptr<TestProblem> log_barrier(std::size_t n, double mu) { return std::make_unique<LogBarrier>(n, mu); }
 std::unique_ptr<TestProblem> weighted_bowl(std::size_t n) { return std::make_unique<WeightedBowl>(n); }
 
 }  // namespace shellmatch::testing

@@ -48,8 +48,8 @@ TEST(CorrespondenceError, ASphereTurnedByASymmetryOfItsVerticesEndsAGreatCircleA
     // By the chord: a cosine near 1 does not tell small angles apart.
     const double exact = 2 * std::asin(std::min(1.0, (ends[v] - sphere.vertices[v]).norm() / (2 * radius))) /
                          std::sqrt(4 * std::numbers::pi);
-    // Chords are a little shorter than arcs. Where triangles are equilateral paths along edges are at most 2 / sqrt(3) of the
-    // way, and these are not quite.
+    // Chords are a little shorter than arcs. Where triangles are equilateral paths along edges are at most 2 / sqrt(3)
+    // of the way, and these are not quite.
     EXPECT_GE(errors[v], 0.999 * exact - 1e-12);
     EXPECT_LE(errors[v], 1.2 * exact + 1e-12);
     sum += errors[v];
@@ -74,7 +74,8 @@ TEST(CorrespondenceError, AnotherComponentIsInfinitelyFar) {
 TEST(CorrespondenceError, ATemplateWithoutAreaIsRefused) {
   const std::vector<Index> first{0};
   EXPECT_THROW(geodesic_errors({{Vec<3>::Zero()}, {}}, first, first), InputError);
-  EXPECT_THROW(euclidean_errors(std::vector<Vec<3>>{Vec<3>::Zero()}, std::vector<Vec<3>>{Vec<3>::Zero()}, first), InputError);
+  EXPECT_THROW(euclidean_errors(std::vector<Vec<3>>{Vec<3>::Zero()}, std::vector<Vec<3>>{Vec<3>::Zero()}, first),
+               InputError);
 }
 
 TEST(EdgeGraph, ADistanceIsTheOneOfAllDistances) {

@@ -113,7 +113,8 @@ TEST_F(KnownMap, LandmarksAreTheFirstOfAllSets) {
   EXPECT_EQ(pair.landmarks, four);
   for (int s = 0; s < 2; ++s)
     for (const VertexSet* set : {&pair.coarse[s], &pair.dense[s]}) {
-      EXPECT_EQ(std::vector<Index>(set->vertices.begin(), set->vertices.begin() + 4), (std::vector<Index>{7, 900, 3, 55}));
+      EXPECT_EQ(std::vector<Index>(set->vertices.begin(), set->vertices.begin() + 4),
+                (std::vector<Index>{7, 900, 3, 55}));
       std::vector<Index> sorted = set->vertices;
       std::ranges::sort(sorted);
       EXPECT_EQ(std::ranges::adjacent_find(sorted), sorted.end());
@@ -162,7 +163,9 @@ TEST_F(KnownMap, NoiseOfFewLandmarksIsThatAtNoDistance) {
   const Mat<3> turn = Eigen::AngleAxisd(0.4, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
   for (std::size_t j = 0; j < 16; ++j) {
     const Vec<3> x = turn * vertices[pair.landmarks[j].second];
-    matches.to[0][j] = static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) - vertices.begin());
+    matches.to[0][j] = static_cast<Index>(
+        std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
+        vertices.begin());
   }
   const MapScore turned = score_map(pair, matches, functional_map(pair, matches, 40));
   EXPECT_GT(turned.landmarks, 0.05);
@@ -181,7 +184,9 @@ TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
   // All images are those of a neighbour in one direction: an error that is shared.
   const auto& vertices = shape_2_->surface.vertices;
   const auto nearest = [&](const Vec<3>& x) {
-    return static_cast<Index>(std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) - vertices.begin());
+    return static_cast<Index>(
+        std::ranges::min_element(vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
+        vertices.begin());
   };
   for (std::size_t j = 0; j < 60; ++j) matches.to[0][j] = nearest(vertices[matches.to[0][j]] + Vec<3>(0.06, 0, 0));
   const MapScore shared = score_map(pair, matches, c);
@@ -189,7 +194,8 @@ TEST_F(KnownMap, NoiseOfLandmarksIsWhatNeighboursDoNotShare) {
   EXPECT_LT(shared.landmark_noise, 0.6 * shared.landmarks);
   // Now each in a direction of its own.
   for (std::size_t j = 0; j < 60; ++j) {
-    const Vec<3> away = Eigen::AngleAxisd(static_cast<double>(j * j), Vec<3>(1, 2, 3).normalized()) * Vec<3>(0.06, 0, 0);
+    const Vec<3> away =
+        Eigen::AngleAxisd(static_cast<double>(j * j), Vec<3>(1, 2, 3).normalized()) * Vec<3>(0.06, 0, 0);
     matches.to[0][j] = nearest(vertices[pair.landmarks[j].second] + away);
   }
   const MapScore noisy = score_map(pair, matches, c);

@@ -49,7 +49,9 @@ TEST(Starts, NeighboursThatOverlapAreSwappedOneAtATime) {
 }
 
 TEST(Starts, ASphereHasNoAxesAndASolidOfRevolutionHasOne) {
-  const auto with = [](double second, double third) { return Eigen::VectorXd((Eigen::VectorXd(5) << 0, 1, second, third, 3).finished()); };
+  const auto with = [](double second, double third) {
+    return Eigen::VectorXd((Eigen::VectorXd(5) << 0, 1, second, third, 3).finished());
+  };
   EXPECT_TRUE(has_no_axes(with(1.0001, 1.0002)));
   EXPECT_FALSE(has_no_axes(with(1, 1.1)));
   EXPECT_FALSE(has_no_axes(with(1.1, 1.1)));

@@ -15,8 +15,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// The least cost of the steps from (i, j) behind the first pair to (n, n), by trying all.
-double least_of_all(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching, std::size_t i,
-                    std::size_t j) {
+double least_of_all(const Eigen::MatrixXd& costs, std::size_t first, std::size_t second, double stretching,
+                    std::size_t i, std::size_t j) {
   const auto n = static_cast<std::size_t>(costs.rows());
   if (i == n && j == n) return 0;
   double least = inf;

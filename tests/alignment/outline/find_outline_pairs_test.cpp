@@ -1,4 +1,5 @@
-// Pairs between outlines and their turned, scaled, renumbered and mirrored selves; symmetric ones stay; real hands and leaves.
+// Pairs between outlines and their turned, scaled, renumbered and mirrored selves; symmetric ones stay; real hands and
+// leaves.
 #include "alignment/outline/find_outline_pairs.h"
 #include "alignment/outline/planar_pose.h"
 #include "base/error.h"
@@ -47,7 +48,8 @@ double turn_of(const Similarity<2>& pose) { return std::atan2(pose.rotation(1, 0
 /// Greatest distance of a pair from the motion, in diagonals of the template.
 double greatest_error(const OutlinePairs& found, const Surface<2>& template_outline, const Similarity<2>& motion) {
   double greatest = 0;
-  for (const auto& pair : found.pairs()) greatest = std::max(greatest, (motion(pair.on_reference) - pair.on_template).norm());
+  for (const auto& pair : found.pairs())
+    greatest = std::max(greatest, (motion(pair.on_reference) - pair.on_template).norm());
   return greatest / bounding_box(template_outline.vertices).diagonal();
 }
 
@@ -79,9 +81,10 @@ TEST(FindOutlinePairs, AnotherLeafIsTurnedAsThisOne) {
   EXPECT_LT(std::abs(turn_of(as_it_lies.candidates[0].pose)), 10 * degree);
   for (const double angle : {150.0, -100.0}) {
     const OutlinePairs found = find_outline_pairs(moved(leaf(), similarity(-angle * degree)), other);
-    EXPECT_NEAR(std::remainder(turn_of(found.candidates[0].pose) - turn_of(as_it_lies.candidates[0].pose) - angle * degree,
-                               2 * std::numbers::pi),
-                0, 2 * degree);
+    EXPECT_NEAR(
+        std::remainder(turn_of(found.candidates[0].pose) - turn_of(as_it_lies.candidates[0].pose) - angle * degree,
+                       2 * std::numbers::pi),
+        0, 2 * degree);
     EXPECT_GT(found.margin, 1.3);
   }
 }
@@ -90,7 +93,8 @@ TEST(FindOutlinePairs, WhatIsSymmetricStaysAsItLies) {
   for (const auto& [name, variant] : {std::pair("circle", ""), {"ellipse", "long"}, {"star", ""}}) {
     const Surface<2> reference = generated_outline(name, variant, 0.01);
     // The same shape from other vertices, of another size: a circle of another radius, a larger star.
-    const Surface<2> other = renumbered(moved(generated_outline(name, variant, 0.013), similarity(0, 1.2, {0.1, 0.3})), 11);
+    const Surface<2> other =
+        renumbered(moved(generated_outline(name, variant, 0.013), similarity(0, 1.2, {0.1, 0.3})), 11);
     const OutlinePairs found = find_outline_pairs(reference, other);
     EXPECT_TRUE(found.candidates[0].is_identity) << name;
     EXPECT_LT(std::abs(turn_of(found.candidates[0].pose)), 0.5 * degree) << name;
@@ -102,7 +106,8 @@ TEST(FindOutlinePairs, AStarTurnsNoFartherThanToItsNextPoint) {
   const Surface<2> star = generated_outline("star", "", 0.01);
   for (const double angle : {100.0, 130.0}) {
     const OutlinePairs found = find_outline_pairs(star, moved(star, similarity(angle * degree)));
-    EXPECT_NEAR(std::abs(turn_of(found.candidates[0].pose)), std::abs(std::remainder(angle, 72)) * degree, 0.5 * degree);
+    EXPECT_NEAR(std::abs(turn_of(found.candidates[0].pose)), std::abs(std::remainder(angle, 72)) * degree,
+                0.5 * degree);
     // The four other turns are as good, and leave no doubt.
     EXPECT_GT(found.margin, 2);
   }
@@ -162,7 +167,8 @@ TEST(FindOutlinePairs, AMirroredLeafNeedsMirror) {
   options.mirror = true;
   const OutlinePairs found = find_outline_pairs(leaf(), other, options);
   EXPECT_TRUE(found.candidates[0].is_mirrored);
-  EXPECT_EQ(found.candidates[0].score, found.candidates[0].score_parts.total()) << "a preference is no part of the score";
+  EXPECT_EQ(found.candidates[0].score, found.candidates[0].score_parts.total())
+      << "a preference is no part of the score";
   EXPECT_LT(found.candidates[0].pose.rotation.determinant(), 0);
   EXPECT_LT(greatest_error(found, other, found.candidates[0].pose), 0.004);
   EXPECT_FALSE(find_outline_pairs(leaf(), moved(leaf(), similarity(2)), options).candidates[0].is_mirrored);
@@ -203,7 +209,8 @@ TEST(FindOutlinePairs, TurnedHandsFindTheirFingers) {
         const auto nearest = std::min_element(vertices.begin(), vertices.end(), [&](const Vec<2>& x, const Vec<2>& y) {
           return (motion(x) - pair.on_reference).squaredNorm() < (motion(y) - pair.on_reference).squaredNorm();
         });
-        sum += (other.original.vertices[static_cast<std::size_t>(nearest - vertices.begin())] - pair.on_template).norm();
+        sum +=
+            (other.original.vertices[static_cast<std::size_t>(nearest - vertices.begin())] - pair.on_template).norm();
       }
       const double diagonal = bounding_box(other.original.vertices).diagonal();
       EXPECT_LT(sum / static_cast<double>(found.pairs().size()), 0.03 * diagonal) << a << ' ' << b << ' ' << angle;
@@ -219,12 +226,15 @@ TEST(FindOutlinePairs, TurnedLeavesFindTheirStalk) {
                              {"020_leaf3_588154a", "234_5BB"},
                              {"000_CHARDONNAY", "057_leaf4_588233a"},
                              {"033_leaf4_483146a", "057_leaf4_588233a"}}) {
-    const auto read = [&](const char* name) { return read_outline(folder / (std::string(name) + "_aligned.csv")).surface; };
+    const auto read = [&](const char* name) {
+      return read_outline(folder / (std::string(name) + "_aligned.csv")).surface;
+    };
     const Surface<2> reference = read(a), other = read(b);
     for (const double angle : {0.0, -110.0}) {
       const OutlinePairs found = find_outline_pairs(moved(reference, similarity(angle * degree)), other);
       // Stalks point down; two leaves lie on each other best at some degrees.
-      EXPECT_LT(std::abs(std::remainder(turn_of(found.candidates[0].pose) + angle * degree, 2 * std::numbers::pi)), 18 * degree)
+      EXPECT_LT(std::abs(std::remainder(turn_of(found.candidates[0].pose) + angle * degree, 2 * std::numbers::pi)),
+                18 * degree)
           << a << ' ' << b;
       EXPECT_GT(found.margin, 1.3);
     }

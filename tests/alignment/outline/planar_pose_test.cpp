@@ -33,7 +33,8 @@ TEST(PlanarPose, OfMovedPointsIsTheMotion) {
       for (const double scale : {1.0, 2.5}) {
         const Similarity<2> pose = motion(angle, scale, mirror);
         const Similarity<2> found =
-            fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity, mirror ? Mirroring::always : Mirroring::never);
+            fit_planar_pose(moved_points(pose), scale == 1 ? PoseKind::rigid : PoseKind::similarity,
+                            mirror ? Mirroring::always : Mirroring::never);
         EXPECT_NEAR(found.scale, scale, 1e-12);
         EXPECT_LT((found.rotation - pose.rotation).norm(), 1e-12);
         EXPECT_LT((found.offset - pose.offset).norm(), 1e-11);

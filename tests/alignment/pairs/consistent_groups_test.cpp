@@ -17,7 +17,9 @@ std::vector<Vec<3>> strip(const Vec<3>& corner = Vec<3>::Zero()) {
   return points;
 }
 
-std::vector<bool> consistent(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to) { return in_consistent_group(from, to, 3, 0.03); }
+std::vector<bool> consistent(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to) {
+  return in_consistent_group(from, to, 3, 0.03);
+}
 
 TEST(NearestNeighbours, AreInTheOrderOfTheirDistances) {
   const std::vector<Vec<3>> points{{0, 0, 0}, {3, 0, 0}, {1, 0, 0}};

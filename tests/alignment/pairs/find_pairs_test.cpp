@@ -82,7 +82,8 @@ TEST(FindPairs, ATurnedAndRenumberedShapeIsFoundVertexByVertex) {
   EXPECT_LT(found.candidates[0].score, 1e-3);
   EXPECT_GT(found.margin, 10);
   EXPECT_GE(found.pairs().size(), 290u);
-  for (const CorrespondingPoints& p : found.pairs()) EXPECT_LT((30 * turn() * p.on_reference + Vec<3>(5, 6, 7) - p.on_template).norm(), 1e-3 * 30);
+  for (const CorrespondingPoints& p : found.pairs())
+    EXPECT_LT((30 * turn() * p.on_reference + Vec<3>(5, 6, 7) - p.on_template).norm(), 1e-3 * 30);
   const Pose pose = fit_pose(found.pairs(), PoseKind::similarity);
   EXPECT_LT((pose.rotation - turn()).norm(), 1e-5);
   EXPECT_NEAR(pose.scale, 30, 1e-4);
@@ -112,8 +113,8 @@ TEST(FindPairs, TheNumberOfThreadsDoesNotMatter) {
 }
 
 TEST(FindPairs, AMirroredShapeIsFoundWhereMirrorsAreAllowed) {
-  const Surface<3> mirrored = test::reversed<3>(
-      test::mapped<3>(turned(hand()), [](const Vec<3>& x) { return Vec<3>(x[0], x[1], -x[2]); }));
+  const Surface<3> mirrored =
+      test::reversed<3>(test::mapped<3>(turned(hand()), [](const Vec<3>& x) { return Vec<3>(x[0], x[1], -x[2]); }));
   AlignmentOptions options = quick();
   options.mirror = true;
   const AutomaticPairs found = find_pairs(hand(), mirrored, options);
@@ -136,7 +137,8 @@ TEST(FindPairs, AMirrorImageDoesNotLowerTheMargin) {
   }
   EXPECT_LT(other, same);
   EXPECT_NEAR(found.margin, same, 1e-12 * same);
-  for (const PairCandidate& c : found.candidates) EXPECT_EQ(c.score, 0.5 * (c.coarse_score.total() + c.score_parts.total()));
+  for (const PairCandidate& c : found.candidates)
+    EXPECT_EQ(c.score, 0.5 * (c.coarse_score.total() + c.score_parts.total()));
 }
 
 TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {
@@ -149,7 +151,8 @@ TEST(FindPairs, AShapeThatLiesAsItBelongsStays) {
 }
 
 TEST(FindPairs, SpheresLeaveOpenByWhichRotationTheyCorrespond) {
-  const Surface<3> sphere = generated_surface("ellipsoid", "round", 0.05), ellipsoid = generated_surface("ellipsoid", "long", 0.05);
+  const Surface<3> sphere = generated_surface("ellipsoid", "round", 0.05),
+                   ellipsoid = generated_surface("ellipsoid", "long", 0.05);
   for (const auto& [reference, template_surface] : {std::pair(&sphere, &ellipsoid), std::pair(&ellipsoid, &sphere)}) {
     const AutomaticPairs found = find_pairs(*reference, *template_surface, quick());
     EXPECT_EQ(found.margin, 1);
@@ -222,7 +225,8 @@ TEST(FindPairs, LandmarksTellWhatSpectraCannot) {
     const Vec<3> x(0.03, 0.03 + 0.12 * k, 0.03 + 0.18 * k);
     landmarks.push_back({x, x, 1});
   }
-  const AutomaticPairs hollow = find_pairs(test::joined(box, test::reversed(inner)), test::joined(box, test::reversed(inner)), quick(), landmarks);
+  const AutomaticPairs hollow = find_pairs(test::joined(box, test::reversed(inner)),
+                                           test::joined(box, test::reversed(inner)), quick(), landmarks);
   EXPECT_EQ(hollow.candidates[0].n_landmarks, n_landmarks);
   EXPECT_LT(hollow.reference.share, 0.6);
   landmarks.resize(3);
@@ -233,7 +237,9 @@ TEST(FindPairs, LandmarksMakePairsOfUnlikeShapesMoreExact) {
   const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.018));
   const Surface<3> reference = as_surface(pair.reference);
   // Fingers grow, and the palm becomes narrow.
-  const auto grown = [](const Vec<3>& x) { return Vec<3>(0.5 + (x[0] - 0.5) * (0.75 + x[1]), x[1] + 0.8 * x[1] * x[1], x[2]); };
+  const auto grown = [](const Vec<3>& x) {
+    return Vec<3>(0.5 + (x[0] - 0.5) * (0.75 + x[1]), x[1] + 0.8 * x[1] * x[1], x[2]);
+  };
   const Surface<3> other = test::mapped<3>(as_surface(pair.template_shape), grown);
   std::vector<Vec<3>> from, to;
   for (const auto& known : pair.truth) {
@@ -243,7 +249,8 @@ TEST(FindPairs, LandmarksMakePairsOfUnlikeShapesMoreExact) {
   const auto error = [&](const std::vector<CorrespondingPoints>& landmarks) {
     const AutomaticPairs found = find_pairs(reference, other, quick(), landmarks);
     double sum = 0;
-    for (std::size_t i = 0; i < to.size(); ++i) sum += (other.vertices[found.image(pair.truth[i].vertex)] - to[i]).norm();
+    for (std::size_t i = 0; i < to.size(); ++i)
+      sum += (other.vertices[found.image(pair.truth[i].vertex)] - to[i]).norm();
     return sum / static_cast<double>(to.size());
   };
   const std::vector<CorrespondingPoints> exact = some(from, to, 80);

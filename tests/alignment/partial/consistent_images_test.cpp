@@ -10,14 +10,14 @@ namespace {
 // Points of a crooked line with a fork, by their places in the plane.
 Eigen::MatrixXf distances_of(const Eigen::Matrix2Xf& points) {
   Eigen::MatrixXf d(points.cols(), points.cols());
-  for (Eigen::Index i = 0; i < points.cols(); ++i) d.col(i) = (points.colwise() - points.col(i)).colwise().norm().transpose();
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    d.col(i) = (points.colwise() - points.col(i)).colwise().norm().transpose();
   return d;
 }
 
 Eigen::Matrix2Xf whole() {
   Eigen::Matrix2Xf points(2, 9);
-  points << 0, 0.3F, 0.7F, 1, 1, 0.9F, 0.4F, 0.1F, 0.5F,
-            0, 0.1F, 0, 0.2F, 0.6F, 1, 0.8F, 0.5F, 0.4F;
+  points << 0, 0.3F, 0.7F, 1, 1, 0.9F, 0.4F, 0.1F, 0.5F, 0, 0.1F, 0, 0.2F, 0.6F, 1, 0.8F, 0.5F, 0.4F;
   return points;
 }
 

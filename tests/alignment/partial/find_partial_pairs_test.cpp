@@ -32,19 +32,24 @@ Surface<3> half() {
   std::vector<double> x;
   for (const Vec<3>& v : part.vertices) x.push_back(v[0]);
   const double limit = quantile(x, 0.55);
-  std::erase_if(part.facets, [&](const auto& f) { return std::ranges::any_of(f, [&](Index v) { return part.vertices[v][0] > limit; }); });
+  std::erase_if(part.facets, [&](const auto& f) {
+    return std::ranges::any_of(f, [&](Index v) { return part.vertices[v][0] > limit; });
+  });
   return part;
 }
 
 struct Truth {
-  Surface<3> part = half(), whole = test::mapped<3>(as_surface(hands().template_shape), [](const Vec<3>& x) { return Vec<3>(turn() * x + Vec<3>(3, 1, 2)); });
+  Surface<3> part = half(), whole = test::mapped<3>(as_surface(hands().template_shape), [](const Vec<3>&x) {
+                              return Vec<3>(turn() * x + Vec<3>(3, 1, 2));
+                            });
   std::vector<CorrespondingPoints> points;
   Truth() {
     std::vector<bool> is_used(part.vertices.size(), false);
     for (const auto& f : part.facets)
       for (const Index v : f) is_used[v] = true;
     for (const auto& t : hands().truth)
-      if (is_used[t.vertex]) points.push_back({part.vertices[t.vertex], Vec<3>(turn() * t.position + Vec<3>(3, 1, 2)), 1});
+      if (is_used[t.vertex])
+        points.push_back({part.vertices[t.vertex], Vec<3>(turn() * t.position + Vec<3>(3, 1, 2)), 1});
   }
 };
 
@@ -53,8 +58,12 @@ double median_error(const PartialPairs& found, const Truth& truth, std::size_t c
   std::vector<double> errors;
   for (const CorrespondingPoints& p : truth.points) {
     const auto& vertices = found.part.surface.vertices;
-    const auto v = std::ranges::min_element(vertices, {}, [&](const Vec<3>& x) { return (x - p.on_reference).norm(); }) - vertices.begin();
-    errors.push_back((found.whole.surface.vertices[found.candidates[candidate].map[static_cast<std::size_t>(v)]] - p.on_template).norm());
+    const auto v =
+        std::ranges::min_element(vertices, {}, [&](const Vec<3>& x) { return (x - p.on_reference).norm(); }) -
+        vertices.begin();
+    errors.push_back(
+        (found.whole.surface.vertices[found.candidates[candidate].map[static_cast<std::size_t>(v)]] - p.on_template)
+            .norm());
   }
   return quantile(errors, 0.5) / std::sqrt(surface_measure(truth.whole));
 }
@@ -88,7 +97,8 @@ TEST(FindPartialPairs, LandmarksOrderWhatIsFound) {
   // Landmarks that agree with the last candidate, which is wrong.
   std::vector<CorrespondingPoints> landmarks;
   for (std::size_t v = 0; v < found.part.surface.vertices.size(); v += 40)
-    landmarks.push_back({found.part.surface.vertices[v], found.whole.surface.vertices[found.candidates.back().map[v]], 1});
+    landmarks.push_back(
+        {found.part.surface.vertices[v], found.whole.surface.vertices[found.candidates.back().map[v]], 1});
   const PartialPairs by_landmarks = find_partial_pairs(truth.part, truth.whole, {}, landmarks);
   EXPECT_EQ(by_landmarks.candidates[0].map, found.candidates.back().map);
   EXPECT_NEAR(by_landmarks.candidates[0].landmark_distance.value(), 0, 1e-9);

@@ -92,7 +92,8 @@ TEST(FitPose, PointsInAPlaneAreEnoughThoseOnALineAreNot) {
   }
   expect_near(fit_pose(flat, PoseKind::rigid), motion, 1e-12);
   for (std::size_t n = 3; n < flat.size(); ++n)
-    EXPECT_FALSE(fit_pose(std::span(flat).first(n), PoseKind::rigid, Mirroring::allowed).is_mirrored()) << "their own mirror image";
+    EXPECT_FALSE(fit_pose(std::span(flat).first(n), PoseKind::rigid, Mirroring::allowed).is_mirrored())
+        << "their own mirror image";
   for (CorrespondingPoints& p : flat) {
     p.on_reference[1] = 0;
     p.on_template = motion.rotation * p.on_reference + motion.translation;

@@ -35,7 +35,8 @@ Mat<3> rotation_about(double degrees, const Vec<3>& axis) {
   return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()).toRotationMatrix();
 }
 
-Surface<3> moved_by(const Surface<3>& surface, const Mat<3>& rotation, double scale = 1, const Vec<3>& offset = Vec<3>::Zero()) {
+Surface<3> moved_by(const Surface<3>& surface, const Mat<3>& rotation, double scale = 1,
+                    const Vec<3>& offset = Vec<3>::Zero()) {
   return test::mapped<3>(surface, [&](const Vec<3>& x) { return Vec<3>(scale * (rotation * x) + offset); });
 }
 

@@ -16,7 +16,8 @@ TEST(NormalizedSurface, HasTheCentreAxesAndSizeOfABox) {
   const Vec<3> size(1, 2, 4), middle(5, 6, 7);
   const NormalizedSurface box(test::box(middle - size / 2, middle + size / 2));
   EXPECT_LT((box.centre() - middle).norm(), 1e-12);
-  // Integrals of x_k^2 over the six sides: the two across axis k, and of the four others a twelfth of the square of the length.
+  // Integrals of x_k^2 over the six sides: the two across axis k, and of the four others a twelfth of the square of the
+  // length.
   const double area = 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
   double sum = 0;
   for (int k = 0; k < 3; ++k) {

@@ -12,8 +12,8 @@ namespace shellmatch {
 namespace {
 
 TEST(EdgeGraph, DistancesAreTheFixedPointOfAllEdges) {
-  // Lengths of shortest paths are the only function that vanishes at the source alone and equals elsewhere the least sum of a
-  // neighbour's value and the edge to it.
+  // Lengths of shortest paths are the only function that vanishes at the source alone and equals elsewhere the least
+  // sum of a neighbour's value and the edge to it.
   const Surface<3> surface = test::torus(2, 0.7, 24, 12);
   const std::vector<double> distances = EdgeGraph(surface).distances_from(17);
   std::vector<double> least(distances.size(), 1e300);

@@ -41,7 +41,8 @@ TEST(Laplacian, EnergiesOfTheCoordinatesAddUpToTwiceTheArea) {
 TEST(Laplacian, EigenvaluesOfASphereConvergeWithSecondOrder) {
   const double radius = 1.7;
   const auto errors = [&](int level) {
-    const Surface<3> sphere = test::mapped<3>(test::unit_sphere(level), [&](const Vec<3>& x) { return Vec<3>(radius * x); });
+    const Surface<3> sphere =
+        test::mapped<3>(test::unit_sphere(level), [&](const Vec<3>& x) { return Vec<3>(radius * x); });
     const Eigen::VectorXd values = least_eigenpairs(surface_laplacian(sphere, 2e-3), 16).values;
     EXPECT_LT(values[0], 1e-9);
     Eigen::VectorXd error(15);
@@ -62,8 +63,8 @@ TEST(Laplacian, EigenfunctionsAreOrthonormalAndSolveTheEquation) {
   const Eigenpairs pairs = least_eigenpairs(laplacian, 30);
   const Eigen::MatrixXd gram = pairs.functions.transpose() * laplacian.mass.asDiagonal() * pairs.functions;
   EXPECT_LT((gram - Eigen::MatrixXd::Identity(30, 30)).cwiseAbs().maxCoeff(), 1e-9);
-  const Eigen::MatrixXd residual = laplacian.stiffness * pairs.functions -
-                                   laplacian.mass.asDiagonal() * pairs.functions * pairs.values.asDiagonal();
+  const Eigen::MatrixXd residual =
+      laplacian.stiffness * pairs.functions - laplacian.mass.asDiagonal() * pairs.functions * pairs.values.asDiagonal();
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-7);
   for (Eigen::Index i = 1; i < 30; ++i) EXPECT_GE(pairs.values[i], pairs.values[i - 1]);
 }
@@ -78,7 +79,8 @@ TEST(Laplacian, MollificationMakesFlatTrianglesProper) {
   const Surface<3> surface = test::wedge_with_flat_triangle(0.3);
   const double mollification = 2e-3;
   double mean = 0;
-  for (const Vec<3>& l : mollified_edge_lengths(surface, 0)) mean += l.mean() / static_cast<double>(surface.facets.size());
+  for (const Vec<3>& l : mollified_edge_lengths(surface, 0))
+    mean += l.mean() / static_cast<double>(surface.facets.size());
   for (const Vec<3>& l : mollified_edge_lengths(surface, mollification))
     EXPECT_GE(l.sum() - 2 * l.maxCoeff(), mollification * mean * (1 - 1e-9));
   const SurfaceLaplacian laplacian = surface_laplacian(surface, mollification);

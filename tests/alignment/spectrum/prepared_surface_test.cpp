@@ -18,7 +18,8 @@ std::size_t n_open_edges(const Surface<3>& surface) {
       const Index a = facet[k], b = facet[(k + 1) % 3];
       ++facets[{std::min(a, b), std::max(a, b)}];
     }
-  return static_cast<std::size_t>(std::count_if(facets.begin(), facets.end(), [](const auto& e) { return e.second != 2; }));
+  return static_cast<std::size_t>(
+      std::count_if(facets.begin(), facets.end(), [](const auto& e) { return e.second != 2; }));
 }
 
 TEST(PreparedSurface, AFittingSurfaceStaysAsItIs) {
@@ -60,7 +61,8 @@ TEST(PreparedSurface, AVeryLargeSurfaceKeepsTopologyAndPlace) {
   const double area = test::boundary_measure(torus);
   EXPECT_NEAR(test::boundary_measure(prepared.surface), area, 0.02 * area);
   EXPECT_NEAR(enclosed_measure(prepared.surface), enclosed_measure(torus), 0.03 * enclosed_measure(torus));
-  for (const Vec<3>& x : prepared.surface.vertices) EXPECT_NEAR(std::hypot(std::hypot(x.x(), x.y()) - 2, x.z()), 0.7, 0.05);
+  for (const Vec<3>& x : prepared.surface.vertices)
+    EXPECT_NEAR(std::hypot(std::hypot(x.x(), x.y()) - 2, x.z()), 0.7, 0.05);
 }
 
 TEST(PreparedSurface, ACoarseSurfaceIsDividedWithoutMoving) {
@@ -76,7 +78,8 @@ TEST(PreparedSurface, ACoarseSurfaceIsDividedWithoutMoving) {
 
 TEST(PreparedSurface, TheLargestComponentIsTakenAndVerticesWithoutFacetAreLeftOut) {
   const Surface<3> small = test::unit_sphere(4);
-  const Surface<3> large = test::mapped<3>(test::unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(2 * x + Vec<3>(9, 0, 0)); });
+  const Surface<3> large =
+      test::mapped<3>(test::unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(2 * x + Vec<3>(9, 0, 0)); });
   Surface<3> both = test::joined(small, large);
   both.vertices.push_back({5, 5, 5});
   const PreparedSurface prepared = prepare_surface(both, {});

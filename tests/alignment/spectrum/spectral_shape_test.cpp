@@ -33,7 +33,8 @@ TEST(SpectralShape, HasAreaOneAndItsCentreInTheOrigin) {
 
 TEST(SpectralShape, SpectrumAndSignatureDoNotChangeWithPositionAndSize) {
   const Mat<3> turn = Eigen::AngleAxisd(2, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
-  const Surface<3> moved = test::mapped<3>(bean(), [&](const Vec<3>& x) { return Vec<3>(7 * turn * x + Vec<3>(100, 0, 3)); });
+  const Surface<3> moved =
+      test::mapped<3>(bean(), [&](const Vec<3>& x) { return Vec<3>(7 * turn * x + Vec<3>(100, 0, 3)); });
   const SpectralShape a = make_spectral_shape(bean(), few_functions()), b = make_spectral_shape(moved, few_functions());
   EXPECT_LT((a.values - b.values).cwiseAbs().maxCoeff(), 1e-7 * a.values.maxCoeff());
   EXPECT_LT((a.signature - b.signature).cwiseAbs().maxCoeff(), 1e-6);
@@ -45,7 +46,8 @@ TEST(SpectralShape, SmoothedCoordinatesApproachTheSurface) {
     const Rows3 smooth = shape.functions.leftCols(k) * shape.coefficients.topRows(k);
     double sum = 0;
     for (std::size_t v = 0; v < shape.n_vertices(); ++v)
-      sum += shape.mass[v] * (smooth.row(static_cast<Eigen::Index>(v)).transpose() - shape.surface.vertices[v]).squaredNorm();
+      sum += shape.mass[v] *
+             (smooth.row(static_cast<Eigen::Index>(v)).transpose() - shape.surface.vertices[v]).squaredNorm();
     return std::sqrt(sum);
   };
   EXPECT_LT(distance(40), 0.005);
@@ -65,7 +67,8 @@ TEST(SpectralShape, TheMirroredShapeIsOrientedOutwardAndKnowsItsInput) {
   EXPECT_LT((mirrored.in_input_coordinates(mirrored.surface.vertices[9]) - bean().vertices[9]).norm(), 1e-12);
   const Rows3 normals = vertex_normals(mirrored.surface.facets, [&] {
     Rows3 rows(static_cast<Eigen::Index>(mirrored.n_vertices()), 3);
-    for (std::size_t v = 0; v < mirrored.n_vertices(); ++v) rows.row(static_cast<Eigen::Index>(v)) = mirrored.surface.vertices[v];
+    for (std::size_t v = 0; v < mirrored.n_vertices(); ++v)
+      rows.row(static_cast<Eigen::Index>(v)) = mirrored.surface.vertices[v];
     return rows;
   }());
   EXPECT_LT((normals - mirrored.normals).cwiseAbs().maxCoeff(), 1e-12);

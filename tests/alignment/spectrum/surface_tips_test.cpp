@@ -19,7 +19,8 @@ const Surface<3>& hand() {
 
 std::vector<SurfaceTip> tips_of(const Surface<3>& surface, std::size_t n = 7) {
   const EdgeGraph graph(surface);
-  return surface_tips(graph, farthest_point_samples(graph, 0, 50), n, 0.05 * std::sqrt(test::boundary_measure(surface)));
+  return surface_tips(graph, farthest_point_samples(graph, 0, 50), n,
+                      0.05 * std::sqrt(test::boundary_measure(surface)));
 }
 
 TEST(SurfaceTips, AreFingersAndWrist) {
@@ -39,7 +40,8 @@ TEST(SurfaceTips, AreFingersAndWrist) {
       }
     EXPECT_EQ(tip.distances[tip.vertex], 0);
   }
-  EXPECT_TRUE(std::is_sorted(tips.begin(), tips.end(), [](const SurfaceTip& a, const SurfaceTip& b) { return a.prominence > b.prominence; }));
+  EXPECT_TRUE(std::is_sorted(tips.begin(), tips.end(),
+                             [](const SurfaceTip& a, const SurfaceTip& b) { return a.prominence > b.prominence; }));
   EXPECT_EQ(tips_of(hand(), 3).size(), 3u);
 }
 
@@ -65,18 +67,21 @@ TEST(TipStarts, ATipThatOneSurfaceLacksIsLeftOut) {
   fewer.erase(fewer.begin() + 2);
   const TipAssignment best = assign_tips(tips, fewer, 1).at(0);
   ASSERT_EQ(best.pairs.size(), fewer.size());
-  for (const auto& [a, b] : best.pairs) EXPECT_EQ(tips[static_cast<std::size_t>(a)].vertex, fewer[static_cast<std::size_t>(b)].vertex);
+  for (const auto& [a, b] : best.pairs)
+    EXPECT_EQ(tips[static_cast<std::size_t>(a)].vertex, fewer[static_cast<std::size_t>(b)].vertex);
   EXPECT_TRUE(assign_tips({tips[0], tips[1]}, tips, 5).empty()) << "two tips tell nothing";
 }
 
 TEST(TipStarts, MatchedTipsCarryTheSurface) {
-  const SpectralShape shape = make_spectral_shape(hand(), {}), bent = make_spectral_shape(generated_surface("hand", "bent", 0.02), {});
+  const SpectralShape shape = make_spectral_shape(hand(), {}),
+                      bent = make_spectral_shape(generated_surface("hand", "bent", 0.02), {});
   const ShapePairSpectra pair = make_shape_pair(shape, bent);
   const std::vector<TipAssignment> best = assign_tips(shape.tips, bent.tips, 1);
   ASSERT_EQ(best.size(), 1u);
   // Fingers are carried to the same fingers; between the palm's sides distances from tips do not decide.
   const VertexMatches matches = match_by_tips(pair, best[0], 200);
-  const Hand from{HandOptions{}}, to{{.bend_thumb = 20, .bend_index = 25, .bend_middle = 30, .bend_ring = 25, .bend_little = 20}};
+  const Hand from{HandOptions{}},
+      to{{.bend_thumb = 20, .bend_index = 25, .bend_middle = 30, .bend_ring = 25, .bend_little = 20}};
   int n = 0, n_same = 0;
   for (std::size_t i = 0; i < matches.from[0].size(); ++i) {
     const int part = from.part_of(shape.in_input_coordinates(shape.surface.vertices[matches.from[0][i]]));

@@ -1,4 +1,5 @@
-// What a user sees on a terminal: one line that is rewritten, cut to the terminal's width, and one that stays for each level.
+// What a user sees on a terminal: one line that is rewritten, cut to the terminal's width, and one that stays for each
+// level.
 #include "apps/terminal/heartbeat.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
@@ -84,8 +85,10 @@ const std::string clear_to_end = "\x1b[K";
 TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
   const TemporaryFolder tmp;
   constexpr unsigned short columns = 50;
-  const Shown shown = run_on_terminal({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7", "--align", "none",
-                                       "--set", "pictures=none", "--set", "report=false"}, columns);
+  const Shown shown =
+      run_on_terminal({"match", "generate:sphere", "generate:ellipsoid/long", "-o", tmp / "o", "--levels", "3:7",
+                       "--align", "none", "--set", "pictures=none", "--set", "report=false"},
+                      columns);
   EXPECT_EQ(shown.exit_code, 0) << shown.text;
   std::size_t n_rewritten = 0, n_iterations = 0;
   std::vector<int> staying(8, 0);  // by level
@@ -97,28 +100,34 @@ TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
     }
     n_iterations += is_rewritten && has(piece, "iteration") && has(piece, "energy");
     for (int level = 3; level <= 7; ++level)
-      staying[static_cast<std::size_t>(level)] += !is_rewritten && has(piece, "level " + std::to_string(level) + "/7") && has(piece, " iterations in ");
+      staying[static_cast<std::size_t>(level)] +=
+          !is_rewritten && has(piece, "level " + std::to_string(level) + "/7") && has(piece, " iterations in ");
   }
   EXPECT_GE(n_rewritten, 3u) << shown.text;
   EXPECT_GE(n_iterations, 1u) << shown.text;
-  for (int level = 3; level <= 7; ++level) EXPECT_EQ(staying[static_cast<std::size_t>(level)], 1) << "level " << level << " in " << shown.text;
+  for (int level = 3; level <= 7; ++level)
+    EXPECT_EQ(staying[static_cast<std::size_t>(level)], 1) << "level " << level << " in " << shown.text;
   // Nothing that is to be rewritten is left behind on the last line.
   EXPECT_TRUE(shown.text.ends_with("\r\n")) << shown.text;
 }
 
 TEST(Terminal, EveryPhaseSaysThatItGoesOn) {
   const TemporaryFolder tmp;
-  const Words words{"match", "generate:hand", "generate:hand/bent", "-o", tmp / "o", "--levels", "3:4", "--threads", "1"};
+  const Words words{"match",    "generate:hand", "generate:hand/bent", "-o", tmp / "o",
+                    "--levels", "3:4",           "--threads",          "1"};
   const Shown shown = run_on_terminal(words, 100);
   EXPECT_EQ(shown.exit_code, 0) << shown.text;
-  for (const char* stage : {"\rreading", "\ralignment", "\rmatching", "\rmeasuring", "\rwriting", "\rwriting the page"}) EXPECT_TRUE(has(shown.text, stage)) << stage << shown.text;
+  for (const char* stage : {"\rreading", "\ralignment", "\rmatching", "\rmeasuring", "\rwriting", "\rwriting the page"})
+    EXPECT_TRUE(has(shown.text, stage)) << stage << shown.text;
   EXPECT_FALSE(has(shown.text, "sigma")) << shown.text;
   // Elsewhere these are lines, and the parameters of minimisations belong to -v.
   Words again = words;
   again.emplace_back("--force");
   const ProgramResult lines = run_program(again);
-  for (const char* stage : {"alignment (", "matching (", "measuring (", "writing (", "level 4/4, step 1/"}) EXPECT_TRUE(has(lines.err, stage)) << stage << lines.err;
-  for (const char* detail : {"sigma", "c_vol", "margin", "step 2/"}) EXPECT_FALSE(has(lines.err, detail)) << detail << lines.err;
+  for (const char* stage : {"alignment (", "matching (", "measuring (", "writing (", "level 4/4, step 1/"})
+    EXPECT_TRUE(has(lines.err, stage)) << stage << lines.err;
+  for (const char* detail : {"sigma", "c_vol", "margin", "step 2/"})
+    EXPECT_FALSE(has(lines.err, detail)) << detail << lines.err;
 }
 
 TEST(Heartbeat, BeatsUntilItEnds) {
@@ -136,8 +145,11 @@ TEST(Heartbeat, BeatsUntilItEnds) {
 TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
   const TemporaryFolder tmp;
   const auto words = [&](const char* folder) {
-    return Words{"match", "generate:leaf", "generate:leaf/shallow", "-o", tmp / folder, "--levels", "3:4", "--align", "none", "--set", "pictures=none", "--set",
-                 "report=false", "--set", "check_gradient.every=1"};
+    return Words{"match",        "generate:leaf", "generate:leaf/shallow",
+                 "-o",           tmp / folder,    "--levels",
+                 "3:4",          "--align",       "none",
+                 "--set",        "pictures=none", "--set",
+                 "report=false", "--set",         "check_gradient.every=1"};
   };
   const Shown shown = run_on_terminal(words("terminal"), 80);
   EXPECT_EQ(shown.exit_code, 0) << shown.text;
@@ -149,8 +161,10 @@ TEST(Terminal, CheckedDerivativesAreSilentThereAndAreSaidElsewhere) {
 
 TEST(Terminal, VerboseSaysEveryIterationAndRewritesNothing) {
   const TemporaryFolder tmp;
-  const Shown shown = run_on_terminal({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:4", "--align", "none", "-v",
-                                       "--set", "pictures=none", "--set", "report=false"}, 200);
+  const Shown shown =
+      run_on_terminal({"match", "generate:circle", "generate:ellipse", "-o", tmp / "o", "--levels", "3:4", "--align",
+                       "none", "-v", "--set", "pictures=none", "--set", "report=false"},
+                      200);
   EXPECT_EQ(shown.exit_code, 0) << shown.text;
   EXPECT_FALSE(has(shown.text, clear_to_end)) << shown.text;
   EXPECT_TRUE(has(shown.text, "iteration 1: energy ")) << shown.text;

@@ -54,8 +54,11 @@ TEST_F(CohortProgram, OneSubjectNeedsNoRounds) {
 TEST_F(CohortProgram, LandmarksThatCannotBeReadAreToldAsSuch) {
   write_cohort(2, "{}");
   write("table.csv", "id,file,landmarks\ne1,e1.csv,l1.csv\ne2,e2.csv,\n");
-  const std::vector<std::string> words{"--table", "table.csv", "--atlas", "e2.csv", "-o", "out", "--levels", "2:3", "--set", "landmarks=compare",
-                                       "--set", "align.mode=none", "--set", "pictures=none", "--set", "report=false"};
+  const std::vector<std::string> words{
+      "--table",     "table.csv",       "--atlas", "e2.csv",        "-o",
+      "out",         "--levels",        "2:3",     "--set",         "landmarks=compare",
+      "--set",       "align.mode=none", "--set",   "pictures=none", "--set",
+      "report=false"};
   const ProgramResult missing = cohort(words);
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_TRUE(has(missing.err, "table.csv, line 2: ")) << missing.err;
@@ -96,8 +99,8 @@ TEST_F(CohortProgram, OneSubjectHasNoModes) {
 TEST_F(CohortProgram, SubjectsThatDoNotDifferHaveNoModes) {
   write_ellipse("a.csv", 1, 0.8);
   write_ellipse("b.csv", 1, 0.8);
-  const ProgramResult result = cohort({"a.csv", "b.csv", "--atlas", "a.csv", "-o", "out", "--levels", "2:3", "--set", "align.mode=none", "--set", "pictures=none",
-                                       "--set", "report=false"});
+  const ProgramResult result = cohort({"a.csv", "b.csv", "--atlas", "a.csv", "-o", "out", "--levels", "2:3", "--set",
+                                       "align.mode=none", "--set", "pictures=none", "--set", "report=false"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.err, "the subjects do not differ")) << result.err;
   EXPECT_FALSE(has(result.err, "% of the variance")) << result.err;
@@ -105,9 +108,11 @@ TEST_F(CohortProgram, SubjectsThatDoNotDifferHaveNoModes) {
 
 TEST_F(CohortProgram, GroupsThatAreTooSmallAreNotComparedAndNothingIsLost) {
   write("table.csv",
-        "id,file,group\na,generate:sphere/large,x\nb,generate:sphere/small,x\nc,generate:sphere/large,y\nd,generate:sphere/small,y\n");
-  const ProgramResult result = cohort({"--table", "table.csv", "--atlas", "a", "-o", "out", "--levels", "2:2", "--set", "align.mode=none", "--set", "pictures=none",
-                                       "--set", "report=false", "--set", "statistics.mode_meshes=0", "--set", "statistics.include=all"});
+        "id,file,group\na,generate:sphere/large,x\nb,generate:sphere/small,x\nc,generate:sphere/"
+        "large,y\nd,generate:sphere/small,y\n");
+  const ProgramResult result = cohort({"--table", "table.csv", "--atlas", "a", "-o", "out", "--levels", "2:2", "--set",
+                                       "align.mode=none", "--set", "pictures=none", "--set", "report=false", "--set",
+                                       "statistics.mode_meshes=0", "--set", "statistics.include=all"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.err, "both together have 4 subjects in the statistics, and 5 are needed")) << result.err;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.html"));

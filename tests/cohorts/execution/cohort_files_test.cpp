@@ -15,9 +15,11 @@ TEST_F(CohortFiles, ThoseOfTheUserStay) {
   const std::string file = write_cohort(3, "{kind: given, shape: e1}");
   ASSERT_EQ(cohort({file, "-o", "out"}).exit_code, 0);
   fs::create_directories(folder_ / "out/model/mine");
-  const std::vector<std::string> mine{"out/model/mode_notes.txt", "out/model/mode_1.png", "out/model/mode_1_plus_smoothed.csv", "out/model/mode_1.webp.bak",
-                                      "out/model/notes.txt", "out/model/mine/a.txt", "out/landmarks.csv", "out/landmarks.tps", "out/landmarks.txt",
-                                      "out/landmarks_on_atlas.csv", "out/atlas_landmarks.csv"};
+  const std::vector<std::string> mine{
+      "out/model/mode_notes.txt",   "out/model/mode_1.png",   "out/model/mode_1_plus_smoothed.csv",
+      "out/model/mode_1.webp.bak",  "out/model/notes.txt",    "out/model/mine/a.txt",
+      "out/landmarks.csv",          "out/landmarks.tps",      "out/landmarks.txt",
+      "out/landmarks_on_atlas.csv", "out/atlas_landmarks.csv"};
   for (const std::string& name : mine) write(name, "years of work");
   fs::create_symlink(folder_ / "e1.csv", folder_ / "out/model/mode_9.webp");
   ASSERT_EQ(cohort({file, "-o", "out"}).exit_code, 0);
@@ -36,13 +38,17 @@ TEST_F(CohortFiles, ThoseOfTheUserStay) {
 TEST_F(CohortFiles, ThoseOfAnEarlierRunGo) {
   write_cohort(3, "{kind: given, shape: e1}");
   write("points.csv", "name,vertex\na,0\nb,20\n");
-  const std::vector<std::string> options{"-o", "out", "--atlas", "e1.csv", "--levels", "2:3", "--set", "align.mode=none", "--set", "pictures=none", "--set", "report=false"};
+  const std::vector<std::string> options{"-o",       "out",           "--atlas", "e1.csv",
+                                         "--levels", "2:3",           "--set",   "align.mode=none",
+                                         "--set",    "pictures=none", "--set",   "report=false"};
   std::vector<std::string> three{"e1.csv", "e2.csv", "e3.csv", "--atlas-landmarks", "points.csv"}, one{"e2.csv"};
   three.insert(three.end(), options.begin(), options.end());
   one.insert(one.end(), options.begin(), options.end());
   ASSERT_EQ(cohort(three).exit_code, 0);
-  const std::vector<std::string> statistics{"out/model/modes.npy", "out/model/modes.csv", "out/model/scores.csv", "out/model/mean.csv", "out/model/mode_1_plus.csv",
-                                            "out/landmarks.csv", "out/landmarks.tps", "out/landmarks.txt", "out/atlas_landmarks.csv"};
+  const std::vector<std::string> statistics{
+      "out/model/modes.npy", "out/model/modes.csv",       "out/model/scores.csv",
+      "out/model/mean.csv",  "out/model/mode_1_plus.csv", "out/landmarks.csv",
+      "out/landmarks.tps",   "out/landmarks.txt",         "out/atlas_landmarks.csv"};
   for (const std::string& name : statistics) EXPECT_TRUE(exists(name)) << name;
   ASSERT_EQ(cohort(one).exit_code, 0);
   for (const std::string& name : statistics) EXPECT_FALSE(exists(name)) << name << " is of three subjects";
@@ -82,23 +88,27 @@ TEST_F(CohortFiles, TablesAndLinksAreInputsAsWell) {
   refused({"e1.csv", "e2.csv", "--atlas-landmarks", "out/atlas_landmarks.csv"});
   EXPECT_TRUE(fs::is_symlink(folder_ / "out/atlas_landmarks.csv"));
   // A file that the program does not write may lie there.
-  const ProgramResult result = cohort({"e1.csv", "e2.csv", "-o", "out", "--levels", "2:3", "--set", "align.mode=none", "--set", "pictures=none", "--set",
-                                       "report=false", "--atlas", "out/model/mine/atlas.csv"});
+  const ProgramResult result =
+      cohort({"e1.csv", "e2.csv", "-o", "out", "--levels", "2:3", "--set", "align.mode=none", "--set", "pictures=none",
+              "--set", "report=false", "--atlas", "out/model/mine/atlas.csv"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
 TEST_F(CohortFiles, ThoseOfAnotherDimensionGo) {
   write_cohort(2, "{}");
   write("solid.csv", "name,vertex\na,0\n");
-  const std::vector<std::string> options{"-o", "out", "--levels", "2:2", "--set", "align.mode=none", "--set", "pictures=none", "--set", "report=false",
-                                         "--set", "statistics.include=all"};
-  std::vector<std::string> solid{"generate:sphere/large", "generate:sphere/small", "--atlas", "generate:sphere/large", "--atlas-landmarks", "solid.csv"},
+  const std::vector<std::string> options{
+      "-o",    "out",           "--levels", "2:2",          "--set", "align.mode=none",
+      "--set", "pictures=none", "--set",    "report=false", "--set", "statistics.include=all"};
+  std::vector<std::string> solid{"generate:sphere/large", "generate:sphere/small", "--atlas",
+                                 "generate:sphere/large", "--atlas-landmarks",     "solid.csv"},
       planar{"e1.csv", "e2.csv", "--atlas", "e1.csv"};
   solid.insert(solid.end(), options.begin(), options.end());
   planar.insert(planar.end(), options.begin(), options.end());
   const ProgramResult first = cohort(solid);
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  const std::vector<std::string> of_spheres{"out/model/mean.ply", "out/model/mean.vtp", "out/model/mode_1_plus.ply", "out/landmarks.csv", "out/atlas_landmarks.csv"};
+  const std::vector<std::string> of_spheres{"out/model/mean.ply", "out/model/mean.vtp", "out/model/mode_1_plus.ply",
+                                            "out/landmarks.csv", "out/atlas_landmarks.csv"};
   for (const std::string& name : of_spheres) EXPECT_TRUE(exists(name)) << name;
   const ProgramResult second = cohort(planar);
   ASSERT_EQ(second.exit_code, 0) << second.err;

@@ -14,7 +14,8 @@ namespace shellmatch {
 namespace fs = std::filesystem;
 
 void CohortProgram::SetUp() {
-  folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_cohort_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  folder_ = fs::path(testing::TempDir()) /
+            (std::string("shellmatch_cohort_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }
@@ -52,7 +53,8 @@ set:
   report: false
   align: {{mode: none}}
   cascade: {{min_level: 3, max_level: 4}}
-)", atlas));
+)",
+                                          atlas));
 }
 
 ProgramResult CohortProgram::cohort(std::vector<std::string> words) const {
@@ -70,10 +72,12 @@ std::string CohortProgram::text_of(const std::string& name) const {
 std::map<std::string, std::string> CohortProgram::lasting_files(const std::string& folder) const {
   std::map<std::string, std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / folder)) {
-    const std::string name = fs::relative(entry.path(), folder_ / folder).string(), last = entry.path().filename().string();
+    const std::string name = fs::relative(entry.path(), folder_ / folder).string(),
+                      last = entry.path().filename().string();
     // Times, the machine and paths of the folder stand in these; what was left aside by a kill is not there at all.
-    if (!entry.is_regular_file() || last == "times.csv" || last == "result.json" || last == "log.txt" || last == "config.yaml" || last == "history.csv" ||
-        last == "files.json" || (last == "summary.json" && name != "summary.json") || name.starts_with(".stages"))
+    if (!entry.is_regular_file() || last == "times.csv" || last == "result.json" || last == "log.txt" ||
+        last == "config.yaml" || last == "history.csv" || last == "files.json" ||
+        (last == "summary.json" && name != "summary.json") || name.starts_with(".stages"))
       continue;
     files[name] = text_checksum(text_of(folder + "/" + name));
   }

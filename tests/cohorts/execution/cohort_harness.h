@@ -23,8 +23,8 @@ class CohortProgram : public testing::Test {
 
   /// Writes an ellipse of these semi-axes.
   std::string write_ellipse(const std::string& name, double a, double b, int n = 60) const;
-  /// Writes ellipses e1.csv to eN.csv, which grow thinner, a table of them in two groups, and returns the name of a cohort's file.
-  /// \param atlas the contents of its section
+  /// Writes ellipses e1.csv to eN.csv, which grow thinner, a table of them in two groups, and returns the name of a
+  /// cohort's file. \param atlas the contents of its section
   std::string write_cohort(int n, const std::string& atlas) const;
 
   ProgramResult cohort(std::vector<std::string> words) const;

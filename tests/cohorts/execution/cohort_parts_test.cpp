@@ -64,7 +64,8 @@ TEST_F(CohortProgram, ALimitOrTitleOpensNoRoundAgain) {
   const std::string file = write_cohort(2, "{kind: mean, rounds: 1}");
   ASSERT_EQ(cohort({file, "-o", "out", "--shard", "1/1", "-q"}).exit_code, 0);
   ASSERT_EQ(cohort({file, "-o", "out", "--collect", "--stage", "1", "-q"}).exit_code, 0);
-  const ProgramResult part = cohort({file, "-o", "out", "--only", "e1", "--max-memory", "2GB", "--set", "title=Ovals", "--set", "statistics.samples=60"});
+  const ProgramResult part = cohort({file, "-o", "out", "--only", "e1", "--max-memory", "2GB", "--set", "title=Ovals",
+                                     "--set", "statistics.samples=60"});
   EXPECT_EQ(part.exit_code, 0) << part.err;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/runs/e1")) << "the last stage: " << part.err;
 }

@@ -36,7 +36,8 @@ TEST_F(CohortProgram, TheMeanOfEllipsesIsTheEllipseOfTheMeanAxes) {
   const std::string file = write_cohort(4, "{kind: mean, rounds: 4}");
   const ProgramResult result = cohort({file, "-o", "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(has(result.err, " (1 of 4, about ") && has(result.err, " left)\n") && has(result.err, " (4 of 4)\n")) << result.err;
+  EXPECT_TRUE(has(result.err, " (1 of 4, about ") && has(result.err, " left)\n") && has(result.err, " (4 of 4)\n"))
+      << result.err;
   // Axes 1.02 to 1.08 and .86 to .74.
   const Npy points = parse_npy(text_of("out/model/points.npy"));
   EXPECT_TRUE(has(points.head, "'shape': (4, 51, 2, )")) << points.head;
@@ -89,7 +90,9 @@ TEST_F(CohortProgram, TheStartOfTheSearchDoesNotMatter) {
     return text_of(start + "/summary.json");
   };
   const std::string a = mean_of("e1"), b = mean_of("e4");
-  const auto deviation = [](const std::string& summary) { return std::stod(summary.substr(summary.find("standard_deviation") + 20)); };
+  const auto deviation = [](const std::string& summary) {
+    return std::stod(summary.substr(summary.find("standard_deviation") + 20));
+  };
   EXPECT_NEAR(deviation(a), deviation(b), 0.02 * deviation(a));
 }
 
@@ -110,7 +113,8 @@ TEST_F(CohortProgram, ANewSubjectIsMatchedAlone) {
 
 TEST_F(CohortProgram, FilesAndPatternsNeedNoYaml) {
   write_cohort(3, "{}");
-  const ProgramResult result = cohort({"e?.csv", "-o", "out", "--atlas", "e2.csv", "--levels", "3:4", "--set", "pictures=none", "--set", "statistics.samples=20"});
+  const ProgramResult result = cohort({"e?.csv", "-o", "out", "--atlas", "e2.csv", "--levels", "3:4", "--set",
+                                       "pictures=none", "--set", "statistics.samples=20"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(csv_lines(text_of("out/subjects.csv")).size(), 4u);
   // What is written is a cohort's file that can be run again, from anywhere.
@@ -139,7 +143,8 @@ TEST_F(CohortProgram, AModelOfSomeHasScoresOfAll) {
 TEST_F(CohortProgram, TheMedoidIsTheMiddleOne) {
   const std::string file = write_cohort(5, "{kind: medoid}");
   ASSERT_EQ(cohort({file, "-o", "out", "-q"}).exit_code, 0);
-  EXPECT_TRUE(has(text_of("out/atlas/round_1/round.json"), "\"nearest\": \"e3\"")) << text_of("out/atlas/round_1/round.json");
+  EXPECT_TRUE(has(text_of("out/atlas/round_1/round.json"), "\"nearest\": \"e3\""))
+      << text_of("out/atlas/round_1/round.json");
   EXPECT_EQ(text_of("out/atlas.csv"), text_of("out/atlas/medoid.csv"));
 }
 
@@ -148,7 +153,8 @@ TEST_F(CohortProgram, LandmarksAreCarriedBothWays) {
   write("p1.csv", "name,x,y\nright,1.02,0\ntop,0,0.86\n");
   write("p2.csv", "name,x,y\nright,1.04,0\nelsewhere,0,-0.82\n");
   write("table.csv", "file,landmarks\ne1.csv,p1.csv\ne2.csv,p2.csv\n");
-  const ProgramResult result = cohort({"cohort.yaml", "-o", "out", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set", "landmarks=compare"});
+  const ProgramResult result = cohort({"cohort.yaml", "-o", "out", "--set", "atlas.kind=given", "--set",
+                                       "atlas.shape=e1", "--set", "landmarks=compare"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string carried = text_of("out/landmarks.csv");
   EXPECT_TRUE(has(carried, "id,name,x,y,known_x,known_y,distance\n")) << carried;
@@ -173,7 +179,8 @@ TEST_F(CohortProgram, LandmarksOfDrawingsAreTurnedWithThem) {
   write("p1.csv", "name,x,y\nright,6.02,3\nbelow,5,3.86\n");
   write("p2.csv", "name,x,y\nright,6.04,3\nbelow,5,3.82\n");
   write("table.csv", "file,landmarks\ne1.svg,p1.csv\ne2.svg,p2.csv\n");
-  const ProgramResult result = cohort({"cohort.yaml", "-o", "out", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set", "landmarks=compare"});
+  const ProgramResult result = cohort({"cohort.yaml", "-o", "out", "--set", "atlas.kind=given", "--set",
+                                       "atlas.shape=e1", "--set", "landmarks=compare"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string carried = text_of("out/landmarks.csv");
   EXPECT_TRUE(has(carried, ",5,-3.82,")) << carried;
@@ -191,7 +198,10 @@ TEST_F(CohortProgram, LandmarksPullTheMatchingsUnlessTheyAreToBeCompared) {
   write("p2.csv", "name,x,y\nright,1.0193,0.1629\nelsewhere,0,-0.82\n");
   write("table.csv", "file,landmarks\ne1.csv,p1.csv\ne2.csv,p2.csv\n");
   const auto distance_with = [&](const std::string& use) {
-    EXPECT_EQ(cohort({"cohort.yaml", "-o", use, "-q", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set", "landmarks=" + use}).exit_code, 0);
+    EXPECT_EQ(cohort({"cohort.yaml", "-o", use, "-q", "--set", "atlas.kind=given", "--set", "atlas.shape=e1", "--set",
+                      "landmarks=" + use})
+                  .exit_code,
+              0);
     std::istringstream lines(text_of(use + "/landmarks.csv"));
     for (std::string line; std::getline(lines, line);)
       if (line.starts_with("e2,right")) return std::stod(line.substr(line.rfind(',') + 1));
@@ -208,7 +218,9 @@ TEST_F(CohortProgram, AMirroredSubjectIsMatchedAsItsImage) {
   write("a.csv", "x,y\n0,0\n2,0\n0.3,1\n");
   write("b.csv", "x,y\n0,0\n-0.3,1\n-2,0\n");
   write("table.csv", "file,reflect\na.csv,0\nb.csv,1\n");
-  write("cohort.yaml", "version: 1\ntable: table.csv\natlas: {kind: given, shape: a}\nset: {pictures: none, report: false, align: {mode: none}, cascade: {min_level: 3, max_level: 4}}\n");
+  write("cohort.yaml",
+        "version: 1\ntable: table.csv\natlas: {kind: given, shape: a}\nset: {pictures: none, report: false, align: "
+        "{mode: none}, cascade: {min_level: 3, max_level: 4}}\n");
   ASSERT_EQ(cohort({"cohort.yaml", "-o", "out", "-q"}).exit_code, 0);
   const Npy points = parse_npy(text_of("out/model/points.npy"));
   ASSERT_EQ(points.values.size(), 12u);

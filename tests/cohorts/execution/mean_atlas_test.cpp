@@ -21,7 +21,8 @@ Atlas<2> square_atlas(const std::string& folder) {
 Eigen::VectorXd image(const Atlas<2>& atlas, double factor, double angle, const Vec<2>& offset) {
   const Mat<2> turn{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
   Eigen::VectorXd points = atlas.points;
-  for (Eigen::Index p = 0; p < points.size() / 2; ++p) points.segment<2>(2 * p) = factor * (turn * Vec<2>(points.segment<2>(2 * p))) + offset;
+  for (Eigen::Index p = 0; p < points.size() / 2; ++p)
+    points.segment<2>(2 * p) = factor * (turn * Vec<2>(points.segment<2>(2 * p))) + offset;
   return points;
 }
 

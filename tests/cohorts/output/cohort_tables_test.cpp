@@ -18,9 +18,10 @@ SubjectResult subject(const std::string& id, const std::string& status, const st
   return s;
 }
 
-const std::vector<SubjectResult> listed{subject("good", "finished", "matched", 0.01), subject("worse", "finished", "matched", 0.02),
-                                          subject("lost", "failed", "", 0), subject("look", "finished", "look-here", 0.001),
-                                          subject("wrong", "finished", "not-matched", 0.001)};
+const std::vector<SubjectResult> listed{subject("good", "finished", "matched", 0.01),
+                                        subject("worse", "finished", "matched", 0.02), subject("lost", "failed", "", 0),
+                                        subject("look", "finished", "look-here", 0.001),
+                                        subject("wrong", "finished", "not-matched", 0.001)};
 
 TEST(CohortTables, DistancesAreInTheUnitOfTheShapes) {
   Cohort cohort;
@@ -28,7 +29,9 @@ TEST(CohortTables, DistancesAreInTheUnitOfTheShapes) {
   cohort.subjects[0].source = "a, b.ply";
   for (Subject& s : cohort.subjects) s.further = {{"age", "7"}};
   const std::string text = subjects_csv(cohort, listed, {0, 1, 3});
-  EXPECT_NE(text.find("\ngood,,finished,matched,0,0.01,0.02,0.1,0.01,0.02,0.03,,10,,,\"a, b.ply\",0,7\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\ngood,,finished,matched,0,0.01,0.02,0.1,0.01,0.02,0.03,,10,,,\"a, b.ply\",0,7\n"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("\nlost,,failed,,,,,,,,,,10,,,,0,7\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nlook,,finished,look-here,2,"), std::string::npos) << text;
 }

@@ -20,7 +20,8 @@ void write_page(const std::string& name, const CohortResult<Dim>& result) {
   std::string lines;
   for (std::size_t c = 0; c < result.rows.size(); ++c) {
     lines += result.subjects[result.rows[c]].id;
-    for (const double x : result.aligned.coordinates.col(static_cast<Eigen::Index>(c))) lines += fmt::format(" {:.9g}", x);
+    for (const double x : result.aligned.coordinates.col(static_cast<Eigen::Index>(c)))
+      lines += fmt::format(" {:.9g}", x);
     lines += '\n';
   }
   write_file(name + ".txt", lines);
@@ -43,7 +44,8 @@ int main(int argc, char** argv) {
   CohortResult<2> none = test::sample_cohort<2>({.n_subjects = 0, .has_failures = false});
   none.rounds.clear();
   none.unit.clear();
-  none.subjects = {test::unfinished_subject("lost", "crashed", "signal 11"), test::unfinished_subject("later", "not_run")};
+  none.subjects = {test::unfinished_subject("lost", "crashed", "signal 11"),
+                   test::unfinished_subject("later", "not_run")};
   write_page(folder + "none", none);
   CohortResult<3> large = test::sample_cohort<3>({.n_subjects = 40, .n_points = 5000});
   large.difference.reset();

@@ -64,8 +64,11 @@ TEST(CohortReport, HoldsTheModelItsCurvesAndTheDifference) {
   EXPECT_EQ(page["model"]["total_variance"], result.model->total_variance);
   const ModelCurves& curves = *result.curves;
   const std::pair<const char*, const std::vector<double>&> lists[] = {
-      {"compactness", curves.compactness}, {"generalisation", curves.generalisation}, {"generalisation_error", curves.generalisation_error},
-      {"specificity", curves.specificity}, {"specificity_error", curves.specificity_error}};
+      {"compactness", curves.compactness},
+      {"generalisation", curves.generalisation},
+      {"generalisation_error", curves.generalisation_error},
+      {"specificity", curves.specificity},
+      {"specificity_error", curves.specificity_error}};
   for (const auto& [name, values] : lists) EXPECT_EQ(page["curves"][name], values) << name;
   EXPECT_EQ(page["difference"]["group_b"], "b");
   EXPECT_EQ(page["difference"]["n_a"].get<int>() + page["difference"]["n_b"].get<int>(), 10);
@@ -77,7 +80,8 @@ TEST(CohortReport, HoldsTheModelItsCurvesAndTheDifference) {
   EXPECT_NEAR(page["difference"]["significant_share"], n_significant / static_cast<double>(p.size()), 1e-12);
   EXPECT_EQ(page["rounds"][2]["change"], 0.0008);
   EXPECT_TRUE(page.contains("camera"));
-  std::set<std::string> expected = {"mean", "facets", "scores", "deviation", "difference", "difference_normal", "p_corrected"};
+  std::set<std::string> expected = {"mean",       "facets", "scores", "deviation", "difference", "difference_normal",
+                                    "p_corrected"};
   for (int k = 1; k <= 9; ++k) expected.insert("mode." + std::to_string(k));
   EXPECT_EQ(array_names(page), expected);
   const auto& mean = page["arrays"][0];
@@ -148,7 +152,7 @@ TEST(CohortReport, NamesDoNotBecomePartsOfThePage) {
 
 TEST(CohortReport, ThePageNamesNoHostItWouldAsk) {
   EXPECT_NE(cohort_page.find("Content-Security-Policy\" content=\"default-src 'none'"), std::string_view::npos);
-  for (const char* word : {"src=\"http", "href=\"http", "src=\"//", "@import"}) 
+  for (const char* word : {"src=\"http", "href=\"http", "src=\"//", "@import"})
     EXPECT_EQ(cohort_page.find(word), std::string_view::npos) << word;
 }
 

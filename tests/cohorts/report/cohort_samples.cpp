@@ -31,7 +31,8 @@ Surface<3> unit_shape(int n_points, std::integral_constant<int, 3>) {
   for (int r = 1; r <= n_rings; ++r)
     for (int i = 0; i < n; ++i) {
       const double polar = pi * r / (n_rings + 1), around = 2 * pi * i / n;
-      sphere.vertices.emplace_back(std::cos(polar), std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around));
+      sphere.vertices.emplace_back(std::cos(polar), std::sin(polar) * std::cos(around),
+                                   std::sin(polar) * std::sin(around));
     }
   sphere.vertices.emplace_back(-1, 0, 0);
   const auto at = [&](int r, int i) { return r == 0 ? 0 : r > n_rings ? 1 + n_rings * n : 1 + (r - 1) * n + i % n; };
@@ -68,7 +69,8 @@ ShapeModel model_of(const PointSets& sets) {
   model.weights = Eigen::VectorXd::Constant(n_points, 1.0 / static_cast<double>(n_points));
   model.mean = sets.coordinates.rowwise().mean();
   // All points weigh the same: modes are the left singular vectors, of root mean square 1.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(sets.coordinates.colwise() - model.mean, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(sets.coordinates.colwise() - model.mean,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
   const double root = std::sqrt(static_cast<double>(n_points));
   const Eigen::Index n_modes = (svd.singularValues().array() > 1e-6 * svd.singularValues()[0]).count();
   model.modes = root * svd.matrixU().leftCols(n_modes);
@@ -84,7 +86,8 @@ ModelCurves curves_of(const ShapeModel& model) {
   for (Eigen::Index m = 0; m < model.variances.size(); ++m) {
     curves.compactness.push_back((sum += model.variances[m]) / model.total_variance);
     const double rest = std::sqrt(std::max(model.total_variance - sum, 0.0)), kept = std::sqrt(sum);
-    if (m + 1 < model.variances.size()) curves.generalisation.push_back(0.3 + rest), curves.generalisation_error.push_back(0.1 + 0.1 * rest);
+    if (m + 1 < model.variances.size())
+      curves.generalisation.push_back(0.3 + rest), curves.generalisation_error.push_back(0.1 + 0.1 * rest);
     curves.specificity.push_back(0.4 * kept), curves.specificity_error.push_back(0.02 * kept);
   }
   return curves;
@@ -103,7 +106,8 @@ GroupDifference difference_of(const CohortResult<Dim>& result) {
   d.difference = b / d.n_b - a / d.n_a;
   const Eigen::VectorXd lengths = d.difference.reshaped(Dim, d.difference.size() / Dim).colwise().norm();
   d.statistic = lengths.cwiseAbs2();
-  d.p_corrected = (lengths.array() > lengths.maxCoeff() / 2).select(Eigen::ArrayXd::Constant(lengths.size(), 0.01), 0.6);
+  d.p_corrected =
+      (lengths.array() > lengths.maxCoeff() / 2).select(Eigen::ArrayXd::Constant(lengths.size(), 0.01), 0.6);
   d.p = d.q = d.p_corrected / 2;
   d.distance = std::sqrt(lengths.squaredNorm() / static_cast<double>(lengths.size()));
   d.global_p = 0.002;
@@ -128,11 +132,15 @@ void spoil(std::vector<SubjectResult>& subjects) {
   failed = unfinished_subject(failed.id, "timed_out", "stopped after 600 s, the limit of the cohort");
   failed.group = group;
   unusual.outcome = "look-here";
-  unusual.reasons = {{"1.4 % of the template is not reached", "look whether it has parts that the reference lacks", "template", {1, 2, 3}}};
+  unusual.reasons = {{"1.4 % of the template is not reached",
+                      "look whether it has parts that the reference lacks",
+                      "template",
+                      {1, 2, 3}}};
   wrong.outcome = "not-matched", wrong.in_model = false;
   wrong.distance = TwoSidedDistance{{0.02, 0.08, 0.21}, {0.03, 0.1, 0.26}, 0.31};
-  wrong.reasons = {{"31 % of the template is not reached", "check that the shapes are of the same kind", "template", {1, 2, 3}},
-                   {"the map folds in 14 cells", "give landmarks", "deformed", {1, 2, 3}}};
+  wrong.reasons = {
+      {"31 % of the template is not reached", "check that the shapes are of the same kind", "template", {1, 2, 3}},
+      {"the map folds in 14 cells", "give landmarks", "deformed", {1, 2, 3}}};
 }
 
 }  // namespace
@@ -170,7 +178,9 @@ CohortResult<Dim> sample_cohort(const SampleOptions& options) {
     result.group_a = "a", result.group_b = "b";
     result.difference = difference_of(result);
   }
-  result.rounds = {{1, result.rows.size(), 0.031, 0.05}, {2, result.rows.size(), 0.004, 0.048}, {3, result.rows.size(), 0.0008, 0.048}};
+  result.rounds = {{1, result.rows.size(), 0.031, 0.05},
+                   {2, result.rows.size(), 0.004, 0.048},
+                   {3, result.rows.size(), 0.0008, 0.048}};
   return result;
 }
 

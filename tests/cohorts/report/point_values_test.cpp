@@ -21,7 +21,8 @@ CohortResult<Dim> spheres() {
   result.aligned.coordinates.resize(static_cast<Eigen::Index>(Dim * vertices.size()), 3);
   for (std::size_t v = 0; v < vertices.size(); ++v)
     for (const auto& [c, radius] : {std::pair(0, 1.0), std::pair(1, 2.0), std::pair(2, 6.0)})
-      result.aligned.coordinates.col(c).template segment<Dim>(static_cast<Eigen::Index>(Dim * v)) = radius * vertices[v].normalized();
+      result.aligned.coordinates.col(c).template segment<Dim>(static_cast<Eigen::Index>(Dim * v)) =
+          radius * vertices[v].normalized();
   result.subjects.resize(3);
   result.rows = {0, 1, 2};
   result.difference.emplace();

@@ -28,7 +28,8 @@ void expect_pictures() {
   const Eigen::MatrixXd& shapes = result.aligned.coordinates;
   const Eigen::MatrixXd squares = (shapes.colwise() - result.model->mean).cwiseAbs2();
   const Eigen::VectorXd distances = squares.reshaped(Dim, squares.size() / Dim).colwise().sum().cwiseSqrt();
-  EXPECT_NEAR(static_cast<double>((distances.array() <= all.scale_end).count()) / static_cast<double>(distances.size()), 0.98, 0.002);
+  EXPECT_NEAR(static_cast<double>((distances.array() <= all.scale_end).count()) / static_cast<double>(distances.size()),
+              0.98, 0.002);
   for (std::size_t s = 0; s < result.subjects.size(); ++s) {
     EXPECT_EQ(all.pictures[s].starts_with("\x89PNG"), result.subjects[s].in_model) << s;
     EXPECT_EQ(all.pictures[s].empty(), !result.subjects[s].in_model) << s;

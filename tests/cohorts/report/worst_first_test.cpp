@@ -26,11 +26,11 @@ TEST(WorstFirst, FailuresThenVerdictsThenTheGreatestDistanceEitherWay) {
       subject("finished", "matched", 0.01, 0.02),      // 0
       subject("finished", "matched", 0.03, 0.01),      // 1
       subject("finished", "not-matched", 0.02, 0.02),  // 2
-      test::unfinished_subject("late", "timed_out"),            // 3
+      test::unfinished_subject("late", "timed_out"),   // 3
       subject("finished", "look-here", 0.5, 0.01),     // 4
       unmeasured,                                      // 5
       subject("finished", "matched", 0.01, nan),       // 6
-      test::unfinished_subject("later", "not_run"),              // 7
+      test::unfinished_subject("later", "not_run"),    // 7
       subject("finished", "matched", 0.02, 0.04),      // 8
       subject("finished", "matched", 0.04, 0.01),      // 9: as far as 8, and after it in the table
   };

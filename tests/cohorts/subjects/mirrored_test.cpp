@@ -26,7 +26,8 @@ TEST(Mirrored, TheFirstCoordinateChangesItsSignAndFacetsStayOutward) {
   EXPECT_EQ(image.original.vertices[3], Vec<3>(-1, 0, 1));
   EXPECT_NEAR(enclosed_measure(Surface<3>{read_triangles(file)}), 1. / 3, 1e-12) << "its facets point inward";
   std::vector<std::string> notes;
-  const auto points = read_named_points<3>(mirrored_landmarks(subject, {}, (folder / "m").string()), image.original.vertices, Space::unsaid, Space::unsaid, notes);
+  const auto points = read_named_points<3>(mirrored_landmarks(subject, {}, (folder / "m").string()),
+                                           image.original.vertices, Space::unsaid, Space::unsaid, notes);
   ASSERT_EQ(points.size(), 1u);
   EXPECT_EQ(points[0].point, Vec<3>(-3, 0, 0));
   // What cannot be read is left to the matching.

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 class SubjectTable : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_subjects_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("shellmatch_subjects_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -37,7 +38,8 @@ class SubjectTable : public testing::Test {
 };
 
 TEST_F(SubjectTable, ColumnsMayStandInAnyOrderAndOthersAreKept) {
-  const auto subjects = read_subject_table(write("group,File,reflect,age,id\r\nfemale,scans/a.ply,Yes,\"7, about\",first\r\n\r\nmale,/abs/b.nii.gz:3,0,8,\r\n"));
+  const auto subjects = read_subject_table(write(
+      "group,File,reflect,age,id\r\nfemale,scans/a.ply,Yes,\"7, about\",first\r\n\r\nmale,/abs/b.nii.gz:3,0,8,\r\n"));
   ASSERT_EQ(subjects.size(), 2u);
   EXPECT_EQ(subjects[0].id, "first");
   EXPECT_EQ(subjects[0].source, (folder_ / "scans/a.ply").string());

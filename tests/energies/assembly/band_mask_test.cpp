@@ -19,7 +19,9 @@ using namespace test;
 template <int Dim>
 struct RampMask final : BandMask<Dim> {
   double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override { return x[0] * (1 - y[1]); }
-  std::optional<double> constant(const Vec<Dim>&, double, const Vec<Dim>&, double) const override { return std::nullopt; }
+  std::optional<double> constant(const Vec<Dim>&, double, const Vec<Dim>&, double) const override {
+    return std::nullopt;
+  }
 };
 
 // Half of space, decided for whole elements where that is possible.
@@ -46,7 +48,9 @@ struct ConstantMask final : BandMask<Dim> {
 template <class T>
 struct BandMasks : ::testing::Test {
   const Octree<T::value> grid = hanging_grid<T::value>(0.28);
-  Problem<T::value> problem{grid, exact_fields<T::value>(grid, sphere<T::value>(0.28)), exact_fields<T::value>(grid, sphere<T::value>(0.31)),
+  Problem<T::value> problem{grid,
+                            exact_fields<T::value>(grid, sphere<T::value>(0.28)),
+                            exact_fields<T::value>(grid, sphere<T::value>(0.31)),
                             {.smooth = true}};
   const std::vector<Vec<T::value>> phi = deformed<T::value>(grid, 0.01, 3);
   TermValues all() const {
@@ -65,7 +69,8 @@ TYPED_TEST(BandMasks, ScaleTheTermsOfTheBandAndNoOthers) {
   for (const double factor : {0.25, 0.0, 1.0}) {  // each in place of the one before
     p.energy.set_mask(this->phi, ConstantMask<Dim>(factor));
     const TermValues masked = *p.values(this->phi, this->all());
-    for (const Term band : {"match"_term, "membrane"_term, "bending"_term}) EXPECT_DOUBLE_EQ(masked[band], factor * whole[band]);
+    for (const Term band : {"match"_term, "membrane"_term, "bending"_term})
+      EXPECT_DOUBLE_EQ(masked[band], factor * whole[band]);
     EXPECT_EQ(masked["volume"_term], whole["volume"_term]);
   }
 }
@@ -89,13 +94,15 @@ TYPED_TEST(BandMasks, AreTakenAtThePointAndAtItsImage) {
   constexpr int Dim = TypeParam::value;
   auto& p = this->problem;
   const auto identity = at_nodes<Dim>(this->grid, [](const Vec<Dim>& x) { return x; });
-  const auto shifted = at_nodes<Dim>(this->grid, [](const Vec<Dim>& x) { return Vec<Dim>(x + 0.25 * Vec<Dim>::Unit(1)); });
+  const auto shifted =
+      at_nodes<Dim>(this->grid, [](const Vec<Dim>& x) { return Vec<Dim>(x + 0.25 * Vec<Dim>::Unit(1)); });
   const auto mean_weight = [&](const std::vector<Vec<Dim>>& at) {
     p.energy.set_mask(at, RampMask<Dim>());
     double sum = 0;
     const Band<Dim>& band = p.energy.band();
     for (std::size_t b = 0; b < band.batches().size(); ++b)
-      for (std::size_t q = 0; q < p.energy.shape().points.size(); ++q) sum += autodiff::sum_lanes(band.point(b, q).weight);
+      for (std::size_t q = 0; q < p.energy.shape().points.size(); ++q)
+        sum += autodiff::sum_lanes(band.point(b, q).weight);
     return sum / band.measure();
   };
   // A sphere in the middle: the mean of x0 (1 - x1) is 1/4, as the mean of the product of both deviations is 0.
@@ -128,8 +135,10 @@ TYPED_TEST(BandMasks, AreThoseOfTheReport) {
   const RampMask<Dim> mask;
   p.energy.set_mask(this->phi, mask);
   const TermValues own = *p.values(this->phi, this->all());
-  const EnergyReport same = report_energy<Dim>(p.unknowns, p.geometry, p.options, p.sigma, 2, this->phi, this->all(), &mask);
-  const EnergyReport unmasked = report_energy<Dim>(p.unknowns, p.geometry, p.options, p.sigma, 2, this->phi, this->all());
+  const EnergyReport same =
+      report_energy<Dim>(p.unknowns, p.geometry, p.options, p.sigma, 2, this->phi, this->all(), &mask);
+  const EnergyReport unmasked =
+      report_energy<Dim>(p.unknowns, p.geometry, p.options, p.sigma, 2, this->phi, this->all());
   EXPECT_NEAR(same.values["match"_term], own["match"_term], 1e-12 * own["match"_term]);
   EXPECT_GT(unmasked.values["match"_term], 2 * own["match"_term]);
 }

@@ -73,8 +73,7 @@ TYPED_TEST(BandReports, AMirrorImageIsFoldedThroughout) {
 // that n2 turns by -t sin^2 a: what is left is t |cos 2a|, whose mean is 2 t / pi.
 TEST(BandReports2d, AShearOfTheCircle) {
   const double t = 0.02;
-  const BandReport sheared =
-      report<2>([=](const Vec<2>& x) { return Vec<2>(x[0] + t * (x[1] - 0.5), x[1]); });
+  const BandReport sheared = report<2>([=](const Vec<2>& x) { return Vec<2>(x[0] + t * (x[1] - 0.5), x[1]); });
   EXPECT_NEAR(sheared.normal_angle, t * 2 / std::numbers::pi * 180 / std::numbers::pi, 0.06);
 }
 
@@ -87,8 +86,7 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   TermValues weights;
   for (std::size_t t = 0; t < weights.size(); ++t) weights[t] = 1.0 + static_cast<double>(t);
   const double sigma = 2 * grid.finest_side();
-  const EnergyReport report =
-      report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, phi, weights);
+  const EnergyReport report = report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, phi, weights);
   const TermValues whole = *p.values(phi, weights);
   for (std::size_t t = 0; t < whole.size(); ++t)
     EXPECT_NEAR(report.values[t], whole[t], 1e-12 * whole.sum()) << term_names()[t];
@@ -98,8 +96,7 @@ TEST(EnergyReport, PiecesMakeTheWhole) {
   // Nothing is claimed of what cannot be evaluated: one cell turned inside out, in the last piece.
   auto folded = phi;
   folded[grid.cell(grid.leaves().back()).nodes[0]].array() += 0.2;
-  const EnergyReport none =
-      report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, folded, weights);
+  const EnergyReport none = report_energy<3>(p.unknowns, p.geometry, p.options, sigma, 3, folded, weights);
   for (const double value : none.values) EXPECT_TRUE(std::isnan(value));
   EXPECT_GT(none.band.normal_angle, 0) << "but the band can be looked at";
 }

@@ -27,9 +27,11 @@ struct Squares {
   std::vector<double> x;
 
   explicit Squares(BoundaryCondition boundary)
-      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))),
-                options(boundary)),
-        energy(problem.energy), phi(deformed<Dim>(grid, 0.03, 11, boundary == BoundaryCondition::dirichlet)), x(problem.unknowns.size()) {
+      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
+                exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))), options(boundary)),
+        energy(problem.energy),
+        phi(deformed<Dim>(grid, 0.03, 11, boundary == BoundaryCondition::dirichlet)),
+        x(problem.unknowns.size()) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform(0.2, 0.8);
     const std::size_t n_without = energy.n_terms();
@@ -86,8 +88,8 @@ TYPED_TEST(CeresProblem, OfSquaresHasTheirCostAndGradient) {
     const double size = std::abs(*std::ranges::max_element(gradient, {}, [](double g) { return std::abs(g); }));
     for (std::size_t b = 0; b < order.parameter_blocks.size(); ++b)
       for (int k = 0; k < Dim; ++k)
-        EXPECT_NEAR(by_ceres[b * Dim + static_cast<std::size_t>(k)], gradient[static_cast<std::size_t>(order.parameter_blocks[b] + k - a.x.data())],
-                    1e-12 * size);
+        EXPECT_NEAR(by_ceres[b * Dim + static_cast<std::size_t>(k)],
+                    gradient[static_cast<std::size_t>(order.parameter_blocks[b] + k - a.x.data())], 1e-12 * size);
   }
 }
 
@@ -97,7 +99,8 @@ TYPED_TEST(CeresProblem, LeavesOutWhatIsNoSquareAndSaysSo) {
   a.weights = TermValues(a.energy.n_terms());
   a.weights["membrane"_term] = a.weights["barrier"_term] = 1;
   ceres::Problem squares;
-  EXPECT_EQ(add_residuals<Dim>(a.energy, a.problem.unknowns, a.weights, a.phi, a.x, squares), (std::vector<std::string>{"membrane", "barrier"}));
+  EXPECT_EQ(add_residuals<Dim>(a.energy, a.problem.unknowns, a.weights, a.phi, a.x, squares),
+            (std::vector<std::string>{"membrane", "barrier"}));
   EXPECT_EQ(squares.NumResiduals(), 0);
 }
 

@@ -164,7 +164,8 @@ TYPED_TEST(Folds, WhatIsNoNumberIsNotCertified) {
       phi[nodes[corner]][Dim - 1] = wrong;
       const FoldReport report = find_folds<Dim>(unknowns.elements(), phi);
       EXPECT_GE(report.n_uncertified_cells, 1) << wrong << " at corner " << corner;
-      EXPECT_TRUE(std::isnan(determinant_bounds<Dim>(unknowns.elements(), phi)[5].bound)) << wrong << " at corner " << corner;
+      EXPECT_TRUE(std::isnan(determinant_bounds<Dim>(unknowns.elements(), phi)[5].bound))
+          << wrong << " at corner " << corner;
     }
 }
 

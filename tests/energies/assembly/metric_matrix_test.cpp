@@ -76,8 +76,7 @@ TYPED_TEST(MetricMatrix, LeavesFixedNodesOut) {
   for (Index i = 0, j = 0; j < static_cast<Index>(fixed.unknowns.nodes().size()); ++i)
     if (free.unknowns.nodes()[i] == fixed.unknowns.nodes()[j]) kept.push_back(i), ++j;
   for (Index j = 0; j < part.cols(); ++j)
-    for (Index i = 0; i < part.rows(); ++i)
-      ASSERT_NEAR(part.coeff(i, j), all.coeff(kept[i], kept[j]), 1e-14);
+    for (Index i = 0; i < part.rows(); ++i) ASSERT_NEAR(part.coeff(i, j), all.coeff(kept[i], kept[j]), 1e-14);
 }
 
 // The purpose of the metric h1_band: along smooth fields it approximates the energy's second derivative at the

@@ -1,5 +1,5 @@
-// A value, a gradient or a Newton model that is not finite is traced to its term, cell and point. Terms of one's own plant
-// the NaN.
+// A value, a gradient or a Newton model that is not finite is traced to its term, cell and point. Terms of one's own
+// plant the NaN.
 
 #include "energies/assembly/not_finite.h"
 #include "energies/compiled/compile_term.h"
@@ -58,7 +58,8 @@ struct NanGradient : CellTerm<2> {
 template <int Dim>
 struct Shapes {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
-  const Problem<Dim> problem{grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.3))};
+  const Problem<Dim> problem{grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
+                             exact_fields<Dim>(grid, sphere<Dim>(0.3))};
   const std::vector<Vec<Dim>> identity = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
 };
 
@@ -85,7 +86,8 @@ TYPED_TEST(NotFiniteTest, AValueIsTracedToTermCellAndPoint) {
   ASSERT_TRUE(found->point.has_value());
   EXPECT_LT(s.problem.target.value(*found->point)[0], -depth) << "phi is the identity";
   const auto& element = s.problem.unknowns.elements()[found->element];
-  EXPECT_TRUE(((*found->point - element.corner).array() > 0).all() && ((*found->point - element.corner).array() < element.side).all());
+  EXPECT_TRUE(((*found->point - element.corner).array() > 0).all() &&
+              ((*found->point - element.corner).array() < element.side).all());
   const std::string text = not_finite_text(*found);
   for (const char* part : {"the value of the term planted is not finite", "in the cell of side ", ", at the point ("})
     EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -140,7 +142,8 @@ TYPED_TEST(NotFiniteTest, AModelIsTracedToTermCellAndPoint) {
   EXPECT_EQ(found->term, "match");
   ASSERT_TRUE(found->point.has_value());
   const auto& element = s.problem.unknowns.elements()[found->element];
-  EXPECT_TRUE(((*found->point - element.corner).array() > 0).all() && ((*found->point - element.corner).array() < element.side).all());
+  EXPECT_TRUE(((*found->point - element.corner).array() > 0).all() &&
+              ((*found->point - element.corner).array() < element.side).all());
 
   // A term on cells is evaluated at their centres.
   weights["match"_term] = 1;

@@ -229,12 +229,13 @@ struct Several {
     using std::sqrt;
     const T s = x[0] * x[1] + p[0];
     const T root = sqrt(s * s + 2.0);
-    return {root * x[2],                    // three of the inputs
-            T(3.0),                         // a constant
-            s, x[1] * x[0] + p[0],          // twice the same
-            exp(-x[3]) / root + s * x[3],   // all but x[2]
-            x[2],                           // an input
-            T(p[0] * p[1]),                 // nothing active
+    return {root * x[2],  // three of the inputs
+            T(3.0),       // a constant
+            s,
+            x[1] * x[0] + p[0],            // twice the same
+            exp(-x[3]) / root + s * x[3],  // all but x[2]
+            x[2],                          // an input
+            T(p[0] * p[1]),                // nothing active
             max_of(s, x[3]) * root - s / 3.0};
   }
 };
@@ -248,13 +249,14 @@ TEST(Autodiff, JacobianOfSeveralOutputs) {
 TEST(Autodiff, EveryOutputKnowsTheInputsThatItDependsOn) {
   using Code = autodiff::Compiled<Several>;
   constexpr bool expected[Several::n_outputs][Several::n_active] = {
-      {true, true, true, false},  {false, false, false, false}, {true, true, false, false},   {true, true, false, false},
-      {true, true, false, true},  {false, false, true, false},  {false, false, false, false}, {true, true, false, true}};
+      {true, true, true, false}, {false, false, false, false}, {true, true, false, false},   {true, true, false, false},
+      {true, true, false, true}, {false, false, true, false},  {false, false, false, false}, {true, true, false, true}};
   [&]<int... OI>(std::integer_sequence<int, OI...>) {
     constexpr bool found[] = {Code::depends(OI / 4, OI % 4)...};
     for (int oi = 0; oi < Several::n_outputs * 4; ++oi)
       EXPECT_EQ(found[oi], expected[oi / 4][oi % 4]) << "output " << oi / 4 << ", input " << oi % 4;
-  }(std::make_integer_sequence<int, Several::n_outputs * 4>{});
+  }
+  (std::make_integer_sequence<int, Several::n_outputs * 4>{});
 }
 
 // Without a value there is no derivative to speak of, but zeros: the caller's memory is not read.

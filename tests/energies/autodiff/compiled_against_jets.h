@@ -64,8 +64,8 @@ void expect_as_jets(const std::array<Inputs<Functor>, autodiff::pack_size>& poin
   }
 }
 
-/// All outputs and their derivatives at eight points, as numbers and as a pack, against Ceres; and what the code says of
-/// the outputs' dependences. \pre the outputs are finite there
+/// All outputs and their derivatives at eight points, as numbers and as a pack, against Ceres; and what the code says
+/// of the outputs' dependences. \pre the outputs are finite there
 template <class Functor>
 void expect_jacobian_as_jets(const std::array<Inputs<Functor>, autodiff::pack_size>& points, double tolerance = 1e-13) {
   using autodiff::Pack;

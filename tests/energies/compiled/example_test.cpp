@@ -28,7 +28,8 @@ TEST(Example, HowARecordedFunctorBecomesCode) {
   // What was recorded: three inputs, then one node for each operation, s only once.
   constexpr auto tape = autodiff::record<HalfSquare>();
   using autodiff::Op;
-  const Op expected[] = {Op::active, Op::active, Op::passive, Op::multiply, Op::add, Op::multiply, Op::constant, Op::multiply};
+  const Op expected[] = {Op::active, Op::active,   Op::passive,  Op::multiply,
+                         Op::add,    Op::multiply, Op::constant, Op::multiply};
   ASSERT_EQ(tape.size, std::size(expected));
   for (std::size_t i = 0; i < tape.size; ++i) EXPECT_EQ(tape.nodes[i].op, expected[i]) << "node " << i;
 

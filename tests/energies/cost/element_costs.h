@@ -38,8 +38,8 @@ class ElementCosts : public ::testing::Test {
 }  // namespace shellmatch::test
 
 /// The tests of one dimension, in a file of their own to keep compile times short.
-#define SHELLMATCH_ELEMENT_COST_TESTS(Dim)                                                      \
-  template <class Term>                                                                         \
-  struct ElementCosts##Dim##d : ::shellmatch::test::ElementCosts<Dim> {};                       \
+#define SHELLMATCH_ELEMENT_COST_TESTS(Dim)                                                                       \
+  template <class Term>                                                                                          \
+  struct ElementCosts##Dim##d : ::shellmatch::test::ElementCosts<Dim> {};                                        \
   TYPED_TEST_SUITE(ElementCosts##Dim##d, ::shellmatch::test::TermTypes<Dim>, ::shellmatch::test::TermTestNames); \
   TYPED_TEST(ElementCosts##Dim##d, SumToTheAssembly) { this->template check<TypeParam>(); }

@@ -147,7 +147,8 @@ TYPED_TEST(Densities, ExtrapolatedThinShellIsThinShellDownToMinusThreeAndAParabo
   }
   for (const double det : {-3.01, -4.0, -9.0, -40.0}) {
     const double beyond = -3 - det;
-    const double expected = value<Dim>(exact, at(det)) + k * (c * (1 + beyond + 0.5 * beyond * beyond) - std::exp(1 - det));
+    const double expected =
+        value<Dim>(exact, at(det)) + k * (c * (1 + beyond + 0.5 * beyond * beyond) - std::exp(1 - det));
     EXPECT_NEAR(value<Dim>(w, at(det)), expected, 1e-12 * std::exp(1 - det));
     EXPECT_LT(value<Dim>(w, at(det)), value<Dim>(exact, at(det)));
     const double slope = (lame.mu + 0.5 * lame.lambda) * det - k * c * (1 + beyond);
@@ -166,7 +167,8 @@ struct FullConstants {
 TYPED_TEST(Densities, FullVolumeIsThePapersAndStationaryAtRotations) {
   constexpr int Dim = TypeParam::dim;
   using C = FullConstants<Dim>;
-  EXPECT_NEAR((Dim + 1) * std::pow(Dim, 0.5 * (Dim - 1)) * (C::alpha + (Dim - 1) * C::beta), Dim * Dim * C::gamma, 1e-12);
+  EXPECT_NEAR((Dim + 1) * std::pow(Dim, 0.5 * (Dim - 1)) * (C::alpha + (Dim - 1) * C::beta), Dim * Dim * C::gamma,
+              1e-12);
   const auto papers = [](const Mat<Dim>& a) {
     const Mat<Dim> cof = a.determinant() * a.inverse().transpose();
     return C::alpha * std::pow(a.norm(), C::p) + C::beta * std::pow(cof.norm(), C::p) +

@@ -15,8 +15,8 @@ namespace {
 using autodiff::Pack;
 using autodiff::pack_size;
 
-// Random ones beside those that are easy to get wrong: zero, a multiple of the identity, diagonal, of rank one, of equal and of very
-// different eigenvalues.
+// Random ones beside those that are easy to get wrong: zero, a multiple of the identity, diagonal, of rank one, of
+// equal and of very different eigenvalues.
 template <int Dim>
 Mat<Dim> symmetric_matrix(int kind, std::mt19937& random) {
   std::normal_distribution<double> normal;

@@ -202,7 +202,8 @@ Seen check_positive_hessian(double amplitude, bool at_identity = true) {
       EXPECT_GT(Eigen::SelfAdjointEigenSolver<Hessian>(h).eigenvalues().minCoeff(), -1e-10 * size);
       const double least = Eigen::SelfAdjointEigenSolver<Hessian>(exact).eigenvalues().minCoeff();
       ++(least >= 0 ? seen.positive : seen.indefinite);
-      EXPECT_LT((h - (least >= 0 ? exact : positive_part(exact))).norm(), 1e-6 * size) << (least >= 0 ? "W''" : "its positive part");
+      EXPECT_LT((h - (least >= 0 ? exact : positive_part(exact))).norm(), 1e-6 * size)
+          << (least >= 0 ? "W''" : "its positive part");
     }
   }
   return seen;

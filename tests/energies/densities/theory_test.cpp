@@ -129,9 +129,9 @@ TEST(Theory, ExtendedTangentialDerivativeOfTheIdentityDegenerates) {
   EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(0, 1))), 0, 1e-15);
   EXPECT_NEAR((determinant_at.operator()<2>(Vec<2>(1, 0), Vec<2>(-0.6, 0.8))), -0.6, 1e-15);
   // W stays finite there: the matrix is e2 e1^T, of norm 1 and determinant 0.
-  EXPECT_NEAR(band_density<Membrane<2>>(TargetPoint<2, double>{0, small<2>(Vec<2>(0, 1)), {}},
-                                   small<double, 2>(Mat<2>::Identity()),
-                                   ReferencePoint<2, double>{0, small<2>(Vec<2>(1, 0)), {}}, Material<double>{1, 1}),
+  EXPECT_NEAR(band_density<Membrane<2>>(
+                  TargetPoint<2, double>{0, small<2>(Vec<2>(0, 1)), {}}, small<double, 2>(Mat<2>::Identity()),
+                  ReferencePoint<2, double>{0, small<2>(Vec<2>(1, 0)), {}}, Material<double>{1, 1}),
               0.5 + 1.5 * std::exp(1.0) - 2.75, 1e-14);
   std::mt19937 random(3);
   for (int i = 0; i < 20; ++i) {

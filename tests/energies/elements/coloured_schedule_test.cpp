@@ -77,7 +77,8 @@ TEST(ColouredSchedule, EndsWithTheFirstExceptionAndLeavesNoThreadWaiting) {
     if (task == schedule.tasks()[20]) throw std::runtime_error("it fails");
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // time for the other threads to join in
     ++n_done;
-  }), std::runtime_error);
+  }),
+               std::runtime_error);
   EXPECT_GE(n_done, 1);
   EXPECT_LT(n_done, 150);
   set_n_threads(0);

@@ -51,13 +51,10 @@ class Lookup {
   const GeometryField<Dim>& geometry() const { return field_; }
 
  private:
-  static Values flat(const typename GeometryField<Dim>::Values& row) {
-    return Eigen::Map<const Values>(row.data());
-  }
+  static Values flat(const typename GeometryField<Dim>::Values& row) { return Eigen::Map<const Values>(row.data()); }
 
   const Octree<Dim> grid_ = hanging_grid<Dim>(0.4);
-  const CoefficientFields<Dim> fields_ =
-      exact_fields<Dim>(grid_, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.4, 0.3)));
+  const CoefficientFields<Dim> fields_ = exact_fields<Dim>(grid_, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.4, 0.3)));
   const GeometryField<Dim> field_;
 };
 
@@ -81,8 +78,7 @@ void check_inside_and_outside(bool smooth) {
     EXPECT_LT((v - jet_value).norm(), 1e-13 * (1 + v.norm()));
     EXPECT_LT((d - jet_derivative).norm(), 1e-12 * (1 + d.norm()));
     for (int k = 0; k < Dim; ++k)
-      EXPECT_EQ(d.col(k).norm() == 0, y[k] < 0 || y[k] > 1)
-          << "no derivative in a projected direction, and only there";
+      EXPECT_EQ(d.col(k).norm() == 0, y[k] < 0 || y[k] > 1) << "no derivative in a projected direction, and only there";
   }
 }
 
@@ -108,13 +104,10 @@ void check_continuity(bool smooth) {
     EXPECT_LT((lookup.value(y + step) - lookup.value(y - step)).norm(), 1e-6);
     EXPECT_LT((lookup.value(y) - lookup.value(y - step)).norm(), 1e-6);
     if (y[axis] > 0 && y[axis] < 1)
-      greatest_jump =
-          std::max(greatest_jump, (lookup.derivative(y + step) - lookup.derivative(y - step)).norm());
+      greatest_jump = std::max(greatest_jump, (lookup.derivative(y + step) - lookup.derivative(y - step)).norm());
   }
-  if (smooth)
-    EXPECT_LT(greatest_jump, 1e-5);
-  else
-    EXPECT_GT(greatest_jump, 1e-2);
+  if (smooth) EXPECT_LT(greatest_jump, 1e-5);
+  else EXPECT_GT(greatest_jump, 1e-2);
 }
 
 TEST(GeometryField, IsContinuousAndIfSmoothSoIsItsDerivative) {
@@ -136,8 +129,7 @@ std::array<double, 3> least_of_jagged(bool keep_definite) {
     nodal.normal.push_back(Vec<Dim>::Constant(value));
     nodal.root.push_back(pack_symmetric<Dim>(value * Mat<Dim>::Identity()));
   }
-  const auto jagged =
-      GeometryField<Dim>::smooth(grid, nodal.distance, nodal.normal, nodal.root, keep_definite);
+  const auto jagged = GeometryField<Dim>::smooth(grid, nodal.distance, nodal.normal, nodal.root, keep_definite);
   std::array<double, 3> least{20, 20, 20};
   for (int i = 0; i < 3000; ++i) {
     const auto v = jagged.value(random_point<Dim>(random));
@@ -199,7 +191,8 @@ TEST(GeometryField, EightPointsAtOnceAreOneAfterTheOther) {
   }
 }
 
-/// Cubes of each leaf, its eighth in the upper corner and its parent: only the last one spans several leaves of the finest size.
+/// Cubes of each leaf, its eighth in the upper corner and its parent: only the last one spans several leaves of the
+/// finest size.
 template <int Dim>
 void check_cubes() {
   const Lookup<Dim> lookup(true);
@@ -217,10 +210,12 @@ void check_cubes() {
       ASSERT_TRUE(field.look_up_cube(from, side, at, values));
       for (std::size_t q = 0; q < n_points; ++q) {
         Vec<Dim> y = from;
-        for (std::size_t k = 0, rest = q; k < Dim; ++k, rest /= at.size()) y[static_cast<int>(k)] += side * at[rest % at.size()];
+        for (std::size_t k = 0, rest = q; k < Dim; ++k, rest /= at.size())
+          y[static_cast<int>(k)] += side * at[rest % at.size()];
         const auto expected = field.value(y);
         for (std::size_t i = 0; i < expected.size(); ++i)
-          ASSERT_NEAR(values[q / autodiff::pack_size][i][q % autodiff::pack_size], expected[i], 1e-12 * (1 + std::abs(expected[i])));
+          ASSERT_NEAR(values[q / autodiff::pack_size][i][q % autodiff::pack_size], expected[i],
+                      1e-12 * (1 + std::abs(expected[i])));
       }
     }
     if (cell.level < lookup.grid().finest_level()) continue;

@@ -17,8 +17,7 @@ using namespace test;
 template <int Dim>
 void check_energy_hessian() {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
-  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
-                       exact_fields<Dim>(grid, sphere<Dim>(0.28)));
+  const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.28)));
   const auto phi = deformed<Dim>(grid, 0.01, 3);
   EnergyHessian<Dim> hessian(p.energy, p.unknowns);
   TermValues weights;
@@ -65,8 +64,7 @@ TEST(EnergyHessian, VolumePartIsTheSecondDerivative) {
   // u = t (x, 0, 0): W(I + t e1 e1^T) = t^2 (mu + lambda/2), so u.H u = 2 (mu + lambda/2) = 3 on the unit
   // cube.
   std::vector<double> u(p.unknowns.size(), 0.0), hu(u.size());
-  for (std::size_t i = 0; i < p.unknowns.nodes().size(); ++i)
-    u[3 * i] = grid.node_position(p.unknowns.nodes()[i])[0];
+  for (std::size_t i = 0; i < p.unknowns.nodes().size(); ++i) u[3 * i] = grid.node_position(p.unknowns.nodes()[i])[0];
   hessian.apply(u, hu);
   double uhu = 0;
   for (std::size_t i = 0; i < u.size(); ++i) uhu += u[i] * hu[i];

@@ -73,8 +73,8 @@ class ModelByDifferences {
     TargetPoint<dim, double> y;
     SmallMat<double, dim> dphi;
   };
-  static Point point_at(const Element<dim>& e, const ElementFields<dim>& fields, std::size_t q, std::span<const Vec<dim>> phi,
-                        std::span<const Vec<dim>> v, double t) {
+  static Point point_at(const Element<dim>& e, const ElementFields<dim>& fields, std::size_t q,
+                        std::span<const Vec<dim>> phi, std::span<const Vec<dim>> v, double t) {
     std::array<double, n_corners<dim> * dim> dofs;
     for (int c = 0; c < n_corners<dim>; ++c)
       for (int k = 0; k < dim; ++k) dofs[c * dim + k] = phi[e.nodes[c]][k] + t * v[e.nodes[c]][k];

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The derivative J of every band term's argument in Newton's model J^T W''_+ J, by Dphi and by phi, against differences:
-/// on two unequal ellipsoids and a deformation, so that no part of J vanishes, with hanging nodes.
+/// The derivative J of every band term's argument in Newton's model J^T W''_+ J, by Dphi and by phi, against
+/// differences: on two unequal ellipsoids and a deformation, so that no part of J vanishes, with hanging nodes.
 
 #include "energies/compiled/compile_term.h"
 #include "energies/hessian/energy_hessian.h"
@@ -25,9 +25,12 @@ struct SquareOf : BandTerm<Other::dim> {
   using Reads = DependsOn<Dphi, TargetNormal, TargetRoot, ReferenceNormal, ReferenceRoot>;
 
   template <class T, class P>
-  constexpr SmallVec<T, n> operator()(const SmallMat<T, dim>& dphi, const SmallVec<T, dim>& n2, const SmallSym<T, dim>& root,
-                                      const SmallVec<P, dim>& n1, const SmallSym<P, dim>& r1) const {
-    return {whole_argument<Other>(TargetPoint<dim, T>{T(0.0), n2, root}, dphi, ReferencePoint<dim, P>{P(0.0), n1, r1}, Material<P>{}).v};
+  constexpr SmallVec<T, n> operator()(const SmallMat<T, dim>& dphi, const SmallVec<T, dim>& n2,
+                                      const SmallSym<T, dim>& root, const SmallVec<P, dim>& n1,
+                                      const SmallSym<P, dim>& r1) const {
+    return {whole_argument<Other>(TargetPoint<dim, T>{T(0.0), n2, root}, dphi, ReferencePoint<dim, P>{P(0.0), n1, r1},
+                                  Material<P>{})
+                .v};
   }
 };
 
@@ -75,7 +78,8 @@ class NewtonJacobian : public ::testing::Test {
     o.smooth = true;  // differences ask for fields without kinks
     for (const TermInfo& info : infos)
       if (!info.model.empty()) o.energy.terms.model(term_named(info.name)) = info.model;
-    return std::make_unique<Problem<Dim>>(grid_, exact_fields<Dim>(grid_, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.25, 0.32))),
+    return std::make_unique<Problem<Dim>>(grid_,
+                                          exact_fields<Dim>(grid_, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.25, 0.32))),
                                           exact_fields<Dim>(grid_, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))), o);
   }
 
@@ -100,8 +104,8 @@ class NewtonJacobian : public ::testing::Test {
       for (std::size_t i = 0; i < u.size(); ++i) model += u[i] * hu[i];
       const double by_differences = expected(std::span<const Vec<Dim>>(phi), std::span<const Vec<Dim>>(v));
       ASSERT_GT(by_differences, 0);
-      // The factors of the points' matrices leave out at most 1e-4 (energies/densities/square_pack.h), and the elements'
-      // matrices are kept in single precision.
+      // The factors of the points' matrices leave out at most 1e-4 (energies/densities/square_pack.h), and the
+      // elements' matrices are kept in single precision.
       EXPECT_NEAR(model, by_differences, 1e-4 * by_differences) << "roughness " << roughness;
     }
   }
@@ -112,14 +116,15 @@ class NewtonJacobian : public ::testing::Test {
 }  // namespace shellmatch::test
 
 /// The tests of one dimension, in a file of their own to keep compile times short.
-#define SHELLMATCH_NEWTON_JACOBIAN_TESTS(Dim)                                                          \
-  using NewtonJacobian##Dim##d = ::shellmatch::test::NewtonJacobian<Dim>;                              \
-  template <class Term>                                                                                \
-  struct NewtonJacobianOf##Dim##d : NewtonJacobian##Dim##d {};                                         \
-  TYPED_TEST_SUITE(NewtonJacobianOf##Dim##d, ::shellmatch::test::BandTermTypes<Dim>, ::shellmatch::test::TermTestNames); \
-  TYPED_TEST(NewtonJacobianOf##Dim##d, IsThatByDifferences) { this->template check<TypeParam>(); }     \
-  TEST_F(NewtonJacobian##Dim##d, SquareOfMembrane) { check_square<Membrane<Dim>>(); }                  \
-  TEST_F(NewtonJacobian##Dim##d, SquareOfBending) { check_square<Bending<Dim>>(); }                    \
-  /* All tangential, and mixed: then the tangential ones are taken to all variables. */                \
-  TEST_F(NewtonJacobian##Dim##d, SumOfTangentialTerms) { check_sum<Membrane<Dim>, Bending<Dim>>(); }   \
+#define SHELLMATCH_NEWTON_JACOBIAN_TESTS(Dim)                                                        \
+  using NewtonJacobian##Dim##d = ::shellmatch::test::NewtonJacobian<Dim>;                            \
+  template <class Term>                                                                              \
+  struct NewtonJacobianOf##Dim##d : NewtonJacobian##Dim##d {};                                       \
+  TYPED_TEST_SUITE(NewtonJacobianOf##Dim##d, ::shellmatch::test::BandTermTypes<Dim>,                 \
+                   ::shellmatch::test::TermTestNames);                                               \
+  TYPED_TEST(NewtonJacobianOf##Dim##d, IsThatByDifferences) { this->template check<TypeParam>(); }   \
+  TEST_F(NewtonJacobian##Dim##d, SquareOfMembrane) { check_square<Membrane<Dim>>(); }                \
+  TEST_F(NewtonJacobian##Dim##d, SquareOfBending) { check_square<Bending<Dim>>(); }                  \
+  /* All tangential, and mixed: then the tangential ones are taken to all variables. */              \
+  TEST_F(NewtonJacobian##Dim##d, SumOfTangentialTerms) { check_sum<Membrane<Dim>, Bending<Dim>>(); } \
   TEST_F(NewtonJacobian##Dim##d, SumOfTermsOfBothKinds) { check_sum<Membrane<Dim>, BendingWithoutP2<Dim>>(); }

@@ -66,12 +66,14 @@ struct Steps {
   const Octree<Dim> grid{3};
   const Problem<Dim> problem;
   const std::vector<Vec<Dim>> identity = at_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x; });
-  std::vector<double> fold, small, shift;  ///< the middle node moved by more than a cell's side, a little, and all nodes
+  std::vector<double> fold, small,
+      shift;  ///< the middle node moved by more than a cell's side, a little, and all nodes
   std::size_t middle = 0;
   mutable std::vector<double> product;
 
   explicit Steps(std::string_view volume)
-      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.28)), with(volume)),
+      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, sphere<Dim>(0.28)),
+                with(volume)),
         fold(problem.unknowns.size(), 0.0),
         small(fold),
         shift(fold),
@@ -108,7 +110,8 @@ void check_margins() {
   EXPECT_TRUE(hessian.elements_beyond_margin(steps.identity, steps.small).empty());
   EXPECT_TRUE(hessian.elements_beyond_margin(steps.identity, steps.shift).empty());
   const auto beyond = hessian.elements_beyond_margin(steps.identity, steps.fold);
-  // Those in front of the node: by 0.2 of the side 1/8 their determinant falls below zero; behind it they are stretched.
+  // Those in front of the node: by 0.2 of the side 1/8 their determinant falls below zero; behind it they are
+  // stretched.
   EXPECT_EQ(beyond.size(), static_cast<std::size_t>(n_corners<Dim> / 2));
   const auto elements = steps.problem.unknowns.elements();
   double trace = 0;  // of the whole model, at one of the elements: they are all alike
@@ -160,7 +163,8 @@ TEST(NewtonModel, KnowsWhereAStepUsesUpTheMargin) {
   check_margins<3>();
 }
 
-// Damping resists a step as far as it differs within a cell, in proportion to the factor, and is kept no longer than asked.
+// Damping resists a step as far as it differs within a cell, in proportion to the factor, and is kept no longer than
+// asked.
 template <int Dim>
 void check_damping() {
   const Steps<Dim> steps("simplified");

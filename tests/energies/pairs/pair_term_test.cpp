@@ -149,7 +149,8 @@ TYPED_TEST(Pairs, ElementsAgreeWithDualNumbers) {
   }
 }
 
-// The model is the second derivative of the same energy with the losses' weights held: of the energy itself without one.
+// The model is the second derivative of the same energy with the losses' weights held: of the energy itself without
+// one.
 TYPED_TEST(Pairs, ModelIsThatOfGaussAndNewton) {
   constexpr int Dim = TypeParam::value;
   for (const RobustLoss loss : all_losses) {
@@ -218,8 +219,8 @@ TYPED_TEST(Pairs, WithinTheToleranceTheyRest) {
   }
 }
 
-// A pair at rest that a step carries out of its tolerance: the model then has the value's slope and second derivative along the step,
-// as if the pair were beyond already: with v the step, of (d/dt)^2 w rho' |B (phi(p) + t v - y) - b|^2.
+// A pair at rest that a step carries out of its tolerance: the model then has the value's slope and second derivative
+// along the step, as if the pair were beyond already: with v the step, of (d/dt)^2 w rho' |B (phi(p) + t v - y) - b|^2.
 TYPED_TEST(Pairs, AStepBeyondTheToleranceBringsThemIntoTheModel) {
   constexpr int Dim = TypeParam::value;
   for (const RobustLoss loss : all_losses)
@@ -242,8 +243,11 @@ TYPED_TEST(Pairs, AStepBeyondTheToleranceBringsThemIntoTheModel) {
       std::size_t n_beyond = 0;
       double expected_slope = 0, expected_curvature = 0;
       for (const auto& pair : a.pairs.pairs) {
-        const auto counted = [&](const Vec<Dim>& x) { return pair.normal.isZero() ? x : Vec<Dim>(pair.normal.dot(x) * pair.normal); };
-        const Vec<Dim> before = counted(evaluate(a.grid, a.phi, pair.p) - pair.y), after = counted(evaluate(a.grid, end, pair.p) - pair.y);
+        const auto counted = [&](const Vec<Dim>& x) {
+          return pair.normal.isZero() ? x : Vec<Dim>(pair.normal.dot(x) * pair.normal);
+        };
+        const Vec<Dim> before = counted(evaluate(a.grid, a.phi, pair.p) - pair.y),
+                       after = counted(evaluate(a.grid, end, pair.p) - pair.y);
         const double beyond = after.norm() - tolerance;
         if (beyond <= 0) continue;
         ++n_beyond;

@@ -89,7 +89,8 @@ void check_products(BoundaryCondition boundary) {
   for (int c = 0; c < n_corners<Dim>; ++c)
     for (int d = 0; d < n_corners<Dim>; ++d) stiff[c][d] = 1.0 + c * d;
   const auto of_corners = [&](int c, int d) { return stiff[c][d]; };
-  for (std::size_t e = 0; e < unknowns.elements().size(); e += 3) sum.add_to_element(e, of_corners, 0.25 * Mat<Dim>::Identity());
+  for (std::size_t e = 0; e < unknowns.elements().size(); e += 3)
+    sum.add_to_element(e, of_corners, 0.25 * Mat<Dim>::Identity());
   sum.multiply(x, y);
   expect_near(y,
               product<Dim>(grid, unknowns, x,

@@ -16,7 +16,8 @@ namespace {
 
 using namespace test;
 
-/// Values of a term at random Dphi, each times a reflection where `folded`; of a corner term on the cell [0,1]^Dim under Dphi.
+/// Values of a term at random Dphi, each times a reflection where `folded`; of a corner term on the cell [0,1]^Dim
+/// under Dphi.
 template <class Term>
 std::vector<double> values_at_random(bool folded) {
   constexpr int Dim = Term::dim;
@@ -77,7 +78,8 @@ bool is_isotropic(const Material<double>& material) {
     const Mat<Dim> a = random_orientation_preserving<Dim>(random, 0.6, 1.7);
     const Mat<Dim> turned = random_rotation<Dim>(random) * a * random_rotation<Dim>(random);
     const double expected = Density::value(small(a), material);
-    if (!(std::abs(Density::value(small(turned), material) - expected) <= 1e-11 * (1 + std::abs(expected)))) return false;
+    if (!(std::abs(Density::value(small(turned), material) - expected) <= 1e-11 * (1 + std::abs(expected))))
+      return false;
   }
   return true;
 }
@@ -98,7 +100,8 @@ TEST(Claims, DensitiesThatSayTheyAreIsotropicAre) {
   const auto check = [&]<class Term>() {
     if constexpr (detail::IsIsotropic<typename Term::Density>) {
       const auto own = other_options<Term>();
-      EXPECT_TRUE((is_isotropic<typename Term::Density, Term::dim>({0.7, 1.3, own.data()}))) << TermTestNames::GetName<Term>(0);
+      EXPECT_TRUE((is_isotropic<typename Term::Density, Term::dim>({0.7, 1.3, own.data()})))
+          << TermTestNames::GetName<Term>(0);
       ++n_isotropic;
     }
   };

@@ -32,8 +32,7 @@ void check_variants(unsigned seed) {
   std::mt19937 random(seed);
   const Material<double> material{0.7, 1.3};
   for (int i = 0; i < 20; ++i) {
-    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
-                   n2 = random_matrix<Dim, 1>(random).normalized();
+    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
     const Mat<Dim> dphi = random_matrix<Dim>(random), p1 = tangential_projection<Dim>(n1);
     const Mat<Dim> at2 = random_symmetric<Dim>(random, -1, 2), at1 = random_symmetric<Dim>(random, -1, 2);
     const auto y = target_point<Dim>(0.8 * n2, at2);  // n2 need not come as a unit vector
@@ -74,13 +73,13 @@ TEST(Comparison, CauchyGreenMembraneIsNotRankOneConvex) {
   // between.
   const auto naive = [&](double l) {
     return band_density<CauchyGreenMembrane<2>>(target_point<2>(e2), small(on_segment(l)), reference_point<2>(e2),
-                                           unit);
+                                                unit);
   };
   EXPECT_NEAR(naive(0), 0, 1e-14);
   EXPECT_NEAR(naive(1), 0, 1e-14);
   EXPECT_NEAR(naive(0.5), 0.625 + 0.0625 + 1.5 * std::exp(0.5) - 2.75, 1e-14);
   EXPECT_NEAR(band_density<CauchyGreenMembrane<2>>(target_point<2>(e2), small<double, 2>(Mat<2>::Identity()),
-                                              reference_point<2>(e2), unit),
+                                                   reference_point<2>(e2), unit),
               0, 1e-14);
 }
 
@@ -90,8 +89,7 @@ void check_rank_one_convexity(unsigned seed) {
   std::mt19937 random(seed);
   int naive_fails = 0, quadratic_fails = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(),
-                   n2 = random_matrix<Dim, 1>(random).normalized();
+    const Vec<Dim> n1 = random_matrix<Dim, 1>(random).normalized(), n2 = random_matrix<Dim, 1>(random).normalized();
     const Mat<Dim> p1 = tangential_projection<Dim>(n1), p2 = tangential_projection<Dim>(n2);
     const Mat<Dim> root = p2 * random_symmetric<Dim>(random, 0.5, 2) * p2 + n2 * n2.transpose();
     const auto y = target_point<Dim>(n2, root);
@@ -107,8 +105,7 @@ void check_rank_one_convexity(unsigned seed) {
     EXPECT_LE(excess([&](const auto& m) { return band_density<Bending<Dim>>(y, m, x, unit); }), 1e-11);
     EXPECT_LE(excess([&](const auto& m) { return band_density<MembraneWithoutP2<Dim>>(y, m, x, unit); }), 1e-12);
     EXPECT_LE(excess([&](const auto& m) { return band_density<BendingWithoutP2<Dim>>(y, m, x, unit); }), 1e-11);
-    naive_fails +=
-        excess([&](const auto& m) { return band_density<CauchyGreenMembrane<Dim>>(y, m, x, unit); }) > 1e-3;
+    naive_fails += excess([&](const auto& m) { return band_density<CauchyGreenMembrane<Dim>>(y, m, x, unit); }) > 1e-3;
     quadratic_fails +=
         excess([&](const auto& m) { return band_density<QuadraticBending<Dim>>(curved, m, flat, unit); }) > 1e-3;
   }
@@ -128,10 +125,9 @@ TEST(Comparison, QuadraticBendingIsNotConvexOnThePapersSegment) {
   const auto density = [&](double t) {
     const Mat<3> a = Mat<3>::Identity() - t * Vec<3>::UnitX() * Vec<3>::UnitX().transpose();
     return band_density<QuadraticBending<3>>(target_point<3>(e3, tangential_projection<3>(e3)), small(a),
-                                        reference_point<3>(e3, tangential_projection<3>(e3)), unit);
+                                             reference_point<3>(e3, tangential_projection<3>(e3)), unit);
   };
-  for (const double t : {0.0, 0.5, 0.625, 0.75})
-    EXPECT_NEAR(density(t), std::pow((1 - t) * (1 - t) - 1, 2), 1e-15);
+  for (const double t : {0.0, 0.5, 0.625, 0.75}) EXPECT_NEAR(density(t), std::pow((1 - t) * (1 - t) - 1, 2), 1e-15);
   EXPECT_GT(density(0.625), 0.5 * (density(0.5) + density(0.75)) + 0.01);
 }
 

@@ -25,8 +25,7 @@ template <int Dim, class T>
 T barrier_of(const T& length, double threshold) {
   std::array<T, n_corners<Dim> * Dim> dofs;
   for (int c = 0; c < n_corners<Dim>; ++c)
-    for (int k = 0; k < Dim; ++k)
-      dofs[c * Dim + k] = T(static_cast<double>((c >> k) & 1)) * (k == 0 ? length : T(1.0));
+    for (int k = 0; k < Dim; ++k) dofs[c * Dim + k] = T(static_cast<double>((c >> k) & 1)) * (k == 0 ? length : T(1.0));
   const double passive[] = {1 / threshold, 1, 1, threshold};
   return CornerFunctor<FoldBarrier<Dim>>::template evaluate<T, double>(dofs.data(), passive);
 }
@@ -65,8 +64,7 @@ struct BarrierProblem {
   Octree<Dim> grid = hanging_grid<Dim>(0.28);
   CoefficientFields<Dim> fields = exact_fields<Dim>(grid, sphere<Dim>(0.28));
   Problem<Dim> problem;
-  explicit BarrierProblem(double threshold)
-      : problem(grid, fields, fields, with_threshold(threshold)) {}
+  explicit BarrierProblem(double threshold) : problem(grid, fields, fields, with_threshold(threshold)) {}
 
   static ProblemOptions with_threshold(double threshold) {
     ProblemOptions o;
@@ -79,8 +77,7 @@ TYPED_TEST(Barrier, CostsNothingAwayFromFoldsAndGrowsTowardsThem) {
   constexpr int Dim = TypeParam::value;
   const BarrierProblem<Dim> b(0.1);
   const auto squeezed = [&](double to) {
-    return at_nodes<Dim>(
-        b.grid, [=](const Vec<Dim>& x) { return Vec<Dim>(x + (to - 1) * x[0] * Vec<Dim>::Unit(0)); });
+    return at_nodes<Dim>(b.grid, [=](const Vec<Dim>& x) { return Vec<Dim>(x + (to - 1) * x[0] * Vec<Dim>::Unit(0)); });
   };
   EXPECT_EQ(b.problem.value(deformed<Dim>(b.grid, 0.03, 1), "barrier"_term), 0);
   for (const double g : b.problem.gradient(squeezed(0.11), only("barrier"_term))) EXPECT_EQ(g, 0);
@@ -182,8 +179,7 @@ TYPED_TEST(Barrier, CoefficientsChangeByNoMoreThanTheBound) {
         there.u[i][lane] = here.u[i][lane] + step.u[i][lane];
       }
     const autodiff::Pack bound = determinant_change<Dim>(here.largest_entry(), step.largest_entry());
-    const auto before = bernstein_determinant<Dim>(here.u.data()),
-               after = bernstein_determinant<Dim>(there.u.data());
+    const auto before = bernstein_determinant<Dim>(here.u.data()), after = bernstein_determinant<Dim>(there.u.data());
     for (std::size_t i = 0; i < before.size(); ++i)
       for (int lane = 0; lane < here.n_lanes; ++lane)
         EXPECT_LE(std::abs(after[i][lane] - before[i][lane]) * std::pow(4.0, Dim), bound[lane] * (1 + 1e-12));
@@ -194,8 +190,7 @@ TYPED_TEST(Barrier, CoefficientsChangeByNoMoreThanTheBound) {
   here.inverse_side = grown.inverse_side = autodiff::Pack{} + 1.0;
   const Mat<Dim> signs = [] {
     Mat<Dim> m = Mat<Dim>::Ones();
-    if (Dim == 2)
-      m(1, 1) = -1;
+    if (Dim == 2) m(1, 1) = -1;
     else
       for (int k = 0; k < Dim; ++k) m(k, Dim - 1 - k) = -1;
     return m;
@@ -207,15 +202,14 @@ TYPED_TEST(Barrier, CoefficientsChangeByNoMoreThanTheBound) {
       here.u[c * Dim + a] = autodiff::Pack{} + x;
       grown.u[c * Dim + a] = autodiff::Pack{} + 1.1 * x;
     }
-  const double change = std::abs(bernstein_determinant<Dim>(grown.u.data())[0][0] -
-                                 bernstein_determinant<Dim>(here.u.data())[0][0]);
+  const double change =
+      std::abs(bernstein_determinant<Dim>(grown.u.data())[0][0] - bernstein_determinant<Dim>(here.u.data())[0][0]);
   const double bound = determinant_change<Dim>(here.largest_entry(), autodiff::Pack{} + 0.1)[0];
   EXPECT_LE(change, bound * (1 + 1e-12));
   EXPECT_GT(change, 0.6 * bound);
   ElementBatch<Dim> one;
   one.inverse_side = autodiff::Pack{} + 4.0;
-  for (int i = 0; i < one.n_dofs; ++i)
-    one.u[i] = autodiff::Pack{} + (((i / Dim) >> (i % Dim)) & 1 ? -0.5 : 0.25);
+  for (int i = 0; i < one.n_dofs; ++i) one.u[i] = autodiff::Pack{} + (((i / Dim) >> (i % Dim)) & 1 ? -0.5 : 0.25);
   EXPECT_EQ(one.largest_entry()[0], 3.0);
 }
 }  // namespace

@@ -117,7 +117,8 @@ TYPED_TEST(Identities, RigidMotionsWithComputedCoefficients) {
   const TermValues orders = motion_orders<Dim>([&](const Octree<Dim>& grid) {
     auto pair = coefficient_pair<Dim>(
         {&grid, &grid},
-        nodal_geometry<Dim>(grid, {exact_fields<Dim>(grid, shape).distance, exact_fields<Dim>(grid, image).distance}, {}),
+        nodal_geometry<Dim>(grid, {exact_fields<Dim>(grid, shape).distance, exact_fields<Dim>(grid, image).distance},
+                            {}),
         {});
     return std::pair(std::move(pair.reference), std::move(pair.target));
   });
@@ -128,9 +129,8 @@ TYPED_TEST(Identities, RigidMotionsWithComputedCoefficients) {
 // A rotated torus, which has curvatures of both signs: where one of them is small, C cuts it, which leaves a kink.
 TEST(Identities, RotatedTorusCostsNothingInTheLimit) {
   const auto shape = torus(0.24, 0.13), image = moved(shape, motion<3>());
-  const TermValues orders = motion_orders<3>([&](const Octree<3>& grid) {
-    return std::pair(exact_fields<3>(grid, shape), exact_fields<3>(grid, image));
-  });
+  const TermValues orders = motion_orders<3>(
+      [&](const Octree<3>& grid) { return std::pair(exact_fields<3>(grid, shape), exact_fields<3>(grid, image)); });
   for (const Term term : {"match"_term, "membrane"_term, "bending"_term})
     EXPECT_GT(orders[term], 2.5) << term_names()[static_cast<std::size_t>(term)];
 }
@@ -151,11 +151,11 @@ TYPED_TEST(Identities, ConcentricSpheres) {
   const auto errors = [&](const Octree<Dim>& grid) {
     const Problem<Dim> p(grid, exact_fields<Dim>(grid, sphere<Dim>(radius)),
                          exact_fields<Dim>(grid, sphere<Dim>(radius + offset)), {.points_per_direction = 3});
-    const auto phi = at_nodes<Dim>(grid, [&](const Vec<Dim>& x) {
-      return Vec<Dim>(x + offset * (x - centre<Dim>()).normalized());
-    });
+    const auto phi =
+        at_nodes<Dim>(grid, [&](const Vec<Dim>& x) { return Vec<Dim>(x + offset * (x - centre<Dim>()).normalized()); });
     const double area = p.energy.band().measure();
-    return std::array{p.value(phi, "match"_term) / area, std::abs(p.value(phi, "membrane"_term) / area / stretched<Dim>(r) - 1),
+    return std::array{p.value(phi, "match"_term) / area,
+                      std::abs(p.value(phi, "membrane"_term) / area / stretched<Dim>(r) - 1),
                       std::abs(p.value(phi, "bending"_term) / area / stretched<Dim>(std::sqrt(r)) - 1)};
   };
   const auto coarse = errors(Octree<Dim>(coarse_level<Dim>)), fine = errors(Octree<Dim>(coarse_level<Dim> + 1));

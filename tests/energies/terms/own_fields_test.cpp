@@ -1,5 +1,5 @@
-// Terms that read fields of the user's own, at nodes, cells and quadrature points, and phi itself: value, gradient by both
-// evaluators, derivative, and Newton's model. And what the terms of the list say that they read.
+// Terms that read fields of the user's own, at nodes, cells and quadrature points, and phi itself: value, gradient by
+// both evaluators, derivative, and Newton's model. And what the terms of the list say that they read.
 
 #include "energies/assembly/ceres_evaluator.h"
 #include "energies/compiled/compile_term.h"
@@ -42,7 +42,8 @@ std::shared_ptr<const UserField> random_field(UserField::Place place, int n_comp
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.5, 1.5);
   UserField field{place, n_components, {}};
-  for (std::size_t i = 0; i < n_places * static_cast<std::size_t>(n_components); ++i) field.values.push_back(uniform(random));
+  for (std::size_t i = 0; i < n_places * static_cast<std::size_t>(n_components); ++i)
+    field.values.push_back(uniform(random));
   return std::make_shared<const UserField>(std::move(field));
 }
 
@@ -56,13 +57,14 @@ struct WithOwnFields {
   const std::vector<Vec<Dim>> phi = deformed<Dim>(grid, 0.03, 11);
 
   explicit WithOwnFields(Evaluator evaluator)
-      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)), exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))),
-                options(evaluator)) {
+      : problem(grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
+                exact_fields<Dim>(grid, ellipsoid<Dim>(Vec<Dim>::LinSpaced(0.33, 0.24))), options(evaluator)) {
     terms = std::make_shared<EnergyTerms<Dim>>(problem.options);
     using Place = UserField::Place;
     const std::size_t n_elements = problem.unknowns.elements().size(), n_points = n_elements * (1 << Dim);
     const auto n_nodes = static_cast<std::size_t>(grid.n_nodes());
-    own.push_back(terms->add(compile_term<example::NearRotation<Dim>>(), {}, {random_field(Place::points, Dim * Dim, n_points)}));
+    own.push_back(
+        terms->add(compile_term<example::NearRotation<Dim>>(), {}, {random_field(Place::points, Dim * Dim, n_points)}));
     own.push_back(terms->add(compile_term<example::NearMap<Dim>>(), {},
                              {random_field(Place::nodes, Dim, n_nodes), random_field(Place::cells, 1, n_elements)}));
     own.push_back(terms->add(compile_term<InBand<Dim>>(), {},
@@ -145,7 +147,9 @@ TYPED_TEST(OwnFields, MayChangeBetweenEvaluationsAndHaveToFit) {
   const auto field = std::make_shared<UserField>(UserField{UserField::Place::cells, Dim * Dim, {}});
   const auto terms = std::make_shared<EnergyTerms<Dim>>(a.problem.options);
   const Term term = terms->add(compile_term<example::NearRotation<Dim>>(), {}, {field});
-  const auto make = [&] { return MatchingEnergy<Dim>(a.problem.unknowns, a.problem.geometry, terms, a.problem.sigma, 2); };
+  const auto make = [&] {
+    return MatchingEnergy<Dim>(a.problem.unknowns, a.problem.geometry, terms, a.problem.sigma, 2);
+  };
   EXPECT_ANY_THROW(make()) << "no values";
   EXPECT_ANY_THROW(terms->add(compile_term<example::NearMap<Dim>>(), {}, {field})) << "other components";
   field->values.assign(elements.size() * Dim * Dim, 0.0);
@@ -170,8 +174,11 @@ void check_reads() {
     constexpr int dim = Term::dim, n_target = IsBandTerm<Term> ? TargetPoint<dim, double>::size : 0;
     const auto read = []<std::size_t... I>(std::index_sequence<I...>) {
       return std::array<bool, sizeof...(I)>{Code::reads_active(static_cast<int>(I))...};
-    }(std::make_index_sequence<Code::n_active>{});
-    const auto any = [&](int begin, int end) { return std::any_of(read.begin() + begin, read.begin() + end, [](bool b) { return b; }); };
+    }
+    (std::make_index_sequence<Code::n_active>{});
+    const auto any = [&](int begin, int end) {
+      return std::any_of(read.begin() + begin, read.begin() + end, [](bool b) { return b; });
+    };
     EXPECT_EQ(any(n_target, n_target + dim * dim), (Reads::template has<Dphi>));
     if constexpr (IsBandTerm<Term>) {
       EXPECT_EQ(any(0, 1), (Reads::template has<TargetDistance>));

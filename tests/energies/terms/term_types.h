@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The list of terms for typed tests, so that no test lists them by hand, and options of theirs that are not the defaults.
+/// The list of terms for typed tests, so that no test lists them by hand, and options of theirs that are not the
+/// defaults.
 
 #include "energies/options.h"
 #include "energies/terms/list.h"
@@ -31,7 +32,8 @@ struct BandTypes {
 };
 template <class... Found, class Term, class... Rest>
 struct BandTypes<::testing::Types<Found...>, Term, Rest...>
-    : BandTypes<std::conditional_t<IsBandTerm<Term>, ::testing::Types<Found..., Term>, ::testing::Types<Found...>>, Rest...> {};
+    : BandTypes<std::conditional_t<IsBandTerm<Term>, ::testing::Types<Found..., Term>, ::testing::Types<Found...>>,
+                Rest...> {};
 template <class List>
 struct BandTypesOf;
 template <class... Term>

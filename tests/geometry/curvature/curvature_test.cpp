@@ -62,30 +62,30 @@ TEST(Curvature, OfATorusConvergesWithTheOrderOfTheDegree) {
 
 TEST(Curvature, OfAnEllipsoidHasItsGaussianAndMeanCurvature) {
   const Vec<3> axes(1, 0.8, 0.6);
-  const Surface<3> s =
-      mapped<3>(unit_sphere(5), [&](const Vec<3>& x) { return Vec<3>(axes.cwiseProduct(x)); });
+  const Surface<3> s = mapped<3>(unit_sphere(5), [&](const Vec<3>& x) { return Vec<3>(axes.cwiseProduct(x)); });
   const auto curvatures = vertex_curvatures(s, {4, 3});
   for (std::size_t v = 0; v < s.vertices.size(); ++v) {
     // For F = sum x_i^2 / a_i^2: K = (a b c)^-2 |grad F / 2|^-4, H from the divergence of the unit normal.
     const Vec<3> x = s.vertices[v], weights = axes.cwiseProduct(axes).cwiseInverse();
     const Vec<3> g = weights.cwiseProduct(x);
     const double gauss = std::pow(axes.prod(), -2) * std::pow(g.norm(), -4);
-    const double twice_mean =
-        weights.sum() / g.norm() - g.dot(weights.cwiseProduct(g)) / std::pow(g.norm(), 3);
+    const double twice_mean = weights.sum() / g.norm() - g.dot(weights.cwiseProduct(g)) / std::pow(g.norm(), 3);
     EXPECT_NEAR(curvatures[v].k1 * curvatures[v].k2, gauss, 5e-3 * gauss);
     EXPECT_NEAR(curvatures[v].k1 + curvatures[v].k2, twice_mean, 5e-3 * twice_mean);
   }
 }
 
-// A sphere whose caps are fans of n long triangles. All vertices of a fan's border are within two rings of each other, and the curvature
-// is one of the place nonetheless: it does not change to the bit where the other side of the sphere does.
+// A sphere whose caps are fans of n long triangles. All vertices of a fan's border are within two rings of each other,
+// and the curvature is one of the place nonetheless: it does not change to the bit where the other side of the sphere
+// does.
 TEST(Curvature, BesideAVertexOfVeryManyEdges) {
   constexpr Index n = 1000, n_rows = 3;
   Surface<3> s;
   for (Index row = 0; row < n_rows; ++row)
     for (Index k = 0; k < n; ++k) {
       const double latitude = 0.05 * (row - n_rows / 2), longitude = 2 * std::numbers::pi * k / n;
-      s.vertices.emplace_back(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+      s.vertices.emplace_back(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                              std::sin(latitude));
     }
   const auto south = static_cast<Index>(s.vertices.size()), north = south + 1;
   s.vertices.emplace_back(0, 0, -1);
@@ -118,7 +118,8 @@ TEST(Curvature, IsNotANumberWhereThereAreTooFewVertices) {
 }
 
 TEST(Curvature, OfEverySecondVertexIsNoOther) {
-  const std::vector<VertexCurvature> all = vertex_curvatures(unit_sphere(2)), some = vertex_curvatures(unit_sphere(2), {.every = 2});
+  const std::vector<VertexCurvature> all = vertex_curvatures(unit_sphere(2)),
+                                     some = vertex_curvatures(unit_sphere(2), {.every = 2});
   for (std::size_t v = 0; v < all.size(); ++v) {
     if (v % 2 == 0) EXPECT_EQ(some[v].k1, all[v].k1);
     else EXPECT_TRUE(std::isnan(some[v].k1));

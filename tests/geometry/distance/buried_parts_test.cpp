@@ -26,7 +26,8 @@ Surface<3> moved(Surface<3> s, const Vec<3>& by) {
 TEST(BuriedParts, NoneWhereNothingCrosses) {
   EXPECT_TRUE(found_in(unit_sphere(4)).facets.empty());
   // A cavity's surface lies inside another one, but winds the other way.
-  const BuriedParts found = found_in(joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.3, 0.3}, {0.6, 0.6, 0.6}))));
+  const BuriedParts found =
+      found_in(joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.3, 0.3}, {0.6, 0.6, 0.6}))));
   EXPECT_TRUE(found.facets.empty());
   EXPECT_EQ(found.share, 0);
 }
@@ -35,22 +36,27 @@ TEST(BuriedParts, OfSpheresThatOverlapAreTheCapsOfBoth) {
   const Surface<3> left = unit_sphere(4), both = joined(left, moved(left, {1.6, 0, 0}));
   const BuriedParts found = found_in(both);
   // The circle in which they cross lies at x = 0.8; facets on it belong to the side of their centre.
-  const auto centre_x = [&](Index f) { return (both.vertices[both.facets[f][0]] + both.vertices[both.facets[f][1]] + both.vertices[both.facets[f][2]]).x() / 3; };
+  const auto centre_x = [&](Index f) {
+    return (both.vertices[both.facets[f][0]] + both.vertices[both.facets[f][1]] + both.vertices[both.facets[f][2]])
+               .x() /
+           3;
+  };
   for (Index f = 0; f < static_cast<Index>(both.facets.size()); ++f) {
     const bool is_cap = f < static_cast<Index>(left.facets.size()) ? centre_x(f) > 0.8 : centre_x(f) < 0.8;
     if (std::abs(centre_x(f) - 0.8) < 0.005) continue;
     EXPECT_EQ(std::ranges::binary_search(found.facets, f), is_cap) << f;
   }
-  EXPECT_NEAR(found.share, 0.1, 0.005);                       // a cap of height 0.2 on each sphere
-  EXPECT_NEAR(found.depth, std::hypot(0.2, 0.6), 0.03);       // from each apex to the circle
-  std::size_t n_within = 0;  // all facets around are buried
+  EXPECT_NEAR(found.share, 0.1, 0.005);                  // a cap of height 0.2 on each sphere
+  EXPECT_NEAR(found.depth, std::hypot(0.2, 0.6), 0.03);  // from each apex to the circle
+  std::size_t n_within = 0;                              // all facets around are buried
   for (const Vec<3>& x : left.vertices) n_within += x.x() > 0.9;
   EXPECT_GE(found.n_vertices, 2 * n_within);
   EXPECT_LE(found.n_vertices, 4 * n_within);
 }
 
 TEST(BuriedParts, AWholeComponentWithinAnother) {
-  const Surface<3> two = joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1})), small = box({0.3, 0.4, 0.4}, {0.6, 0.6, 0.6});
+  const Surface<3> two = joined(box({0, 0, 0}, {1, 1, 1}), box({0.9, 0.9, 0.9}, {1.1, 1.1, 1.1})),
+                   small = box({0.3, 0.4, 0.4}, {0.6, 0.6, 0.6});
   const std::size_t before = found_in(two).facets.size();
   const BuriedParts found = found_in(joined(two, small));
   EXPECT_EQ(found.facets.size(), before + 12);
@@ -69,10 +75,14 @@ TEST(BuriedParts, WhereTheyTouch) {
 Surface<3> column(double side, const std::vector<double>& heights) {
   Surface<3> s;
   for (const double z : heights)
-    for (const Vec<2>& x : {Vec<2>(0, 0), Vec<2>(side, 0), Vec<2>(side, side), Vec<2>(0, side)}) s.vertices.emplace_back(x.x(), x.y(), z);
+    for (const Vec<2>& x : {Vec<2>(0, 0), Vec<2>(side, 0), Vec<2>(side, side), Vec<2>(0, side)})
+      s.vertices.emplace_back(x.x(), x.y(), z);
   const auto at = [](std::size_t ring, int k) { return static_cast<Index>(4 * ring) + k % 4; };
   const std::size_t top = heights.size() - 1;
-  s.facets = {{at(0, 0), at(0, 2), at(0, 1)}, {at(0, 0), at(0, 3), at(0, 2)}, {at(top, 0), at(top, 1), at(top, 2)}, {at(top, 0), at(top, 2), at(top, 3)}};
+  s.facets = {{at(0, 0), at(0, 2), at(0, 1)},
+              {at(0, 0), at(0, 3), at(0, 2)},
+              {at(top, 0), at(top, 1), at(top, 2)},
+              {at(top, 0), at(top, 2), at(top, 3)}};
   for (std::size_t r = 0; r < top; ++r)
     for (int k = 0; k < 4; ++k) {
       s.facets.push_back({at(r, k), at(r, k + 1), at(r + 1, k + 1)});

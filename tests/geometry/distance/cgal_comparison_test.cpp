@@ -23,8 +23,7 @@ void expect_cgal_distances(const Surface<3>& surface) {
   using Triangles = std::vector<Kernel::Triangle_3>;
   Triangles triangles;
   for (const auto& [a, b, c] : surface.facets)
-    triangles.emplace_back(to_cgal(surface.vertices[a]), to_cgal(surface.vertices[b]),
-                           to_cgal(surface.vertices[c]));
+    triangles.emplace_back(to_cgal(surface.vertices[a]), to_cgal(surface.vertices[b]), to_cgal(surface.vertices[c]));
   const CgalTriangleTree<Kernel, Triangles::const_iterator> tree(triangles.cbegin(), triangles.cend());
   const SignedDistance<3> distance(surface);
   for (const Vec<3>& x : query_points(surface, 1000, 4))
@@ -51,8 +50,7 @@ TEST(CgalComparison, SelfIntersectionsAgree) {
     using Mesh = decltype(mesh);
     for (const Vec<3>& x : s.vertices) mesh.add_vertex(to_cgal(x));
     for (const auto& [a, b, c] : s.facets)
-      mesh.add_face(Mesh::Vertex_index(static_cast<unsigned>(a)),
-                    Mesh::Vertex_index(static_cast<unsigned>(b)),
+      mesh.add_face(Mesh::Vertex_index(static_cast<unsigned>(a)), Mesh::Vertex_index(static_cast<unsigned>(b)),
                     Mesh::Vertex_index(static_cast<unsigned>(c)));
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
     CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));

@@ -45,8 +45,7 @@ TEST(Distortion, InThePlaneIsTheRatioOfLengths) {
 TEST(Distortion, OfASimilarityIsItsFactorEverywhere) {
   const Surface<3> s = torus(0.6, 0.2, 20, 12);
   const Mat<3> turn = Eigen::AngleAxisd(0.7, Vec<3>(1, 2, 3).normalized()).toRotationMatrix();
-  const Surface<3> image =
-      mapped<3>(s, [&](const Vec<3>& x) { return Vec<3>(1.5 * (turn * x) + Vec<3>(3, 0, 1)); });
+  const Surface<3> image = mapped<3>(s, [&](const Vec<3>& x) { return Vec<3>(1.5 * (turn * x) + Vec<3>(3, 0, 1)); });
   for (const double ratio : vertex_measure_ratios(s, image)) EXPECT_NEAR(ratio, 2.25, 1e-12);
   for (const double angle : angle_distortions(s, image)) EXPECT_NEAR(angle, 1, 1e-7);
   const Distortion<3> summary = distortion(s, image, SignedDistance<3>(image));

@@ -21,21 +21,24 @@ void expect_same(const Surface<Dim>& surface, const std::vector<Vec<Dim>>& point
   const FacetTree<Dim> tree(surface);
   std::vector<Index> facets(points.size(), -7);
   tree.nearest(points, facets);
-  for (std::size_t i = 0; i < points.size(); ++i) ASSERT_EQ(facets[i], tree.nearest(points[i])) << points[i].transpose();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_EQ(facets[i], tree.nearest(points[i])) << points[i].transpose();
 }
 
 /// Points along a line through the surface, near each other.
 template <int Dim>
 std::vector<Vec<Dim>> in_a_row(std::size_t n) {
   std::vector<Vec<Dim>> points;
-  for (std::size_t i = 0; i < n; ++i) points.push_back(Vec<Dim>::Constant(-1.5 + 3.0 * static_cast<double>(i) / static_cast<double>(n)));
+  for (std::size_t i = 0; i < n; ++i)
+    points.push_back(Vec<Dim>::Constant(-1.5 + 3.0 * static_cast<double>(i) / static_cast<double>(n)));
   return points;
 }
 
 template <int Dim>
 void expect_same_everywhere(const Surface<Dim>& surface) {
   for (const std::size_t n : {1, 7, 8, 9, 500}) {
-    expect_same<Dim>(surface, random_points<Dim>(n, Vec<Dim>::Constant(-2), Vec<Dim>::Constant(2)));  // too far apart for a group
+    expect_same<Dim>(
+        surface, random_points<Dim>(n, Vec<Dim>::Constant(-2), Vec<Dim>::Constant(2)));  // too far apart for a group
     expect_same<Dim>(surface, in_a_row<Dim>(n));
   }
   expect_same<Dim>(surface, surface.vertices);  // each as near to several facets
@@ -43,7 +46,8 @@ void expect_same_everywhere(const Surface<Dim>& surface) {
 }
 
 TEST(FacetTree, ManyPointsAreOneAfterTheOther) {
-  expect_same_everywhere(mapped<3>(unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(x * (1 + 0.3 * std::sin(5 * x.x()))); }));
+  expect_same_everywhere(
+      mapped<3>(unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(x * (1 + 0.3 * std::sin(5 * x.x()))); }));
   expect_same_everywhere(box({0, 0, 0}, {1, 2, 3}));
   expect_same_everywhere(polygon(300, [](double t) { return 1 + 0.4 * std::cos(7 * t); }));
 }
@@ -62,7 +66,8 @@ TEST(FacetTree, WhatIsNotFiniteSpoilsNoOtherPoint) {
 }
 
 TEST(SignedDistance, OfManyPointsIsThatOfEach) {
-  const SignedDistance<3> distance(mapped<3>(unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(x * (1 + 0.2 * std::cos(4 * x.y()))); }));
+  const SignedDistance<3> distance(
+      mapped<3>(unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(x * (1 + 0.2 * std::cos(4 * x.y()))); }));
   const std::vector<Vec<3>> points = random_points<3>(300, {-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5});
   std::vector<double> distances(points.size());
   distance(points, distances);

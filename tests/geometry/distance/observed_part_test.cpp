@@ -31,7 +31,8 @@ TEST(ObservedPart, MarginsAreDistancesFromTheRim) {
   const double edge = 0.04;
   const auto on_sphere = [](double z) { return Vec<3>(std::sqrt(1 - z * z), 0, z); };
   const Vec<3> at_rim(rim, 0, height);
-  for (const double z : {0.5, 0.3, 0.0}) EXPECT_NEAR(part.margin(on_sphere(z)), (on_sphere(z) - at_rim).norm(), edge) << z;
+  for (const double z : {0.5, 0.3, 0.0})
+    EXPECT_NEAR(part.margin(on_sphere(z)), (on_sphere(z) - at_rim).norm(), edge) << z;
   // On the disc they are the negative distance from the rim; beyond it nothing but the rim is near.
   EXPECT_NEAR(part.margin({0.3, 0, height}), 0.3 - rim, edge);
   EXPECT_NEAR(part.margin({0, 0, height}), -rim, 0.06);
@@ -49,7 +50,8 @@ TEST(ObservedPart, TheEdgeOfAGapIsNotContained) {
   const ObservedPart<3> part(evidence);
   for (const Vec<3>& x : evidence.unobserved.vertices) EXPECT_FALSE(part.contains(x));
   // Above the rim and outside of the disc the rim is nearest to both.
-  for (const Vec<3>& x : evidence.unobserved.vertices) EXPECT_FALSE(part.contains(Vec<3>(1.05 * x + Vec<3>(0, 0, 0.2)))) << x.transpose();
+  for (const Vec<3>& x : evidence.unobserved.vertices)
+    EXPECT_FALSE(part.contains(Vec<3>(1.05 * x + Vec<3>(0, 0, 0.2)))) << x.transpose();
 }
 
 TEST(ObservedPart, WithoutGapsItIsAllOfSpace) {
@@ -66,7 +68,8 @@ TEST(ObservedPart, GapsHaveTheirOwnWidths) {
   Evidence<3> evidence;
   evidence.observed = evidence.unobserved = plane;
   for (Surface<3>* s : {&evidence.observed, &evidence.unobserved})
-    for (int k = 0; k < 7; ++k) s->vertices.emplace_back(plane.vertices[static_cast<std::size_t>(k)] + Vec<3>(0, 10, 0));
+    for (int k = 0; k < 7; ++k)
+      s->vertices.emplace_back(plane.vertices[static_cast<std::size_t>(k)] + Vec<3>(0, 10, 0));
   const auto strip = [](Surface<3>& s, Index k) {
     s.facets.push_back({k, k + 1, k + 8});
     s.facets.push_back({k, k + 8, k + 7});
@@ -86,7 +89,8 @@ TEST(MeasuredParts, TheCapOfAWholeBallIsNotMeasuredAgainstOneWithout) {
   const auto is_below = [](const Vec<3>& x) { return x.z() < height - 0.05; };
   const auto is_above = [](const Vec<3>& x) { return x.z() > height + 0.05; };
   const MeasuredParts<3> template_cut(all, whole.vertices, part), reference_cut(part, cut.surface.vertices, all);
-  const std::vector<char> deformed = template_cut.of_deformed(whole), reached = reference_cut.of_template(whole.vertices, cut.surface);
+  const std::vector<char> deformed = template_cut.of_deformed(whole),
+                          reached = reference_cut.of_template(whole.vertices, cut.surface);
   ASSERT_EQ(deformed.size(), whole.vertices.size());
   for (std::size_t v = 0; v < whole.vertices.size(); ++v) {
     const Vec<3>& x = whole.vertices[v];
@@ -103,7 +107,8 @@ TEST(MeasuredParts, TheCapOfAWholeBallIsNotMeasuredAgainstOneWithout) {
   }
   EXPECT_TRUE(MeasuredParts<3>(all, whole.vertices, all).of_deformed(whole).empty());
 
-  // All that is measured agrees, whichever of the two is cut; without the parts the cap is a quarter of the diagonal away.
+  // All that is measured agrees, whichever of the two is cut; without the parts the cap is a quarter of the diagonal
+  // away.
   for (const MatchQuality<3>& q : {match_quality(whole, SignedDistance<3>(cut.surface), template_cut),
                                    match_quality(cut.surface, SignedDistance<3>(whole), reference_cut)}) {
     EXPECT_LT(q.deformed_to_template.max, 1e-3);

@@ -44,8 +44,7 @@ TEST(SignedDistanceSign, AgreesInThePlane) {
 }
 
 TEST(SignedDistanceSign, AgreesInAHollowBody) {
-  const Surface<3> hollow =
-      joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.2, 0.4}, {0.6, 0.7, 0.8})));
+  const Surface<3> hollow = joined(box({0, 0, 0}, {1, 1, 1}), reversed(box({0.3, 0.2, 0.4}, {0.6, 0.7, 0.8})));
   EXPECT_GT(expect_sign_of_winding_number(hollow, query_points(hollow, 500)), 100);
 }
 
@@ -62,9 +61,7 @@ void expect_sign_on_data(const std::string& file) {
   EXPECT_GT(expect_sign_of_winding_number(*surface, query_points(*surface, 200)), 50);
 }
 
-TEST(SignedDistanceSign, AgreesOnAVertebra) {
-  expect_sign_on_data("vertebra_L1_verse/verse018_aligned_to_016.ply");
-}
+TEST(SignedDistanceSign, AgreesOnAVertebra) { expect_sign_on_data("vertebra_L1_verse/verse018_aligned_to_016.ply"); }
 TEST(SignedDistanceSign, AgreesOnAHand) { expect_sign_on_data("hands_makehuman/hand_woman_young.off"); }
 
 }  // namespace

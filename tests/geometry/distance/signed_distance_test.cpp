@@ -42,8 +42,7 @@ double oracle(const Surface<Dim>& surface, Index f, const Vec<Dim>& x) {
 template <int Dim>
 double brute_force(const Surface<Dim>& surface, const Vec<Dim>& x) {
   double best = std::numeric_limits<double>::infinity();
-  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f)
-    best = std::min(best, oracle(surface, f, x));
+  for (Index f = 0; f < static_cast<Index>(surface.facets.size()); ++f) best = std::min(best, oracle(surface, f, x));
   return best;
 }
 
@@ -159,8 +158,7 @@ TEST(SignedDistance, NormalOnTheSurfaceIsThePseudonormalOfTheFeature) {
   EXPECT_LT((distance.closest({1, 1, 0.4}).normal - Vec<3>(1, 1, 0).normalized()).norm(), 1e-15);
   // Weighted with angles the corner does not see how the square faces are cut into triangles.
   for (const Vec<3>& corner : distance.surface().vertices)
-    EXPECT_LT((distance.closest(corner).normal - (corner - Vec<3>::Constant(0.5)).normalized()).norm(),
-              1e-15);
+    EXPECT_LT((distance.closest(corner).normal - (corner - Vec<3>::Constant(0.5)).normalized()).norm(), 1e-15);
   const SignedDistance<2> square(polygon(4, [](double) { return 1.0; }));
   EXPECT_LT((square.closest({1, 0}).normal - Vec<2>(1, 0)).norm(), 1e-15);
 }

@@ -50,16 +50,17 @@ TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii) {
   // The facets lie inside of their spheres by less than h^2 / (2 R).
   const double h = 0.07;
   for (const DistanceStatistics& s : {quality.deformed_to_template, quality.template_to_deformed}) {
-    for (const double value : {s.mean, s.p95, s.max})
-      EXPECT_NEAR(value, expected, h * h * large / 2 / diagonal);
+    for (const double value : {s.mean, s.p95, s.max}) EXPECT_NEAR(value, expected, h * h * large / 2 / diagonal);
   }
 }
 
-// Every third of the 2562 vertices, in both directions: the statistics hardly change, and the farthest point may be missed.
+// Every third of the 2562 vertices, in both directions: the statistics hardly change, and the farthest point may be
+// missed.
 TEST(SurfaceDistance, OfManyPointsSomeAreEnough) {
   const Surface<3> inner = unit_sphere(4);
   const Surface<3> outer = mapped<3>(inner, [](const Vec<3>& x) { return Vec<3>(x * (1.1 + 0.05 * x.z())); });
-  const MatchQuality<3> all = match_quality(inner, SignedDistance<3>(outer)), some = match_quality(inner, SignedDistance<3>(outer), {}, 1, 1000);
+  const MatchQuality<3> all = match_quality(inner, SignedDistance<3>(outer)),
+                        some = match_quality(inner, SignedDistance<3>(outer), {}, 1, 1000);
   EXPECT_NE(some.template_to_deformed.mean, all.template_to_deformed.mean);
   EXPECT_NEAR(some.template_to_deformed.mean, all.template_to_deformed.mean, 0.02 * all.template_to_deformed.mean);
   EXPECT_NEAR(some.deformed_to_template.mean, all.deformed_to_template.mean, 0.02 * all.deformed_to_template.mean);
@@ -100,15 +101,18 @@ TEST(SurfaceDistance, DoesNotDependOnWhereAMeshIsDense) {
     if (i < 1000 || i % 10 == 0) many.push_back(0.001 * i);
   const auto lowered = [](const Vec<2>& x) { return Vec<2>(x.x(), x.y() == 0 && x.x() < 1 ? -0.1 : x.y()); };
   const SignedDistance<2> straight(slab(4, few));
-  const MatchQuality<2> sparse = match_quality(mapped<2>(slab(4, few), lowered), straight), dense = match_quality(mapped<2>(slab(4, many), lowered), straight);
-  EXPECT_NEAR(dense.deformed_to_template.mean, sparse.deformed_to_template.mean, 0.02 * sparse.deformed_to_template.mean);
+  const MatchQuality<2> sparse = match_quality(mapped<2>(slab(4, few), lowered), straight),
+                        dense = match_quality(mapped<2>(slab(4, many), lowered), straight);
+  EXPECT_NEAR(dense.deformed_to_template.mean, sparse.deformed_to_template.mean,
+              0.02 * sparse.deformed_to_template.mean);
   EXPECT_EQ(dense.deformed_to_template.max, sparse.deformed_to_template.max);
 }
 
 // All vertices of the template lie on the deformed surface, which has a notch in the middle of one of its sides.
 TEST(SurfaceDistance, SeesWhatLiesWithinALargeFacet) {
   const Surface<2> plain = slab(4, {});
-  const Surface<2> notched = mapped<2>(slab(4, {1.5, 2, 2.5}), [](const Vec<2>& x) { return Vec<2>(x.x(), x.x() == 2 && x.y() == 0 ? 0.4 : x.y()); });
+  const Surface<2> notched = mapped<2>(
+      slab(4, {1.5, 2, 2.5}), [](const Vec<2>& x) { return Vec<2>(x.x(), x.x() == 2 && x.y() == 0 ? 0.4 : x.y()); });
   const double diagonal = std::hypot(4, 1);
   EXPECT_EQ(match_quality(notched, SignedDistance<2>(plain)).template_to_deformed.max, 0);
   const MatchQuality<2> q = match_quality(notched, SignedDistance<2>(plain), {}, 0.01);

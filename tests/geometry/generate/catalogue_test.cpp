@@ -90,9 +90,8 @@ TEST_P(EveryShape, IsTheSameTwiceWhateverTheNumberOfThreads) {
       one);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryShape, testing::ValuesIn(entries()), [](const auto& named) {
-  return named.param.info.name + "_" + named.param.variant.name;
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryShape, testing::ValuesIn(entries()),
+                         [](const auto& named) { return named.param.info.name + "_" + named.param.variant.name; });
 
 TEST(Catalogue, DefaultsLieInTheirRanges) {
   for (const Entry& e : entries())
@@ -102,8 +101,7 @@ TEST(Catalogue, DefaultsLieInTheirRanges) {
     }
 }
 
-std::string message_of(const char* name, const char* variant, double edge,
-                       const GeneratorParameters& parameters) {
+std::string message_of(const char* name, const char* variant, double edge, const GeneratorParameters& parameters) {
   try {
     generate_shape(name, variant, edge, parameters);
   } catch (const InputError& e) {
@@ -123,11 +121,9 @@ TEST(Catalogue, BadInputIsNamedWithTheNearestSpelling) {
   expect_words(message_of("sphere", "", 0, {{"radius", NAN}}), {"radius", "range"});
   expect_words(message_of("star", "", 0, {{"points", 4.5}}), {"points", "whole number"});
   expect_words(message_of("circle", "", -1, {}), {"edge length", "0.003"});
-  expect_words(message_of("torus", "", 0, {{"major_radius", 0.1}, {"minor_radius", 0.2}}),
-               {"minor_radius", "0.95"});
+  expect_words(message_of("torus", "", 0, {{"major_radius", 0.1}, {"minor_radius", 0.2}}), {"minor_radius", "0.95"});
   expect_words(message_of("box", "", 0, {{"rounding", 0.4}}), {"rounding", "smaller"});
-  expect_words(message_of("box", "", 0.02, {{"side_x", 0.8}, {"side_y", 0.8}, {"turn", 45}}),
-               {"leaves", "0.95"});
+  expect_words(message_of("box", "", 0.02, {{"side_x", 0.8}, {"side_y", 0.8}, {"turn", 45}}), {"leaves", "0.95"});
 }
 
 }  // namespace

@@ -86,7 +86,8 @@ void expect_second_derivative(const std::string& name, const std::string& varian
       for (int j = 0; j < Dim; ++j) {
         const Vec<Dim> a = h * Vec<Dim>::Unit(i), b = h * Vec<Dim>::Unit(j);
         const double found = (shape.distance(x + a + b) - shape.distance(x + a - b) - shape.distance(x - a + b) +
-                              shape.distance(x - a - b)) / (4 * h * h);
+                              shape.distance(x - a - b)) /
+                             (4 * h * h);
         ASSERT_NEAR(s(i, j), found, 2e-3 * std::max(1.0, s.norm()));
       }
   }

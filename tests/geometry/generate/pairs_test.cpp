@@ -34,8 +34,7 @@ TEST_P(EveryPair, TruthLiesOnTheTemplateToTheErrorOfItsTessellation) {
   const GeneratorInfo& info = GetParam();
   const double coarse = 1.8 * info.edge_length, fine = 0.9 * info.edge_length;
   const auto distance_at = [&](double edge) {
-    return std::visit([](const auto& pair) { return distance_of_truth(pair); },
-                      generated_pair(info.name, edge));
+    return std::visit([](const auto& pair) { return distance_of_truth(pair); }, generated_pair(info.name, edge));
   };
   if (info.name == "beet" || info.name == "face") {
     EXPECT_EQ(distance_at(0.02), -1);

@@ -73,8 +73,7 @@ TEST(Ellipsoid, VanishesOnTheSurfaceWithUnitSlope) {
   for (int i = 0; i < 50; ++i) {
     const Vec<3> x = semi.cwiseProduct(random_point(generator, -1, 1).normalized());
     EXPECT_NEAR(ellipsoid_function(x, semi), 0, 1e-15);
-    EXPECT_NEAR(implicit_gradient([&](const Vec<3>& y) { return ellipsoid_function(y, semi); }, x).norm(), 1,
-                1e-6);
+    EXPECT_NEAR(implicit_gradient([&](const Vec<3>& y) { return ellipsoid_function(y, semi); }, x).norm(), 1, 1e-6);
   }
   EXPECT_LT(ellipsoid_function(Vec<3>::Zero(), semi), 0);
 }
@@ -101,9 +100,9 @@ TEST(MeshImplicit, EdgesHaveTheLengthAskedForAndNormalsPointOutward) {
 TEST(MeshImplicit, TwoSheetsCloserThanTheEdgesAreNotGlued) {
   // A shell between two spheres: two closed parts, whatever the resolution of the gap.
   for (const double gap : {0.06, 0.04, 0.03}) {
-    const Surface<3> s = mesh_implicit(
-        [&](const Vec<3>& x) { return std::abs((x - Vec<3>(0.5, 0.51, 0.49)).norm() - 0.3) - 0.5 * gap; },
-        0.02, "shell");
+    const Surface<3> s =
+        mesh_implicit([&](const Vec<3>& x) { return std::abs((x - Vec<3>(0.5, 0.51, 0.49)).norm() - 0.3) - 0.5 * gap; },
+                      0.02, "shell");
     EXPECT_TRUE(is_closed_manifold(s));
     EXPECT_EQ(static_cast<int>(s.vertices.size()) - static_cast<int>(s.facets.size()) / 2, 4);
   }
@@ -111,9 +110,8 @@ TEST(MeshImplicit, TwoSheetsCloserThanTheEdgesAreNotGlued) {
 
 TEST(MeshImplicit, TooCoarseAnEdgeIsAnError) {
   // Nothing of a ball smaller than the lattice's cubes is seen.
-  EXPECT_THROW(
-      mesh_implicit([](const Vec<3>& x) { return (x - Vec<3>(0.512, 0.5, 0.5)).norm() - 1e-4; }, 0.03, "dot"),
-      InputError);
+  EXPECT_THROW(mesh_implicit([](const Vec<3>& x) { return (x - Vec<3>(0.512, 0.5, 0.5)).norm() - 1e-4; }, 0.03, "dot"),
+               InputError);
 }
 
 TEST(ClosedManifold, HolesAndPinchesAreSeen) {

@@ -10,7 +10,8 @@ namespace {
 OriginalShape<3> cube_with_columns(const std::vector<std::string>& names) {
   OriginalShape<3> shape = cube();
   for (const std::string& name : names)
-    shape.attributes.push_back({name, "double", std::vector<double>(8, static_cast<double>(shape.attributes.size()) + 0.5)});
+    shape.attributes.push_back(
+        {name, "double", std::vector<double>(8, static_cast<double>(shape.attributes.size()) + 0.5)});
   return shape;
 }
 
@@ -22,18 +23,21 @@ std::vector<std::string> names_of(const OriginalShape<3>& shape) {
 
 TEST(ColumnNames, OfPlyAreDifferentWordsAndNoCoordinates) {
   const TempFolder folder;
-  const OriginalShape<3> shape = cube_with_columns({"x", "y", "z", "nx", "ny", "nz", "a b", "a_b", "a\tb", "x_2", "", "n", "nxy"});
+  const OriginalShape<3> shape =
+      cube_with_columns({"x", "y", "z", "nx", "ny", "nz", "a b", "a_b", "a\tb", "x_2", "", "n", "nxy"});
   write_ply(folder.path("a.ply"), shape);
   std::vector<std::string> notes;
   const OriginalShape<3> read = read_points_or_mesh_3d(folder.path("a.ply"), &notes);
   EXPECT_TRUE(notes.empty()) << "no column is taken for a normal";
   EXPECT_EQ(read.vertices, shape.vertices);
-  EXPECT_EQ(names_of(read), (std::vector<std::string>{"x_2", "y_2", "z_2", "nx_2", "ny_2", "nz_2", "a_b", "a_b_2", "a_b_3", "x_2_2",
-                                                      "unnamed", "n", "nxy"}));
-  for (std::size_t k = 0; k < shape.attributes.size(); ++k) EXPECT_EQ(read.attributes[k].values, shape.attributes[k].values);
+  EXPECT_EQ(names_of(read), (std::vector<std::string>{"x_2", "y_2", "z_2", "nx_2", "ny_2", "nz_2", "a_b", "a_b_2",
+                                                      "a_b_3", "x_2_2", "unnamed", "n", "nxy"}));
+  for (std::size_t k = 0; k < shape.attributes.size(); ++k)
+    EXPECT_EQ(read.attributes[k].values, shape.attributes[k].values);
   EXPECT_TRUE(left_out("b.ply", read).empty());
   const std::vector<std::string> lost = left_out("b.ply", cube_with_columns({"quality", "x", "a b"}));
-  EXPECT_EQ(lost, (std::vector<std::string>{"the name of the column 'x' ('x_2' instead)", "the name of the column 'a b' ('a_b' instead)"}));
+  EXPECT_EQ(lost, (std::vector<std::string>{"the name of the column 'x' ('x_2' instead)",
+                                            "the name of the column 'a b' ('a_b' instead)"}));
 }
 
 TEST(ColumnNames, OfTablesMayHoldBlanksCommasAndQuotes) {
@@ -48,7 +52,9 @@ TEST(ColumnNames, OfTablesMayHoldBlanksCommasAndQuotes) {
 
 TEST(ColumnNames, InTablesOfOthers) {
   const TempFolder folder;
-  const auto names = [&](const std::string& text) { return names_of(read_points_or_mesh_3d(folder.write("a.csv", text))); };
+  const auto names = [&](const std::string& text) {
+    return names_of(read_points_or_mesh_3d(folder.write("a.csv", text)));
+  };
   EXPECT_EQ(names("x, y, z, shell thickness (mm)\n1,2,3,4\n"), std::vector<std::string>{"shell thickness (mm)"});
   EXPECT_EQ(names("x,y,z,w,\n1,2,3,4,\n"), std::vector<std::string>{"w"});
   EXPECT_EQ(names("x y z w\n1 2 3 4\n"), std::vector<std::string>{"w"});

@@ -74,13 +74,11 @@ INSTANTIATE_TEST_SUITE_P(AllFormats, DamagedMeshes, ::testing::Values("a.ply", "
 TEST(DamagedOutlines, BytesAlteredAnywhere) {
   const TempFolder folder;
   std::string whole = "x,y,label\n";
-  for (int i = 0; i < 40; ++i)
-    whole += fmt::format("{:.3f},{:.3f},{}\n", std::cos(0.15 * i), std::sin(0.15 * i), i);
+  for (int i = 0; i < 40; ++i) whole += fmt::format("{:.3f},{:.3f},{}\n", std::cos(0.15 * i), std::sin(0.15 * i), i);
   std::mt19937 random(17);
   for (int trial = 0; trial < 100; ++trial) {
     std::string bytes = whole.substr(0, trial % 2 ? random() % whole.size() : whole.size());
-    for (int k = 0; k < trial % 5 && !bytes.empty(); ++k)
-      bytes[random() % bytes.size()] = static_cast<char>(random());
+    for (int k = 0; k < trial % 5 && !bytes.empty(); ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
     const std::string path = folder.write("a.csv", bytes);
     try {
       EXPECT_GE(area(read_outline(path).surface), 0);

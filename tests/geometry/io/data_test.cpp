@@ -93,8 +93,7 @@ TEST(Data, AllOtherMeshesLoadAndPointOutward) {
   std::size_t n_files = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(data_folder())) {
     const std::string path = entry.path().string();
-    if (!entry.is_regular_file() || dimension_of_file(path) != 3 ||
-        entry.path().parent_path().filename() == "dirty")
+    if (!entry.is_regular_file() || dimension_of_file(path) != 3 || entry.path().parent_path().filename() == "dirty")
       continue;
     SCOPED_TRACE(path);
     ++n_files;
@@ -119,8 +118,7 @@ TEST(Data, OutlinesAndMasksLoad) {
       const bool cabernet = path.find("CABERNET") != std::string::npos,
                  chasselas = path.find("CHASSELAS") != std::string::npos;
       if (cabernet || chasselas) {
-        EXPECT_TRUE(
-            contains(input_error_of([&] { read_outline(path); }), cabernet ? "in 4 places" : "in 6 places"));
+        EXPECT_TRUE(contains(input_error_of([&] { read_outline(path); }), cabernet ? "in 4 places" : "in 6 places"));
         continue;
       }
       EXPECT_GT(area(read_outline(path).surface), 0);

@@ -24,9 +24,7 @@ Shape<2> mask(const std::string& bytes, const std::string& name = "a.pgm") {
   return read_outline(folder.write(name, bytes));
 }
 
-double in_disc(double x, double y, double cx, double cy, double r) {
-  return std::hypot(x - cx, y - cy) < r ? 1 : 0;
-}
+double in_disc(double x, double y, double cx, double cy, double r) { return std::hypot(x - cx, y - cy) < r ? 1 : 0; }
 
 TEST(Mask, DiscHasItsAreaItsPlaceAndNoStairs) {
   for (const bool grey : {false, true}) {
@@ -120,11 +118,12 @@ TEST(Mask, TextAndSixteenBitFormsAgree) {
 // Two squares that touch at a corner: joined where the four pixels around it are bright on the whole.
 TEST(Mask, SaddlesAreDecidedByTheirMean) {
   const auto rings = [](double dark, double bright) {
-    return mask(pgm(24, 24, [&](double x, double y) {
-             const bool left = x < 12, low = y < 12, corner = std::abs(x - 12) < 1 && std::abs(y - 12) < 1;
-             if (corner) return left == low ? bright : dark;
-             return left == low && x > 2 && x < 22 && y > 2 && y < 22 ? 1.0 : 0.0;
-           }))
+    return mask(pgm(24, 24,
+                    [&](double x, double y) {
+                      const bool left = x < 12, low = y < 12, corner = std::abs(x - 12) < 1 && std::abs(y - 12) < 1;
+                      if (corner) return left == low ? bright : dark;
+                      return left == low && x > 2 && x < 22 && y > 2 && y < 22 ? 1.0 : 0.0;
+                    }))
         .original.polygons.size();
   };
   EXPECT_EQ(rings(0.3, 1), 1u);
@@ -147,16 +146,14 @@ TEST(Mask, Refusals) {
   const auto message = [](const std::string& bytes, const char* name = "a.pgm") {
     return input_error_of([&] { mask(bytes, name); });
   };
-  EXPECT_TRUE(
-      contains(message(pgm(20, 20, [](double, double) { return 0.4; })), "no pixel is brighter than half"));
+  EXPECT_TRUE(contains(message(pgm(20, 20, [](double, double) { return 0.4; })), "no pixel is brighter than half"));
   EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double) { return x < 5 ? 1 : 0; })),
                        "touches the rim of the image (28 pixels)"));
-  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 1); })),
-                       "too small"));
+  EXPECT_TRUE(contains(message(pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 1); })), "too small"));
   const std::string good = pgm(20, 20, [](double x, double y) { return in_disc(x, y, 10, 10, 6); });
   EXPECT_EQ(message(good), "");
-  EXPECT_TRUE(contains(message(good.substr(0, good.size() - 1)),
-                       "cut off: 20 x 20 pixels take 400 bytes, 399 are there"));
+  EXPECT_TRUE(
+      contains(message(good.substr(0, good.size() - 1)), "cut off: 20 x 20 pixels take 400 bytes, 399 are there"));
   EXPECT_TRUE(contains(message("P5 99999999 99999999 255\n"), "scale the image"));
   EXPECT_TRUE(contains(message("P5 20 20 0\n"), "largest value"));
   EXPECT_TRUE(contains(message("P6 1 1 255\n"), "not a PGM image"));

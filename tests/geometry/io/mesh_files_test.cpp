@@ -26,12 +26,10 @@ TEST(MeshFiles, ObjOddities) {
   const TempFolder folder;
   const std::string header = "# comment\r\nmtllib x.mtl\r\n";
   for (const std::string& text :
-       {header + cube_vertices + cube_faces,
-        std::string("\xEF\xBB\xBF") + cube_vertices + "\n\t \n" + cube_faces,
+       {header + cube_vertices + cube_faces, std::string("\xEF\xBB\xBF") + cube_vertices + "\n\t \n" + cube_faces,
         std::string(cube_faces) + cube_vertices,  // faces before the vertices
-        std::string(cube_vertices) +
-            "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf 1/1 2/2 6/3 5/4\nf 3//1 7//1 \\\n8//2 4//1\n"
-            "f 1/1/1 5/2/3 7/2/1 3/1/1\n  f\t2\t4\t8\t6  # last"}) {
+        std::string(cube_vertices) + "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf 1/1 2/2 6/3 5/4\nf 3//1 7//1 \\\n8//2 4//1\n"
+                                     "f 1/1/1 5/2/3 7/2/1 3/1/1\n  f\t2\t4\t8\t6  # last"}) {
     const Shape<3> shape = read_mesh(folder.write("würfel größe.OBJ", text));
     EXPECT_EQ(shape.original.polygons.size(), 6u);
     EXPECT_EQ(shape.original.polygons[0], (std::vector<Index>{0, 2, 3, 1}));
@@ -47,8 +45,7 @@ TEST(MeshFiles, ObjColoursAreKeptEvenWhereTheyAreNoNumbers) {
   const TempFolder folder;
   std::string text;
   for (int i = 0; i < 8; ++i)
-    text += fmt::format("v {} {} {} {} 0.5 {}\n", i & 1, i >> 1 & 1, i >> 2 & 1, i == 3 ? "nan" : "0.25",
-                        0.1 * i);
+    text += fmt::format("v {} {} {} {} 0.5 {}\n", i & 1, i >> 1 & 1, i >> 2 & 1, i == 3 ? "nan" : "0.25", 0.1 * i);
   const Shape<3> shape = read_mesh(folder.write("a.obj", text + cube_faces));
   ASSERT_EQ(shape.original.attributes.size(), 3u);
   EXPECT_EQ(shape.original.attributes[2].name, "blue");
@@ -59,8 +56,7 @@ TEST(MeshFiles, ObjColoursAreKeptEvenWhereTheyAreNoNumbers) {
 TEST(MeshFiles, ObjErrorsNameTheLine) {
   const TempFolder folder;
   const std::string good = std::string(cube_vertices) + cube_faces;
-  EXPECT_TRUE(
-      contains(message(folder, "a.obj", good + "f 1 2 9\n"), "a.obj, line 15: a face names vertex 8"));
+  EXPECT_TRUE(contains(message(folder, "a.obj", good + "f 1 2 9\n"), "a.obj, line 15: a face names vertex 8"));
   EXPECT_TRUE(contains(message(folder, "a.obj", good + "f 1 2 0\n"),
                        "line 15: a corner of a face should be a vertex number from 1"));
   EXPECT_TRUE(contains(message(folder, "a.obj", good + "f 1 2 -9\n"), "line 15"));
@@ -76,12 +72,10 @@ TEST(MeshFiles, OffHeadersAndColours) {
   const TempFolder folder;
   const std::string text = off_text(cube());
   const std::string body = text.substr(text.find('\n') + 1);
-  for (const std::string& variant :
-       {"OFF " + body, "\t OFF" + body, body, "# c\n\nOFF # d\n\n" + body + "\n\n"})
+  for (const std::string& variant : {"OFF " + body, "\t OFF" + body, body, "# c\n\nOFF # d\n\n" + body + "\n\n"})
     EXPECT_NEAR(volume(read_mesh(folder.write("a.off", variant)).surface), 1, 1e-15);
   std::string coloured = "COFF\n8 6 0\n";
-  for (int i = 0; i < 8; ++i)
-    coloured += fmt::format("{} {} {} {} 2 3 255\n", i & 1, i >> 1 & 1, i >> 2 & 1, 10 * i);
+  for (int i = 0; i < 8; ++i) coloured += fmt::format("{} {} {} {} 2 3 255\n", i & 1, i >> 1 & 1, i >> 2 & 1, 10 * i);
   const Shape<3> shape = read_mesh(folder.write("b.off", coloured + body.substr(body.find("4 0 2 3 1"))));
   ASSERT_EQ(shape.original.attributes.size(), 4u);
   EXPECT_EQ(shape.original.attributes[0].type, "uchar");
@@ -92,8 +86,8 @@ TEST(MeshFiles, OffErrorsNameTheLine) {
   const TempFolder folder;
   const std::string text = off_text(cube());
   EXPECT_TRUE(contains(message(folder, "a.off", text + "3 0 1 2\n"), "line 17: the header declares"));
-  EXPECT_TRUE(contains(message(folder, "a.off", text.substr(0, text.size() - 10)),
-                       "declares 6 faces, the file ends after 5"));
+  EXPECT_TRUE(
+      contains(message(folder, "a.off", text.substr(0, text.size() - 10)), "declares 6 faces, the file ends after 5"));
   EXPECT_TRUE(contains(message(folder, "a.off", "OFF\n99999999999 3 0\n0 0 0\n"), "ends after 1"));
   EXPECT_TRUE(contains(message(folder, "a.off", "OFF\n1 -3 0\n0 0 0\n"), "line 2"));
   EXPECT_TRUE(contains(message(folder, "a.off", "OFF\n1 1 0\n0 0 0\n99999999999 0\n"), "line 4"));
@@ -108,18 +102,16 @@ TEST_P(PlyForms, KeepAttributesWithTheirTypes) {
   const TempFolder folder;
   const std::string form = GetParam();
   const bool big = form == "binary_big_endian";
-  std::string bytes =
-      "ply\nformat " + form +
-      " 1.0\ncomment é\nelement camera 1\nproperty list uchar int who\nelement vertex 8\n"
-      "property uchar red\nproperty float x\nproperty double y\nproperty float32 z\nproperty float nx\n"
-      "property float ny\nproperty float nz\nproperty int16 label\nproperty double quality\n"
-      "element face 6\nproperty uint8 flag\nproperty list uint8 uint32 vertex_index\nend_header\n";
+  std::string bytes = "ply\nformat " + form +
+                      " 1.0\ncomment é\nelement camera 1\nproperty list uchar int who\nelement vertex 8\n"
+                      "property uchar red\nproperty float x\nproperty double y\nproperty float32 z\nproperty float nx\n"
+                      "property float ny\nproperty float nz\nproperty int16 label\nproperty double quality\n"
+                      "element face 6\nproperty uint8 flag\nproperty list uint8 uint32 vertex_index\nend_header\n";
   const OriginalShape<3> shape = cube();
   if (form == "ascii") {
     bytes += "2 5 6\n";
     for (int i = 0; i < 8; ++i)
-      bytes +=
-          fmt::format("{} {} {} {} 0 0 1 {} {}\n", 30 * i, i & 1, i >> 1 & 1, i >> 2 & 1, -7 * i, 0.1 * i);
+      bytes += fmt::format("{} {} {} {} 0 0 1 {} {}\n", 30 * i, i & 1, i >> 1 & 1, i >> 2 & 1, -7 * i, 0.1 * i);
     for (const auto& p : shape.polygons) bytes += fmt::format("9 4 {} {} {} {}\n", p[0], p[1], p[2], p[3]);
   } else {
     bytes += bytes_of(std::uint8_t{2}, big) + bytes_of(std::int32_t{5}, big) + bytes_of(std::int32_t{6}, big);
@@ -149,8 +141,7 @@ TEST_P(PlyForms, KeepAttributesWithTheirTypes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllForms, PlyForms,
-                         ::testing::Values("ascii", "binary_little_endian", "binary_big_endian"));
+INSTANTIATE_TEST_SUITE_P(AllForms, PlyForms, ::testing::Values("ascii", "binary_little_endian", "binary_big_endian"));
 
 TEST(MeshFiles, PlyErrorsNameTheElement) {
   const TempFolder folder;
@@ -169,25 +160,25 @@ TEST(MeshFiles, PlyErrorsNameTheElement) {
                        "5 elements of kind 'face', the file ends in number 5"));
   EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", 4, 4) + points + "3 0 2 4\n" + faces),
                        "line 14: a face names vertex 4"));
-  EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", 4, 4) + "0 0 inf\n" + points + faces),
-                       "line 10: vertex 0"));
+  EXPECT_TRUE(
+      contains(message(folder, "a.ply", header("ascii", 4, 4) + "0 0 inf\n" + points + faces), "line 10: vertex 0"));
   EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", 4, 4) + "0 0\n" + points + faces),
                        "line 10: a value of the vertex is missing"));
   for (const char* form : {"ascii", "binary_little_endian"})
     EXPECT_TRUE(
         contains(message(folder, "a.ply", header(form, 1'000'000'000'000'000, 4) + points), "which do not fit into"));
+  EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", 4, 1, "char") + points + "-3 0 1 2\n"), "negative"));
   EXPECT_TRUE(
-      contains(message(folder, "a.ply", header("ascii", 4, 1, "char") + points + "-3 0 1 2\n"), "negative"));
-  EXPECT_TRUE(contains(
-      message(folder, "a.ply",
-              header("binary_little_endian", 1, 1, "uint") + std::string(12, '\0') + std::string(4, '\x7f')),
-      "kind 'face', the file ends in number 1"));
+      contains(message(folder, "a.ply",
+                       header("binary_little_endian", 1, 1, "uint") + std::string(12, '\0') + std::string(4, '\x7f')),
+               "kind 'face', the file ends in number 1"));
   EXPECT_TRUE(contains(message(folder, "a.ply", header("ascii", -4, 4)), "line 3"));
   // Twice x and no z are three coordinates, but none in space.
-  EXPECT_TRUE(contains(message(folder, "a.ply",
-                               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nproperty float y\n"
-                               "end_header\n0 0 0\n"),
-                       "need the properties x, y and z"));
+  EXPECT_TRUE(
+      contains(message(folder, "a.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float x\nproperty float y\n"
+                       "end_header\n0 0 0\n"),
+               "need the properties x, y and z"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"), "end_header"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "ply\nformat ebcdic 1.0\n"), "line 2"));
   EXPECT_TRUE(contains(message(folder, "a.ply", "OFF\n"), "starts with the line 'ply'"));
@@ -229,8 +220,7 @@ TEST(MeshFiles, StlIsWeldedAndItsSizeChecked) {
       binary += "ab";
     }
   EXPECT_NEAR(volume(read_mesh(folder.write("b.stl", binary)).surface), 1, 1e-15);
-  EXPECT_TRUE(
-      contains(message(folder, "b.stl", binary.substr(0, binary.size() - 1)), "declares 12 triangles"));
+  EXPECT_TRUE(contains(message(folder, "b.stl", binary.substr(0, binary.size() - 1)), "declares 12 triangles"));
   EXPECT_TRUE(has_note(read_mesh(folder.write("b.stl", binary + "xyz")), "3 bytes after the last triangle"));
   std::string bad = binary;
   const std::string nan = bytes_of(std::nanf(""), false);
@@ -248,22 +238,19 @@ TEST(MeshFiles, WhatIsNoFile) {
   EXPECT_TRUE(contains(message(folder, "a.blend", "x"), ".obj .off .ply .stl"));
   EXPECT_TRUE(contains(message(folder, "noending", "x"), "no ending"));
   EXPECT_TRUE(contains(message(folder, "a.csv", "1,2\n"), "shape of the plane"));
-  EXPECT_TRUE(
-      contains(input_error_of([&] { read_outline(folder.write("a.obj", "v 1 2 3\n")); }), "shape of space"));
+  EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder.write("a.obj", "v 1 2 3\n")); }), "shape of space"));
 }
 
 TEST(MeshFiles, ThingsToMoveNeedNotBeClosed) {
   const TempFolder folder;
   EXPECT_EQ(read_points_or_mesh_3d(folder.write("a.obj", cube_vertices)).vertices.size(), 8u);
-  const OriginalShape<3> table =
-      read_points_or_mesh_3d(folder.write("a.csv", "name,z,y,x\n1,2,3,4\n5,6,7,8\n"));
+  const OriginalShape<3> table = read_points_or_mesh_3d(folder.write("a.csv", "name,z,y,x\n1,2,3,4\n5,6,7,8\n"));
   EXPECT_EQ(table.vertices[1], Vec<3>(8, 7, 6));
   ASSERT_EQ(table.attributes.size(), 1u);
   EXPECT_EQ(table.attributes[0].values[1], 5);
-  EXPECT_EQ(read_points_or_mesh_3d(folder.write("a.xyz", "# c\n1 2 3\n4\t5\t6\n")).vertices[1],
-            Vec<3>(4, 5, 6));
-  EXPECT_TRUE(contains(input_error_of([&] { read_points_or_mesh_3d(folder.write("b.txt", "1 2\n")); }),
-                       "line 1: 2 columns"));
+  EXPECT_EQ(read_points_or_mesh_3d(folder.write("a.xyz", "# c\n1 2 3\n4\t5\t6\n")).vertices[1], Vec<3>(4, 5, 6));
+  EXPECT_TRUE(
+      contains(input_error_of([&] { read_points_or_mesh_3d(folder.write("b.txt", "1 2\n")); }), "line 1: 2 columns"));
   EXPECT_EQ(read_points_or_outline_2d(folder.write("c.txt", "0 0\n1 0\n0 0\n")).vertices.size(), 3u);
 }
 

@@ -25,7 +25,8 @@ inline std::string base64(std::string_view bytes) {
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (std::size_t k = 0; k < 4; ++k) text += i + k < bytes.size() + 1 ? digits[group >> (18 - 6 * k) & 63] : '=';
   }
   return text;
@@ -45,9 +46,11 @@ inline OriginalShape<3> triangulated_cube(const Vec<3>& corner = Vec<3>::Zero(),
 
 /// FreeSurfer's file of triangles. \param footer what stands after them
 inline std::string freesurfer_bytes(const OriginalShape<3>& shape, std::string_view footer) {
-  std::string bytes = "\xff\xff\xfe" "created by a test\n\n";
-  bytes += number_bytes(static_cast<std::int32_t>(shape.vertices.size()), true) + number_bytes(static_cast<std::int32_t>(shape.polygons.size()),
-      true);
+  std::string bytes =
+      "\xff\xff\xfe"
+      "created by a test\n\n";
+  bytes += number_bytes(static_cast<std::int32_t>(shape.vertices.size()), true) +
+           number_bytes(static_cast<std::int32_t>(shape.polygons.size()), true);
   for (const Vec<3>& x : shape.vertices)
     for (int k = 0; k < 3; ++k) bytes += number_bytes(static_cast<float>(x[k]), true);
   for (const auto& polygon : shape.polygons)
@@ -64,14 +67,14 @@ inline std::string zip_bytes(const std::vector<std::pair<std::string, std::strin
   };
   std::string files, directory;
   for (const auto& [name, content] : parts) {
-    const std::string sizes = word(0, 4) + word(content.size(), 4) + word(content.size(), 4) + word(name.size(), 2) + word(0, 2);
-    directory += "PK\1\2" + word(20, 2) + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + word(0, 2) + word(0, 2) + word(0, 2) +
-        word(0, 4) +
-                 word(files.size(), 4) + name;
+    const std::string sizes =
+        word(0, 4) + word(content.size(), 4) + word(content.size(), 4) + word(name.size(), 2) + word(0, 2);
+    directory += "PK\1\2" + word(20, 2) + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + word(0, 2) +
+                 word(0, 2) + word(0, 2) + word(0, 4) + word(files.size(), 4) + name;
     files += "PK\3\4" + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + name + content;
   }
-  return files + directory + "PK\5\6" + word(0, 4) + word(parts.size(), 2) + word(parts.size(), 2) + word(directory.size(), 4) +
-      word(files.size(), 4) + word(0, 2);
+  return files + directory + "PK\5\6" + word(0, 4) + word(parts.size(), 2) + word(parts.size(), 2) +
+         word(directory.size(), 4) + word(files.size(), 4) + word(0, 2);
 }
 
 }  // namespace shellmatch::testing

@@ -45,9 +45,8 @@ void expect_same(const OriginalShape<3>& a, const OriginalShape<3>& b) {
 }
 
 std::ptrdiff_t partial_files(const std::string& folder) {
-  return std::count_if(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(), [](const auto& entry) {
-    return is_partial_file_name(entry.path().filename().string());
-  });
+  return std::count_if(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(),
+                       [](const auto& entry) { return is_partial_file_name(entry.path().filename().string()); });
 }
 
 TEST(Write, PlyReadsBackToTheBit) {

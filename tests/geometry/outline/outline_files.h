@@ -21,15 +21,18 @@ struct Roi {
   std::vector<std::pair<double, double>> points = {};  ///< of the image
   std::vector<float> floats = {};                      ///< from byte 18 on
   float parameter = 0;
-  std::vector<float> segments = {};                    ///< of a composite region
+  std::vector<float> segments = {};  ///< of a composite region
   std::u16string name = {};
 
   static std::string half(int value) { return {static_cast<char>(value >> 8 & 255), static_cast<char>(value & 255)}; }
-  static std::string word(std::uint32_t value) { return half(static_cast<int>(value >> 16)) + half(static_cast<int>(value & 0xffff)); }
+  static std::string word(std::uint32_t value) {
+    return half(static_cast<int>(value >> 16)) + half(static_cast<int>(value & 0xffff));
+  }
   static std::string real(double value) { return word(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
 
   std::string bytes() const {
-    std::string head = "Iout" + half(version) + half(type << 8) + half(top) + half(left) + half(bottom) + half(right) + half(static_cast<int>(points.size()));
+    std::string head = "Iout" + half(version) + half(type << 8) + half(top) + half(left) + half(bottom) + half(right) +
+                       half(static_cast<int>(points.size()));
     for (const float x : floats) head += real(x);
     head.resize(36, '\0');
     head += word(static_cast<std::uint32_t>(segments.size()));
@@ -55,7 +58,8 @@ struct Roi {
 /// The vertices of ring `k`.
 inline std::vector<Vec<2>> ring(const Shape<2>& shape, std::size_t k = 0) {
   std::vector<Vec<2>> points;
-  for (const Index v : shape.original.polygons.at(k)) points.push_back(shape.original.vertices[static_cast<std::size_t>(v)]);
+  for (const Index v : shape.original.polygons.at(k))
+    points.push_back(shape.original.vertices[static_cast<std::size_t>(v)]);
   return points;
 }
 

@@ -10,12 +10,16 @@ namespace {
 using std::numbers::pi;
 const std::vector<std::pair<double, double>> l_points = {{10, 20}, {40, 20}, {40, 60}, {30, 60}, {30, 30}, {10, 30}};
 
-Roi polygon(int type = 0) { return {.type = type, .top = 20, .left = 10, .bottom = 60, .right = 40, .points = l_points}; }
+Roi polygon(int type = 0) {
+  return {.type = type, .top = 20, .left = 10, .bottom = 60, .right = 40, .points = l_points};
+}
 
 class RoiFile : public ::testing::Test {
  protected:
   Shape<2> read(const std::string& bytes) const { return read_outline(folder_.write("cell.roi", bytes)); }
-  std::string error(const std::string& bytes) const { return input_error_of([&] { read(bytes); }); }
+  std::string error(const std::string& bytes) const {
+    return input_error_of([&] { read(bytes); });
+  }
   TempFolder folder_;
 };
 
@@ -65,8 +69,8 @@ TEST_F(RoiFile, EllipsesAndRectanglesThatAreTurned) {
 }
 
 TEST_F(RoiFile, CompositeOnesHaveHolesPartsAndCurves) {
-  const Roi roi{.type = 1, .segments = {0, 0, 0, 1, 9, 0, 1, 9, 9, 1, 0, 9, 4,  0, 3, 3, 1, 6, 3, 1, 6, 6, 1, 3, 6, 4,
-                                        0, 20, 0, 2, 25, 10, 30, 0, 4,  0, 40, 0, 3, 40, 10, 50, 10, 50, 0, 4}};
+  const Roi roi{.type = 1, .segments = {0, 0, 0, 1, 9,  0, 1, 9,  9,  1,  0, 9, 4, 0,  3, 3, 1,  6,  3,  1,  6,  6, 1,
+                                        3, 6, 4, 0, 20, 0, 2, 25, 10, 30, 0, 4, 0, 40, 0, 3, 40, 10, 50, 10, 50, 0, 4}};
   const Shape<2> shape = read(roi.bytes());
   EXPECT_EQ(shape.original.polygons.size(), 4u);
   EXPECT_NEAR(area(shape.surface), 81 - 9 + 2.0 / 3 * 10 * 5 + 0.6 * 10 * 10, 0.1);
@@ -78,23 +82,29 @@ TEST_F(RoiFile, SetsAreTakenTogetherOrByName) {
   named.name = u"Zelle \u00fc\U0001F52C";
   for (auto& [x, y] : other.points) x += 100;
   other.left += 100;
-  const std::string path = folder_.write("RoiSet.zip", zip_bytes({{"0001.roi", named.bytes()}, {"0002.roi", other.bytes()},
-                                                                  {"line.roi", Roi{.type = 3}.bytes()}, {"readme.txt", "a"}}));
+  const std::string path = folder_.write("RoiSet.zip", zip_bytes({{"0001.roi", named.bytes()},
+                                                                  {"0002.roi", other.bytes()},
+                                                                  {"line.roi", Roi{.type = 3}.bytes()},
+                                                                  {"readme.txt", "a"}}));
   const Shape<2> all = read_outline(path);
   EXPECT_EQ(all.original.polygons.size(), 2u);
-  EXPECT_TRUE(has_note(all, "2 areas taken together: 'Zelle \u00fc\U0001F52C', '0002'; FILE:NAME chooses")) << notes_of(all);
+  EXPECT_TRUE(has_note(all, "2 areas taken together: 'Zelle \u00fc\U0001F52C', '0002'; FILE:NAME chooses"))
+      << notes_of(all);
   EXPECT_TRUE(has_note(all, "1 region that bound no area left out"));
   EXPECT_TRUE(has_note(all, "1 other file in the archive"));
-  for (const char* name : {":0001", ":Zelle \u00fc\U0001F52C"}) EXPECT_EQ(ring(read_outline(path + name))[0], Vec<2>(10, -20)) << name;
+  for (const char* name : {":0001", ":Zelle \u00fc\U0001F52C"})
+    EXPECT_EQ(ring(read_outline(path + name))[0], Vec<2>(10, -20)) << name;
   EXPECT_EQ(ring(read_outline(path + ":0002"))[0], Vec<2>(110, -20));
-  EXPECT_TRUE(contains(input_error_of([&] { read_outline(path + ":3"); }), "no area is named '3'; choose one of 'Zelle"));
+  EXPECT_TRUE(
+      contains(input_error_of([&] { read_outline(path + ":3"); }), "no area is named '3'; choose one of 'Zelle"));
 }
 
 TEST_F(RoiFile, AreasThatCrossAreToBeChosen) {
   Roi shifted = polygon();
   for (auto& [x, y] : shifted.points) x += 5, y += 5;
   shifted.left += 5, shifted.top += 5;
-  const std::string path = folder_.write("set.zip", zip_bytes({{"a.roi", polygon().bytes()}, {"b.roi", shifted.bytes()}}));
+  const std::string path =
+      folder_.write("set.zip", zip_bytes({{"a.roi", polygon().bytes()}, {"b.roi", shifted.bytes()}}));
   const std::string text = input_error_of([&] { read_outline(path); });
   EXPECT_TRUE(contains(text, "crosses or touches itself"));
   EXPECT_TRUE(contains(text, "choose one, as in \"" + path + ":NAME\", of 'a', 'b'"));
@@ -110,7 +120,9 @@ TEST_F(RoiFile, AnArchiveWhosePartsLieOnEachOtherIsRefused) {
     entry.replace(entry.size() - 8, 4, fmt::format("{:04}", k));
     bomb += entry;
   }
-  tail.replace(8, 4, {static_cast<char>(n & 255), static_cast<char>(n >> 8), static_cast<char>(n & 255), static_cast<char>(n >> 8)});
+  tail.replace(
+      8, 4,
+      {static_cast<char>(n & 255), static_cast<char>(n >> 8), static_cast<char>(n & 255), static_cast<char>(n >> 8)});
   const std::string path = folder_.write("bomb.zip", bomb + tail);
   EXPECT_TRUE(contains(input_error_of([&] { read_outline(path); }), "its parts are larger than it can hold"));
 }
@@ -133,7 +145,10 @@ TEST_F(RoiFile, WhatIsWrongIsSaidOnce) {
   EXPECT_TRUE(contains(error(Roi{.type = 1, .segments = {0, 0, 0, 1, 2}}.bytes()), "cut off"));
   const std::string path = folder_.write("a.zip", zip_bytes({{"a.txt", "a"}}));
   EXPECT_TRUE(contains(input_error_of([&] { read_outline(path); }), "ROI Manager"));
-  EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder_.write("b.zip", zip_bytes({{"a.roi", "a"}}))); }), "its part 'a.roi': no region"));
+  EXPECT_TRUE(contains(input_error_of([&] {
+                         read_outline(folder_.write("b.zip", zip_bytes({{"a.roi", "a"}})));
+                       }),
+                       "its part 'a.roi': no region"));
 }
 
 }  // namespace

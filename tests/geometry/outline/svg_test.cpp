@@ -11,9 +11,14 @@ using std::numbers::pi;
 class Svg : public ::testing::Test {
  protected:
   Shape<2> read(const std::string& body, const std::string& head = "", const std::string& part = "") const {
-    return read_outline(folder_.write("leaf.svg", "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + head + ">" + body + "</svg>") + part);
+    return read_outline(
+        folder_.write("leaf.svg", "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + head + ">" +
+                                      body + "</svg>") +
+        part);
   }
-  Shape<2> path(const std::string& data, const std::string& more = "") const { return read("<path d=\"" + data + "\" " + more + "/>"); }
+  Shape<2> path(const std::string& data, const std::string& more = "") const {
+    return read("<path d=\"" + data + "\" " + more + "/>");
+  }
   std::string error(const std::string& body, const std::string& head = "", const std::string& part = "") const {
     return input_error_of([&] { read(body, head, part); });
   }
@@ -27,14 +32,16 @@ void expect_near(const Points& found, const Points& wanted) {
 
 TEST_F(Svg, LinesOfAllKindsAreTheirVertices) {
   const Points wanted = {{1, -2}, {11, -2}, {11, -12}, {1, -12}};
-  for (const char* data : {"M1 2L11 2 11 12 1 12Z", "m1,2 10,0 0,10-10,0z", "M 1 2 H 11 V 12 H 1 z", "m1 2h10v10h-10", "M1 2h1e1v+10.0l-10-0z", "M.1e1 2 11 2 11 12 1 12 1 2"})
+  for (const char* data : {"M1 2L11 2 11 12 1 12Z", "m1,2 10,0 0,10-10,0z", "M 1 2 H 11 V 12 H 1 z", "m1 2h10v10h-10",
+                           "M1 2h1e1v+10.0l-10-0z", "M.1e1 2 11 2 11 12 1 12 1 2"})
     expect_near(ring(path(data)), wanted);
   EXPECT_TRUE(has_note(path("M1 2h9v9"), "1 open path closed by a line"));
   EXPECT_FALSE(has_note(path("M1 2h9v9z"), "open path"));
 }
 
 TEST_F(Svg, CurvesAreFlattenedToTheToleranceThatIsSaid) {
-  // Below a cubic with control heights 0, h, h, 0 over a width w lies 3/5 h w, below a quadratic of control height h 1/3 h w.
+  // Below a cubic with control heights 0, h, h, 0 over a width w lies 3/5 h w, below a quadratic of control height h
+  // 1/3 h w.
   EXPECT_NEAR(area(path("M0 0C0 10 10 10 10 0z").surface), 60, 2e-2);
   EXPECT_NEAR(area(path("m5 5c0 10 10 10 10 0z").surface), 60, 2e-2);
   EXPECT_NEAR(area(path("M0 0Q5 10 10 0z").surface), 100.0 / 3, 2e-2);
@@ -84,7 +91,9 @@ TEST_F(Svg, TransformationsAreAppliedFromTheInside) {
   const auto first = [&](const std::string& transform, const std::string& inner = "") {
     return ring(read("<g transform='" + transform + "'><path transform='" + inner + "' d='M1 2h3v3z'/></g>")).at(0);
   };
-  const auto expect = [&](const Vec<2>& found, double x, double y) { EXPECT_NEAR((found - Vec<2>(x, -y)).norm(), 0, 1e-12) << found.transpose(); };
+  const auto expect = [&](const Vec<2>& found, double x, double y) {
+    EXPECT_NEAR((found - Vec<2>(x, -y)).norm(), 0, 1e-12) << found.transpose();
+  };
   expect(first("translate(10)"), 11, 2);
   expect(first("translate(10, 20) scale(2)"), 12, 24);
   expect(first("scale(2 3)", "translate(10,20)"), 22, 66);
@@ -112,7 +121,9 @@ TEST_F(Svg, MillimetresWhereTheDrawingSaysThem) {
     EXPECT_EQ(plain.unit, "");
     EXPECT_TRUE(has_note(plain, "coordinates are units of the drawing"));
   }
-  const Shape<2> nested = read("<svg x='10' y='20' width='50' height='100' viewBox='100 0 100 100'><rect x='100' width='100%' height='100'/></svg>");
+  const Shape<2> nested = read(
+      "<svg x='10' y='20' width='50' height='100' viewBox='100 0 100 100'><rect x='100' width='100%' "
+      "height='100'/></svg>");
   EXPECT_EQ(ring(nested), (Points{{10, -45}, {60, -45}, {60, -95}, {10, -95}}));
 }
 
@@ -127,8 +138,10 @@ TEST_F(Svg, FillRulesSayWhatIsAHole) {
 }
 
 TEST_F(Svg, IdsLabelsAndLayersChoose) {
-  const std::string body = "<g id='layer1' xmlns:inkscape='i' inkscape:label='Leaves'><path id='a' d='M0 0h2v2h-2z'/><g id='inner'><path id='b' d='M5 0h3v3h-3z'/></g></g>"
-                           "<circle id='c' cx='50' r='1'/>";
+  const std::string body =
+      "<g id='layer1' xmlns:inkscape='i' inkscape:label='Leaves'><path id='a' d='M0 0h2v2h-2z'/><g id='inner'><path "
+      "id='b' d='M5 0h3v3h-3z'/></g></g>"
+      "<circle id='c' cx='50' r='1'/>";
   const auto chosen = [&](const std::string& name) { return area(read(body, "", ":" + name).surface); };
   EXPECT_DOUBLE_EQ(chosen("a"), 4);
   EXPECT_DOUBLE_EQ(chosen("b"), 9);
@@ -141,9 +154,10 @@ TEST_F(Svg, IdsLabelsAndLayersChoose) {
 
 TEST_F(Svg, WhatIsHiddenOrDefinedIsNotDrawn) {
   const std::string drawn = "<path d='M0 0h2v2h-2z'/>";
-  const std::string hidden = "<defs><path d='M9 9h2v2z'/></defs><clipPath><rect width='9' height='9'/></clipPath><g display='none'>" + drawn + "</g>" +
-                             "<g style='display:none'>" + drawn + "</g><path visibility='hidden' d='M9 9h2v2z'/><symbol>" + drawn + "</symbol>" +
-                             "<text>a</text><use href='#a'/><line x1='3'/><path d='M9 9'/><path d='M9 9h3'/><title>a</title>";
+  const std::string hidden =
+      "<defs><path d='M9 9h2v2z'/></defs><clipPath><rect width='9' height='9'/></clipPath><g display='none'>" + drawn +
+      "</g>" + "<g style='display:none'>" + drawn + "</g><path visibility='hidden' d='M9 9h2v2z'/><symbol>" + drawn +
+      "</symbol>" + "<text>a</text><use href='#a'/><line x1='3'/><path d='M9 9'/><path d='M9 9h3'/><title>a</title>";
   const Shape<2> shape = read(hidden + drawn);
   EXPECT_DOUBLE_EQ(area(shape.surface), 4);
   EXPECT_TRUE(has_note(shape, "left out: line, text, use"));
@@ -167,7 +181,8 @@ TEST_F(Svg, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_TRUE(contains(error("<g transform='scale'/>"), "expected a transformation such as"));
   EXPECT_TRUE(contains(error("<g transform='scale(1;2)'/>"), "expected a number or ')'"));
   EXPECT_TRUE(contains(error("<g/>"), "no area in it"));
-  EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder_.write("a.svg", "<html/>")); }), "its element <svg> is missing"));
+  EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder_.write("a.svg", "<html/>")); }),
+                       "its element <svg> is missing"));
   EXPECT_TRUE(contains(input_error_of([&] { read_outline(folder_.write("a.svg", "<svg")); }), "no XML at byte"));
   std::string deep = "<rect width='1' height='1'/>";
   for (int k = 0; k < 200; ++k) deep = "<g>" + deep + "</g>";

@@ -1,4 +1,5 @@
-// TPS files as tpsDig writes them: landmarks, curves and outlines of specimens, their scale, and what is missing; what is written is read back.
+// TPS files as tpsDig writes them: landmarks, curves and outlines of specimens, their scale, and what is missing; what
+// is written is read back.
 #include "geometry/outline/tps_file.h"
 #include "tests/geometry/outline/outline_files.h"
 
@@ -11,14 +12,19 @@ const std::string square_points = "POINTS=4\n0 0\n10 0\n10 10\n0 10\n";
 
 class TpsFile : public ::testing::Test {
  protected:
-  Shape<2> read(const std::string& text, const std::string& part = "") const { return read_outline(folder_.write("wings.tps", text) + part); }
-  std::string error(const std::string& text, const std::string& part = "") const { return input_error_of([&] { read(text, part); }); }
+  Shape<2> read(const std::string& text, const std::string& part = "") const {
+    return read_outline(folder_.write("wings.tps", text) + part);
+  }
+  std::string error(const std::string& text, const std::string& part = "") const {
+    return input_error_of([&] { read(text, part); });
+  }
   TempFolder folder_;
 };
 
 TEST_F(TpsFile, OutlinesOfASpecimenTimesItsScale) {
-  const std::string two = "LM=2\r\n1 2\r\n3 4\r\nOUTLINES=1\r\n" + square_points + "IMAGE=a wing.jpg\r\nID=a\r\nSCALE=0.5\r\n" +
-                          "LM=0\nCURVES=0\nOUTLINES=2\n" + square_points + "POINTS=3\n4 4\n5 4\n4 5\nIMAGE=C:\\b.jpg\nID=7\nVARIABLES=x,y\n";
+  const std::string two = "LM=2\r\n1 2\r\n3 4\r\nOUTLINES=1\r\n" + square_points +
+                          "IMAGE=a wing.jpg\r\nID=a\r\nSCALE=0.5\r\n" + "LM=0\nCURVES=0\nOUTLINES=2\n" + square_points +
+                          "POINTS=3\n4 4\n5 4\n4 5\nIMAGE=C:\\b.jpg\nID=7\nVARIABLES=x,y\n";
   const Shape<2> a = read(two, ":a"), b = read(two, ":7");
   EXPECT_EQ(ring(a), (Points{{0, 0}, {5, 0}, {5, 5}, {0, 5}}));
   EXPECT_TRUE(has_note(a, "coordinates multiplied by SCALE=0.5"));
@@ -34,14 +40,16 @@ TEST_F(TpsFile, OutlinesOfASpecimenTimesItsScale) {
 }
 
 TEST_F(TpsFile, CurvesThatMeetAreOneOutline) {
-  const std::string parts = "LM=0\nCURVES=3\nPOINTS=3\n0 0\n10 0\n10 10\nPOINTS=2\n0 0\n0 5\nPOINTS=3\n10 10\n0 10\n0 5\nID=a\n";
+  const std::string parts =
+      "LM=0\nCURVES=3\nPOINTS=3\n0 0\n10 0\n10 10\nPOINTS=2\n0 0\n0 5\nPOINTS=3\n10 10\n0 10\n0 5\nID=a\n";
   const Shape<2> shape = read(parts);
   EXPECT_EQ(shape.original.polygons.size(), 1u);
   EXPECT_DOUBLE_EQ(area(shape.surface), 100);
   EXPECT_TRUE(has_note(shape, "3 curves joined where they meet"));
   EXPECT_FALSE(has_note(shape, "open path"));
   // In the middle of the chain is begun.
-  EXPECT_DOUBLE_EQ(area(read("CURVES=3\nPOINTS=2\n10 0\n10 10\nPOINTS=2\n0 0\n10 0\nPOINTS=2\n10 10\n0 10\n").surface), 100);
+  EXPECT_DOUBLE_EQ(area(read("CURVES=3\nPOINTS=2\n10 0\n10 10\nPOINTS=2\n0 0\n10 0\nPOINTS=2\n10 10\n0 10\n").surface),
+                   100);
   const Shape<2> open = read("CURVES=1\n" + square_points);
   EXPECT_TRUE(has_note(open, "1 open path closed by a line"));
   EXPECT_DOUBLE_EQ(area(open.surface), 100);
@@ -89,8 +97,10 @@ TEST_F(TpsFile, LandmarksAloneArePointsAndNoOutline) {
   const OriginalShape<2> points = read_points_or_outline_2d(folder_.path("wings.tps"), &notes);
   EXPECT_EQ(points.vertices, (Points{{2, 4}, {6, 8}}));
   EXPECT_EQ(points.attributes.at(0).texts, (std::vector<std::string>{"1", "3"}));
-  EXPECT_EQ(notes, (std::vector<std::string>{"1 landmark without position left out", "coordinates multiplied by SCALE=2"}));
-  const OriginalShape<3> space = read_points_or_mesh_3d(folder_.write("b.tps", "LM3=1\n1 2 3\nID=a\nLM3=1\n4 5 6\nID=b\nCOMMENT=SPACE=RAS\n") + ":b");
+  EXPECT_EQ(notes,
+            (std::vector<std::string>{"1 landmark without position left out", "coordinates multiplied by SCALE=2"}));
+  const OriginalShape<3> space = read_points_or_mesh_3d(
+      folder_.write("b.tps", "LM3=1\n1 2 3\nID=a\nLM3=1\n4 5 6\nID=b\nCOMMENT=SPACE=RAS\n") + ":b");
   EXPECT_EQ(space.vertices.at(0), Vec<3>(4, 5, 6));
   EXPECT_EQ(space.space, Space::ras);
 }

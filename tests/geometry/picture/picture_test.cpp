@@ -1,4 +1,5 @@
-// Pictures: the same shape from every format, which of their pixels are the shape, what is chosen by name, the refusals.
+// Pictures: the same shape from every format, which of their pixels are the shape, what is chosen by name, the
+// refusals.
 #include "geometry/io/read_shape.h"
 #include "tests/geometry/io/files.h"
 #include "tests/support/picture_files.h"
@@ -21,7 +22,9 @@ int label(int column, int row) {
   return std::hypot(column + 0.5 - 44, row + 0.5 - 30) < 7 ? 2 : 0;
 }
 PixelValue labels(std::uint32_t one, std::uint32_t two, std::uint32_t background = 0) {
-  return [=](int column, int row) { return std::array{background, one, two}[static_cast<std::size_t>(label(column, row))]; };
+  return [=](int column, int row) {
+    return std::array{background, one, two}[static_cast<std::size_t>(label(column, row))];
+  };
 }
 
 class Pictures : public ::testing::Test {
@@ -35,7 +38,8 @@ class Pictures : public ::testing::Test {
     return input_error_of([&] { read(name, bytes, choice); });
   }
   // Both discs, the first, the second.
-  const std::array<Shape<2>, 3> expected_{read("a.png", png_bytes(width, height, 8, labels(255, 255))), read("a.png", png_bytes(width, height, 8, labels(255, 0))),
+  const std::array<Shape<2>, 3> expected_{read("a.png", png_bytes(width, height, 8, labels(255, 255))),
+                                          read("a.png", png_bytes(width, height, 8, labels(255, 0))),
                                           read("a.png", png_bytes(width, height, 8, labels(0, 255)))};
 
   void expect_same(const Shape<2>& shape, int which, const std::string& what) const {
@@ -52,21 +56,29 @@ class Pictures : public ::testing::Test {
   }
 };
 
-TEST_F(Pictures, TheAreaIsThatOfTheDiscs) { EXPECT_NEAR(area(expected_[0].surface), std::numbers::pi * (144 + 49), 12); }
+TEST_F(Pictures, TheAreaIsThatOfTheDiscs) {
+  EXPECT_NEAR(area(expected_[0].surface), std::numbers::pi * (144 + 49), 12);
+}
 
 TEST_F(Pictures, LabelsOfEveryFormatAreTheirValues) {
   expect_labels("a.png", png_bytes(width, height, 8, labels(1, 2)), 1, 2);
   expect_labels("a.png", png_bytes(width, height, 16, labels(1, 300)), 1, 300);
   expect_labels("a.png", png_bytes(width, height, 16, labels(600, 60000)), 600, 60000);
   // A dark red and a bright green; the background white: of a palette the index counts.
-  expect_labels("a.png", png_bytes(width, height, 8, labels(1, 2), "\xff\xff\xff\x50" + std::string(2, '\0') + std::string("\0\xff\0", 3)), 1, 2);
+  expect_labels(
+      "a.png",
+      png_bytes(width, height, 8, labels(1, 2), "\xff\xff\xff\x50" + std::string(2, '\0') + std::string("\0\xff\0", 3)),
+      1, 2);
   expect_labels("a.tif", tiff_bytes(width, height, 8, labels(1, 2)), 1, 2);
   expect_labels("a.TIFF", tiff_bytes(width, height, 16, labels(1, 300)), 1, 300);
   expect_labels("a.tif", tiff_bytes(width, height, 32, labels(7, 70000)), 7, 70000);
   expect_labels("a.tif", tiff_bytes(width, height, 16, labels(7, 700), 2), 7, 700);
   expect_labels("a.tif", tiff_bytes(width, height, 8, labels(1, 2), 1, 3), 1, 2);
   expect_labels("a.tif", tiff_bytes(width, height, 16, labels(1, 300), 1, 1, 16), 1, 300);
-  expect_labels("a.tif", tiff_bytes(width, height, 32, labels(std::bit_cast<std::uint32_t>(1.0f), std::bit_cast<std::uint32_t>(2.0f)), 3), 1, 2);
+  expect_labels(
+      "a.tif",
+      tiff_bytes(width, height, 32, labels(std::bit_cast<std::uint32_t>(1.0f), std::bit_cast<std::uint32_t>(2.0f)), 3),
+      1, 2);
   expect_labels("a.bmp", bmp_bytes(width, height, 8, labels(1, 2)), 1, 2);
   expect_labels("a.bmp", bmp_bytes(width, height, 8, labels(1, 2), 100, true), 1, 2);
 }
@@ -83,16 +95,25 @@ TEST_F(Pictures, CompressedTilesOfTiffAndItsColours) {
   for (const bool colours : {false, true}) {
     const std::string path = folder_.path("lzw.tif");
     TIFF* const tiff = TIFFOpen(path.c_str(), "w");
-    for (const auto& [tag, value] : {std::pair{TIFFTAG_IMAGEWIDTH, width}, {TIFFTAG_IMAGELENGTH, height}, {TIFFTAG_BITSPERSAMPLE, 8},
-                                     {TIFFTAG_SAMPLESPERPIXEL, colours ? 3 : 1}, {TIFFTAG_PHOTOMETRIC, colours ? 2 : 1}, {TIFFTAG_COMPRESSION, 5},
-                                     {TIFFTAG_PLANARCONFIG, 1}, {TIFFTAG_PREDICTOR, 2}, {TIFFTAG_TILEWIDTH, 32}, {TIFFTAG_TILELENGTH, 16}})
+    for (const auto& [tag, value] : {std::pair{TIFFTAG_IMAGEWIDTH, width},
+                                     {TIFFTAG_IMAGELENGTH, height},
+                                     {TIFFTAG_BITSPERSAMPLE, 8},
+                                     {TIFFTAG_SAMPLESPERPIXEL, colours ? 3 : 1},
+                                     {TIFFTAG_PHOTOMETRIC, colours ? 2 : 1},
+                                     {TIFFTAG_COMPRESSION, 5},
+                                     {TIFFTAG_PLANARCONFIG, 1},
+                                     {TIFFTAG_PREDICTOR, 2},
+                                     {TIFFTAG_TILEWIDTH, 32},
+                                     {TIFFTAG_TILELENGTH, 16}})
       TIFFSetField(tiff, static_cast<std::uint32_t>(tag), value);
     for (int top = 0; top < height; top += 16)
       for (int left = 0; left < width; left += 32) {
         std::string tile;
         for (int row = top; row < top + 16; ++row)
           for (int column = left; column < left + 32; ++column)
-            tile += std::string(colours ? 3 : 1, static_cast<char>(row < height && column < width ? label(column, row) * (colours ? 127 : 1) : 0));
+            tile += std::string(
+                colours ? 3 : 1,
+                static_cast<char>(row < height && column < width ? label(column, row) * (colours ? 127 : 1) : 0));
         TIFFWriteTile(tiff, tile.data(), static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), 0, 0);
       }
     TIFFClose(tiff);
@@ -106,11 +127,14 @@ TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
   for (const bool dark : {false, true}) {
     std::string pixels;
     for (int row = 0; row < height; ++row)
-      for (int column = 0; column < width; ++column) pixels.push_back(static_cast<char>((label(column, row) > 0) != dark ? 230 : 20));
+      for (int column = 0; column < width; ++column)
+        pixels.push_back(static_cast<char>((label(column, row) > 0) != dark ? 230 : 20));
     const tjhandle handle = tjInitCompress();
     unsigned char* data = nullptr;
     unsigned long size = 0;
-    ASSERT_EQ(tjCompress2(handle, reinterpret_cast<const unsigned char*>(pixels.data()), width, 0, height, TJPF_GRAY, &data, &size, TJSAMP_GRAY, 90, 0), 0);
+    ASSERT_EQ(tjCompress2(handle, reinterpret_cast<const unsigned char*>(pixels.data()), width, 0, height, TJPF_GRAY,
+                          &data, &size, TJSAMP_GRAY, 90, 0),
+              0);
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     tjFree(data);
     tjDestroy(handle);
@@ -120,7 +144,8 @@ TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
     if (!dark) EXPECT_NEAR(area(read("photo.jpeg", bytes, ":>128").surface) / area(expected_[0].surface), 1, 0.03);
     else EXPECT_TRUE(contains(error("photo.jpeg", bytes, ":>128"), "touches the rim"));
     EXPECT_TRUE(contains(error("photo.jpg", bytes, ":1"), "values that its compression changed, no labels"));
-    EXPECT_TRUE(contains(error("photo.jpg", bytes.substr(0, bytes.size() / 2)), "the JPEG image is cut off or damaged"));
+    EXPECT_TRUE(
+        contains(error("photo.jpg", bytes.substr(0, bytes.size() / 2)), "the JPEG image is cut off or damaged"));
     EXPECT_TRUE(contains(error("photo.jpg", "no JPEG"), "the JPEG image is cut off or damaged"));
   }
 }
@@ -136,7 +161,8 @@ TEST_F(Pictures, TheRimShowsTheBackground) {
       return static_cast<std::uint32_t>(std::lround(255 * (dark ? 1 - inside : inside)));
     };
   };
-  const Shape<2> bright = read("a.png", png_bytes(width, height, 8, grey(false))), dark = read("a.png", png_bytes(width, height, 8, grey(true)));
+  const Shape<2> bright = read("a.png", png_bytes(width, height, 8, grey(false))),
+                 dark = read("a.png", png_bytes(width, height, 8, grey(true)));
   EXPECT_NEAR(area(bright.surface), std::numbers::pi * 144, 3);
   EXPECT_NEAR(area(dark.surface), area(bright.surface), 0.1);
   EXPECT_TRUE(has_note(bright, "a picture of shades")) << "grey along the border is no label";
@@ -144,18 +170,24 @@ TEST_F(Pictures, TheRimShowsTheBackground) {
 
 TEST_F(Pictures, ShadesAreNoLabels) {
   // A soft spot: every shade fills 2 x 2 pixels somewhere.
-  const Shape<2> spot = read("a.png", png_bytes(300, 300, 8, [](int column, int row) {
-                               return static_cast<std::uint32_t>(std::max(0.0, 255 * (1 - std::hypot(column - 150, row - 150) / 140)));
-                             }));
+  const Shape<2> spot =
+      read("a.png", png_bytes(300, 300, 8, [](int column, int row) {
+             return static_cast<std::uint32_t>(std::max(0.0, 255 * (1 - std::hypot(column - 150, row - 150) / 140)));
+           }));
   EXPECT_NEAR(area(spot.surface), std::numbers::pi * 70 * 70, 300);
-  EXPECT_TRUE(contains(error("a.png", png_bytes(width, height, 16, [](int column, int row) {
-                               return static_cast<std::uint32_t>(label(column, row) > 0 ? 200 + 3 * column + row : 10 + column % 3);
-                             })), "choose a threshold, as in"));
+  EXPECT_TRUE(contains(error("a.png", png_bytes(width, height, 16,
+                                                [](int column, int row) {
+                                                  return static_cast<std::uint32_t>(label(column, row) > 0
+                                                                                        ? 200 + 3 * column + row
+                                                                                        : 10 + column % 3);
+                                                })),
+                       "choose a threshold, as in"));
 }
 
 TEST_F(Pictures, Refusals) {
   const std::string labelled = png_bytes(width, height, 8, labels(1, 2));
-  EXPECT_TRUE(contains(error("a.png", labelled, ":5"), "no pixel is in the shape (label 5); the values are from 0 to 2: 0, 1, 2"));
+  EXPECT_TRUE(contains(error("a.png", labelled, ":5"),
+                       "no pixel is in the shape (label 5); the values are from 0 to 2: 0, 1, 2"));
   EXPECT_TRUE(contains(error("a.png", labelled, ":>-1"), "every pixel is in the shape"));
   EXPECT_TRUE(contains(error("a.png", labelled, ":kidney"), "names no labels; write whole numbers"));
   EXPECT_TRUE(contains(error("a.png", labelled, ":>x"), "is no threshold"));

@@ -30,8 +30,9 @@ vtkSmartPointer<vtkPolyData> triangle(const std::vector<std::string>& names) {
   cells->InsertNextCell(3, corners.data());
   data->SetPoints(points);
   data->SetPolys(cells);
-  const std::array<vtkSmartPointer<vtkDataArray>, 3> arrays{
-      vtkSmartPointer<vtkIdTypeArray>::New(), vtkSmartPointer<vtkSignedCharArray>::New(), vtkSmartPointer<vtkIntArray>::New()};
+  const std::array<vtkSmartPointer<vtkDataArray>, 3> arrays{vtkSmartPointer<vtkIdTypeArray>::New(),
+                                                            vtkSmartPointer<vtkSignedCharArray>::New(),
+                                                            vtkSmartPointer<vtkIntArray>::New()};
   for (std::size_t k = 0; k < arrays.size(); ++k) {
     arrays[k]->SetName(names[k].c_str());
     for (const double value : {-7.0, 0.0, 100.0}) arrays[k]->InsertNextTuple1(value + static_cast<double>(k));
@@ -42,7 +43,8 @@ vtkSmartPointer<vtkPolyData> triangle(const std::vector<std::string>& names) {
 }
 
 TEST(PolyDataLegacyArrays, OfTypesAndNamesThatVtkWrites) {
-  for (const std::vector<std::string>& names : {std::vector<std::string>{"a", "b", "c"}, {"Mean Curvature", "100 %, or \"all\"", "%20"}})
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"a", "b", "c"}, {"Mean Curvature", "100 %, or \"all\"", "%20"}})
     for (const bool is_binary : {false, true}) {
       vtkNew<vtkPolyDataWriter> writer;
       writer->SetInputData(triangle(names));
@@ -77,11 +79,13 @@ TEST(PolyDataLegacyArrays, KeepTheirNamesAndTypes) {
 
 // What is no code stays as it is.
 TEST(PolyDataLegacyArrays, NamesWithAPercentSign) {
-  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nSCALARS ";
+  const std::string head =
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nSCALARS ";
   for (const auto& [written, name] :
        {std::pair{"50%", "50%"}, {"50%2", "50%2"}, {"%zz", "%zz"}, {"%2", "%2"}, {"a%25b", "a%b"}, {"%-1", "%-1"}}) {
     std::vector<std::string> notes;
-    const OriginalShape<3> shape = read_legacy_vtk("a.vtk", head + written + " float\nLOOKUP_TABLE default\n1\n", notes);
+    const OriginalShape<3> shape =
+        read_legacy_vtk("a.vtk", head + written + " float\nLOOKUP_TABLE default\n1\n", notes);
     ASSERT_EQ(shape.attributes.size(), 1u);
     EXPECT_EQ(shape.attributes[0].name, name);
   }

@@ -1,4 +1,5 @@
-// VTK's formats of polygonal data: what VTK itself writes is read, what is written VTK reads, and damage is said in one line.
+// VTK's formats of polygonal data: what VTK itself writes is read, what is written VTK reads, and damage is said in one
+// line.
 
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
@@ -36,9 +37,11 @@ using testing::cube;
 using testing::has_note;
 using testing::TempFolder;
 
-OriginalShape<3> read_bytes(const std::string& name, const std::string& bytes, std::vector<std::string>* notes = nullptr) {
+OriginalShape<3> read_bytes(const std::string& name, const std::string& bytes,
+                            std::vector<std::string>* notes = nullptr) {
   std::vector<std::string> own;
-  return name.ends_with(".vtk") ? read_legacy_vtk(name, bytes, notes ? *notes : own) : read_vtp(name, bytes, notes ? *notes : own);
+  return name.ends_with(".vtk") ? read_legacy_vtk(name, bytes, notes ? *notes : own)
+                                : read_vtp(name, bytes, notes ? *notes : own);
 }
 
 /// The cube with point data of several types, cell data, normals and texts, a strip in place of two quads, and a line.
@@ -85,7 +88,8 @@ vtkSmartPointer<vtkPolyData> full_cube() {
     ids->InsertNextValue(1000000000000 + i);
     texts->InsertNextValue(i == 3 ? "a b\nc" : std::string(static_cast<std::size_t>(i * 30), 'x'));
   }
-  for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{thickness, texts, velocity, colours, ids}) data->GetPointData()->AddArray(array);
+  for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{thickness, texts, velocity, colours, ids})
+    data->GetPointData()->AddArray(array);
   data->GetPointData()->SetNormals(normals);
   vtkNew<vtkFloatArray> of_cells;
   of_cells->SetName("of_cells");
@@ -97,15 +101,15 @@ vtkSmartPointer<vtkPolyData> full_cube() {
 void expect_full_cube(const OriginalShape<3>& shape, const std::vector<std::string>& notes) {
   ASSERT_EQ(shape.vertices.size(), 8u);
   EXPECT_LT((shape.vertices[6] - Vec<3>(0, 1, 1 + 1.0 / 3)).norm(), 1e-5);  // text has six digits
-  ASSERT_EQ(shape.polygons.size(), 8u);  // 4 quads, 4 triangles of the strips
+  ASSERT_EQ(shape.polygons.size(), 8u);                                     // 4 quads, 4 triangles of the strips
   EXPECT_EQ(shape.polygons[0], (std::vector<Index>{0, 2, 3, 1}));
   EXPECT_EQ(shape.polygons[4], (std::vector<Index>{6, 2, 4}));
   EXPECT_EQ(shape.polygons[5], (std::vector<Index>{4, 2, 0}));
   std::vector<std::string> names;
   for (const VertexAttribute& a : shape.attributes) names.push_back(a.name + " " + a.type);
   std::ranges::sort(names);
-  EXPECT_EQ(names, (std::vector<std::string>{"blue uchar", "green uchar", "ids int64", "red uchar", "thickness float", "velocity_0 double",
-                                             "velocity_1 double", "velocity_2 double"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"blue uchar", "green uchar", "ids int64", "red uchar", "thickness float",
+                                             "velocity_0 double", "velocity_1 double", "velocity_2 double"}));
   for (const VertexAttribute& a : shape.attributes) ASSERT_EQ(a.values.size(), 8u);
   const auto value = [&](const std::string& name, std::size_t v) {
     const auto at = std::ranges::find(shape.attributes, name, &VertexAttribute::name);
@@ -175,15 +179,22 @@ TEST(PolyDataFiles, XmlFilesThatVtkWritesAreRead) {
           }
   writer->SetCompressorTypeToLZ4();
   writer->Write();
-  expect_input_error([&] { read_bytes("a.vtp", writer->GetOutputString()); }, {"a.vtp", "vtkLZ4DataCompressor", "zlib"});
+  expect_input_error([&] { read_bytes("a.vtp", writer->GetOutputString()); },
+                     {"a.vtp", "vtkLZ4DataCompressor", "zlib"});
 }
 
 OriginalShape<3> coloured_cube() {
   OriginalShape<3> shape = cube();
   for (Vec<3>& x : shape.vertices) x.x() += 1.0 / 3;
   shape.space = Space::ras;
-  for (const auto& [name, type] : {std::pair{"v_0", "float"}, {"v_1", "float"}, {"label", "short"}, {"red", "uchar"}, {"green", "uchar"}, {"blue", "uchar"},
-                                   {"w_0", "double"}, {"ids", "int64"}}) {
+  for (const auto& [name, type] : {std::pair{"v_0", "float"},
+                                   {"v_1", "float"},
+                                   {"label", "short"},
+                                   {"red", "uchar"},
+                                   {"green", "uchar"},
+                                   {"blue", "uchar"},
+                                   {"w_0", "double"},
+                                   {"ids", "int64"}}) {
     VertexAttribute column{name, type, {}};
     for (int i = 0; i < 8; ++i) column.values.push_back(10 * i + static_cast<double>(shape.attributes.size()));
     shape.attributes.push_back(column);
@@ -234,21 +245,27 @@ TEST(PolyDataFiles, VtkReadsWhatIsWritten) {
 }
 
 TEST(PolyDataFiles, UnstructuredGridsOfPolygonsAreSurfaces) {
-  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n";
-  const OriginalShape<3> shape = read_bytes("a.vtk", head + "CELLS 3 13\n3 0 1 2\n4 0 1 2 3\n3 1 3 2\nCELL_TYPES 3\n5 8 7\n");
+  const std::string head =
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n";
+  const OriginalShape<3> shape =
+      read_bytes("a.vtk", head + "CELLS 3 13\n3 0 1 2\n4 0 1 2 3\n3 1 3 2\nCELL_TYPES 3\n5 8 7\n");
   EXPECT_EQ(shape.polygons, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 1, 3, 2}, {1, 3, 2}}));
-  expect_input_error([&] { read_bytes("a.vtk", head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"); }, {"a.vtk", "type 10", "Extract Surface"});
-  expect_input_error([&] { read_bytes("a.vtk", head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 2\n5 5\n"); }, {"1 cells, but 2 types"});
+  expect_input_error([&] { read_bytes("a.vtk", head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"); },
+                     {"a.vtk", "type 10", "Extract Surface"});
+  expect_input_error([&] { read_bytes("a.vtk", head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 2\n5 5\n"); },
+                     {"1 cells, but 2 types"});
 }
 
 TEST(PolyDataFiles, DamagedLegacyFilesAreRefusedInOneLine) {
-  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n", points = head + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
+  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\n",
+                    points = head + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
   const auto refused = [](const std::string& text, std::initializer_list<std::string> parts) {
     SCOPED_TRACE(text.substr(0, 200));
     expect_input_error([&] { read_bytes("a.vtk", text); }, parts);
   };
   refused("solid a", {"a.vtk", "starts with '# vtk DataFile Version'"});
-  refused("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n", {"line 4", "STRUCTURED_POINTS", "POLYDATA"});
+  refused("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n",
+          {"line 4", "STRUCTURED_POINTS", "POLYDATA"});
   refused(head, {"no points in it"});
   refused(head + "POINTS 1000000000000 float\n0 0 0", {"1000000000000 points are more"});
   refused(head + "POINTS 1000000 float\n0 0 0", {"line 5", "cut off", "do not fit"});
@@ -262,8 +279,10 @@ TEST(PolyDataFiles, DamagedLegacyFilesAreRefusedInOneLine) {
   refused(points + "POLYGONS 1 4\n9 0 1 2\n", {"cell 0 has 9 corners"});
   refused(points + "POLYGONS 1 5\n3 0 1 2 7\n", {"take 4 of the 5"});
   refused(points + "POLYGONS 99999999999 4\n3 0 1 2\n", {"cell 1 has -1 corners"});
-  refused(points + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2\n", {"a cell ends at 4 of 3 corners"});
-  refused(points + "POLYGONS 3 3\nOFFSETS vtktypeint64\n0 3 2\nCONNECTIVITY vtktypeint64\n0 1 2\n", {"a cell ends at 2"});
+  refused(points + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2\n",
+          {"a cell ends at 4 of 3 corners"});
+  refused(points + "POLYGONS 3 3\nOFFSETS vtktypeint64\n0 3 2\nCONNECTIVITY vtktypeint64\n0 1 2\n",
+          {"a cell ends at 2"});
   refused(points + "POINT_DATA 4\n", {"POINT_DATA of 4 points, but there are 3"});
   refused(points + "POINT_DATA 3\nSCALARS a float 99999\nLOOKUP_TABLE default\n1", {"99999 components"});
   refused(points + "POINT_DATA 3\nFIELD f 1\na 1 4 float\n1 2 3 4\n", {"'a' has 4 tuples, but there are 3 points"});
@@ -276,8 +295,10 @@ TEST(PolyDataFiles, DamagedLegacyFilesAreRefusedInOneLine) {
 
 TEST(PolyDataFiles, FilesWithoutFacesSayWhatTheyHold) {
   TempFolder folder;
-  const std::string head = "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
-  for (const std::string& cells : {std::string("LINES 1 4\n3 0 1 2\n"), std::string("VERTICES 1 2\n1 0\n"), std::string()}) {
+  const std::string head =
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
+  for (const std::string& cells :
+       {std::string("LINES 1 4\n3 0 1 2\n"), std::string("VERTICES 1 2\n1 0\n"), std::string()}) {
     const std::string path = folder.write("a.vtk", head + cells);
     expect_input_error([&] { read_mesh(path); }, {"a.vtk", "no faces, only 3 vertices"});
     EXPECT_EQ(read_points_or_mesh_3d(path).vertices.size(), 3u);
@@ -289,12 +310,16 @@ std::string vtp(const std::string& inside, const std::string& root = "type=\"Pol
 }
 
 TEST(PolyDataFiles, DamagedXmlFilesAreRefusedInOneLine) {
-  const std::string points = "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points>";
+  const std::string points =
+      "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 "
+      "0</DataArray></Points>";
   const auto polys = [](const std::string& corners, const std::string& ends) {
-    return "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" + corners + "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" +
-           ends + "</DataArray></Polys>";
+    return "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" + corners +
+           "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" + ends + "</DataArray></Polys>";
   };
-  const auto piece = [](const std::string& inside, const std::string& n = "3") { return vtp("<Piece NumberOfPoints=\"" + n + "\" NumberOfPolys=\"1\">" + inside + "</Piece>"); };
+  const auto piece = [](const std::string& inside, const std::string& n = "3") {
+    return vtp("<Piece NumberOfPoints=\"" + n + "\" NumberOfPolys=\"1\">" + inside + "</Piece>");
+  };
   const auto refused = [](const std::string& text, std::initializer_list<std::string> parts) {
     SCOPED_TRACE(text);
     expect_input_error([&] { read_bytes("a.vtp", text); }, parts);
@@ -313,16 +338,23 @@ TEST(PolyDataFiles, DamagedXmlFilesAreRefusedInOneLine) {
   refused(piece(points + polys("0 1 2", "1e300")), {"the offsets of Polys"});
   refused(piece(points + polys("0 1 2", "-1")), {"the offsets of Polys"});
   refused(piece(points + polys("0 1 x", "3")), {"'connectivity'", "'x' is no number"});
-  std::string appended = piece("<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>");
+  std::string appended =
+      piece("<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>");
   refused(appended, {"appended is missing"});
-  appended.insert(appended.find("</VTKFile>"), "<AppendedData encoding=\"raw\">_" + std::string("\x48\0\0\0", 4) + std::string(70, '\0') + "</AppendedData>");
-  EXPECT_NO_THROW(read_bytes("a.vtp", vtp("<Piece NumberOfPoints=\"0\"/><Piece NumberOfPoints=\"3\">" + points + "</Piece>")));
+  appended.insert(appended.find("</VTKFile>"), "<AppendedData encoding=\"raw\">_" + std::string("\x48\0\0\0", 4) +
+                                                   std::string(70, '\0') + "</AppendedData>");
+  EXPECT_NO_THROW(
+      read_bytes("a.vtp", vtp("<Piece NumberOfPoints=\"0\"/><Piece NumberOfPoints=\"3\">" + points + "</Piece>")));
   refused(appended.substr(0, appended.find('_') + 20), {"cut off"});
   refused(appended, {"Polys has no array"});
   // A block that is said to expand to what no block of its size can.
-  std::string packed = piece("<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>", "10000000");
+  std::string packed =
+      piece("<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points>",
+            "10000000");
   packed.replace(packed.find("type=\"PolyData\""), 15, "type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"");
-  packed.insert(packed.find("</VTKFile>"), "<AppendedData encoding=\"raw\">_" + std::string("\1\0\0\0\0\x1c\x4e\x0e\0\0\0\0\x20\0\0\0", 16) + std::string(32, 'x') + "</AppendedData>");
+  packed.insert(packed.find("</VTKFile>"), "<AppendedData encoding=\"raw\">_" +
+                                               std::string("\1\0\0\0\0\x1c\x4e\x0e\0\0\0\0\x20\0\0\0", 16) +
+                                               std::string(32, 'x') + "</AppendedData>");
   refused(packed, {"damaged", "cut off"});
 }
 
@@ -360,7 +392,8 @@ TEST(PolyDataFiles, CutAndChangedFilesAreReadOrRefused) {
     for (std::size_t n = 0; n < bytes.size(); n += 7) attempt(bytes.substr(0, n));
     for (int k = 0; k < 2000; ++k) {
       std::string changed = bytes;
-      for (int i = 0; i < 3; ++i) changed[random() % changed.size()] = static_cast<char>(k % 2 ? random() : '0' + random() % 10);
+      for (int i = 0; i < 3; ++i)
+        changed[random() % changed.size()] = static_cast<char>(k % 2 ? random() : '0' + random() % 10);
       attempt(changed);
     }
   }

@@ -50,7 +50,8 @@ double area_of(const Surface<3>& surface) {
 
 TEST(CloseSurface, ClosedOnesStayAsTheyAre) {
   std::vector<std::string> notes, strict_notes;
-  const MendedSurface ball = mended(unit_sphere(3), notes), strict = mended(unit_sphere(3), strict_notes, Closing::never);
+  const MendedSurface ball = mended(unit_sphere(3), notes),
+                      strict = mended(unit_sphere(3), strict_notes, Closing::never);
   EXPECT_EQ(ball.surface.facets, strict.surface.facets);
   EXPECT_EQ(ball.invented_share, 0);
   EXPECT_TRUE(ball.evidence.is_complete());
@@ -63,7 +64,8 @@ TEST(CloseSurface, AHoleIsFilledFlatAndSaid) {
   std::vector<std::string> notes;
   const MendedSurface ball = mended(open, notes);
   // Ball and cap without the slice above; area of the disc over that of both.
-  const double pi = std::acos(-1.0), cap = pi / 3 * (1 - height) * (1 - height) * (2 + height), disc = pi * (1 - height * height);
+  const double pi = std::acos(-1.0), cap = pi / 3 * (1 - height) * (1 - height) * (2 + height),
+               disc = pi * (1 - height * height);
   EXPECT_NEAR(enclosed_measure(ball.surface), 4 * pi / 3 - cap, 0.05);
   EXPECT_NEAR(ball.invented_share, disc / (disc + 2 * pi * (1 + height)), 0.01);
   EXPECT_TRUE(has_note(notes, "1 hole filled with ")) << notes.back();
@@ -74,12 +76,14 @@ TEST(CloseSurface, AHoleIsFilledFlatAndSaid) {
   for (const Vec<3>& x : ball.evidence.unobserved.vertices) EXPECT_NEAR(x.z(), height, 0.06);
   // What was there keeps its triangles.
   for (std::size_t f = 0; f < 3; ++f)
-    for (int k = 0; k < 3; ++k) EXPECT_EQ(ball.surface.vertices[ball.surface.facets[f][k]], open.vertices[open.facets[f][k]]);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(ball.surface.vertices[ball.surface.facets[f][k]], open.vertices[open.facets[f][k]]);
 }
 
 TEST(CloseSurface, StrictRefusesIt) {
   std::vector<std::string> notes;
-  expect_input_error([&] { mended(cut_at(unit_sphere(3), 0.5), notes, Closing::never); }, {"thing", "the surface is open", "1 loop"});
+  expect_input_error([&] { mended(cut_at(unit_sphere(3), 0.5), notes, Closing::never); },
+                     {"thing", "the surface is open", "1 loop"});
 }
 
 TEST(CloseSurface, TwoBoxesThatShareAnEdgeAreTakenApart) {
@@ -129,7 +133,8 @@ TEST(CloseSurface, WhatAWrapBridgesIsInvented) {
   std::vector<std::string> notes;
   const MendedSurface wrap = mended(soup, notes);
   EXPECT_NEAR(area_of(wrap.evidence.observed) / area_of(unit_sphere(4)), 0.36, 1e-12);
-  // Triangles have an inscribed radius of 0.0217, and the wrap counts as theirs up to 0.0042 beside them: 1 - (0.6 + 0.19)^2.
+  // Triangles have an inscribed radius of 0.0217, and the wrap counts as theirs up to 0.0042 beside them: 1 - (0.6 +
+  // 0.19)^2.
   EXPECT_NEAR(wrap.invented_share, 0.38, 0.08);
   EXPECT_NEAR(area_of(wrap.evidence.unobserved) / area_of(wrap.surface), wrap.invented_share, 1e-12);
 }
@@ -176,7 +181,8 @@ TEST(CloseSurface, AHoleOfThousandsOfEdgesIsFilled) {
   constexpr Index n = 2400;
   Surface<3> cup;
   for (const double z : {0.0, 3.0})
-    for (Index k = 0; k < n; ++k) cup.vertices.emplace_back(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n), z);
+    for (Index k = 0; k < n; ++k)
+      cup.vertices.emplace_back(std::cos(2 * std::numbers::pi * k / n), std::sin(2 * std::numbers::pi * k / n), z);
   cup.vertices.emplace_back(0, 0, 0);
   for (Index k = 0; k < n; ++k) {
     const Index next = (k + 1) % n;

@@ -1,4 +1,5 @@
-// Triangles without area, cracks without width and edges of more than two triangles: what scans have that were decimated and rounded.
+// Triangles without area, cracks without width and edges of more than two triangles: what scans have that were
+// decimated and rounded.
 #include "geometry/repair/flat_triangles.h"
 #include "geometry/repair/repair.h"
 #include "geometry/repair/stitch_cracks.h"
@@ -39,7 +40,8 @@ Mended mended(const Surface<3>& surface, Closing closing = Closing::automatic) {
   return result;
 }
 
-// A sphere with bumps and noise, its vertices rounded to a grid that does not know single precision; equal ones are one.
+// A sphere with bumps and noise, its vertices rounded to a grid that does not know single precision; equal ones are
+// one.
 Surface<3> snapped_sphere(int trial, double cell) {
   const double phase = trial;
   std::mt19937 random(static_cast<unsigned>(trial));
@@ -48,10 +50,13 @@ Surface<3> snapped_sphere(int trial, double cell) {
   std::map<std::array<long, 3>, Index> number;
   std::vector<Index> vertex;
   for (const Vec<3>& x : fine.vertices) {
-    const Vec<3> y = (1 + 0.2 * std::sin(5 * x.x() + phase) * std::cos(4 * x.y() - phase)) * (x + Vec<3>(noise(), noise(), noise()));
+    const Vec<3> y =
+        (1 + 0.2 * std::sin(5 * x.x() + phase) * std::cos(4 * x.y() - phase)) * (x + Vec<3>(noise(), noise(), noise()));
     const std::array<long, 3> grid{std::lround(y.x() / cell), std::lround(y.y() / cell), std::lround(y.z() / cell)};
     const auto [at, is_new] = number.emplace(grid, static_cast<Index>(surface.vertices.size()));
-    if (is_new) surface.vertices.push_back(cell * Vec<3>(Eigen::Map<const Eigen::Matrix<long, 3, 1>>(grid.data()).cast<double>()));
+    if (is_new)
+      surface.vertices.push_back(cell *
+                                 Vec<3>(Eigen::Map<const Eigen::Matrix<long, 3, 1>>(grid.data()).cast<double>()));
     vertex.push_back(at->second);
   }
   for (auto facet : fine.facets) {
@@ -67,7 +72,8 @@ TEST(FlatTriangles, OfRoundedScansAreTakenApart) {
     const double height = negligible_length(rounded.vertices);
     EXPECT_GT(flat_triangles(rounded, height).size(), 10u) << trial;
     const Mended result = mended(rounded);
-    EXPECT_NEAR(enclosed_measure(result.surface), enclosed_measure(rounded), 0.005 * enclosed_measure(rounded)) << trial;
+    EXPECT_NEAR(enclosed_measure(result.surface), enclosed_measure(rounded), 0.005 * enclosed_measure(rounded))
+        << trial;
     EXPECT_TRUE(flat_triangles(result.surface, 0).empty()) << trial;
     EXPECT_FALSE(result.has_note("wrapped")) << trial;
     EXPECT_LT(result.invented_share, 0.01) << trial;
@@ -83,7 +89,8 @@ TEST(FlatTriangles, CracksThatTheyLeaveBehindAreStitched) {
     for (std::size_t f = 0; f < is_flat.size(); ++f)
       if (!is_flat[f]) cracked.facets.push_back(rounded.facets[f]);
     const Mended result = mended(cracked);
-    EXPECT_NEAR(enclosed_measure(result.surface), enclosed_measure(rounded), 0.005 * enclosed_measure(rounded)) << trial;
+    EXPECT_NEAR(enclosed_measure(result.surface), enclosed_measure(rounded), 0.005 * enclosed_measure(rounded))
+        << trial;
     EXPECT_FALSE(result.has_note("wrapped")) << trial;
     EXPECT_LT(result.invented_share, 0.01) << trial;
   }
@@ -101,7 +108,7 @@ TEST(FlatTriangles, TwoThatShareTheirLongestEdge) {
   Surface<3> surface = box({0, 0, 0}, {1, 1, 1});
   const auto n = static_cast<Index>(surface.vertices.size());
   const auto [a, b, c] = surface.facets[0];
-  const Vec<3> &x = surface.vertices[a], &y = surface.vertices[b];
+  const Vec<3>&x = surface.vertices[a], &y = surface.vertices[b];
   surface.vertices.insert(surface.vertices.end(), {0.75 * x + 0.25 * y, 0.25 * x + 0.75 * y});
   // a -> b is replaced by a -> n + 1 -> b in the first facet, and two flat ones close what that opens.
   surface.facets[0] = {a, n + 1, c};
@@ -128,10 +135,13 @@ TEST(TakeApart, BoxesThatShareAnEdgeAreTwoBoxes) {
 TEST(StitchCracks, BordersWhoseVerticesDiffer) {
   // The lid of a box by itself, its sides divided elsewhere.
   Surface<3> surface = box({0, 0, 0}, {1, 1, 1});
-  std::erase_if(surface.facets, [&](const auto& f) { return std::ranges::all_of(f, [&](Index v) { return surface.vertices[v].z() == 1; }); });
+  std::erase_if(surface.facets, [&](const auto& f) {
+    return std::ranges::all_of(f, [&](Index v) { return surface.vertices[v].z() == 1; });
+  });
   ASSERT_EQ(surface.facets.size(), 10u);
   const auto n = static_cast<Index>(surface.vertices.size());
-  surface.vertices.insert(surface.vertices.end(), {{0, 0, 1}, {0.3, 0, 1}, {1, 0, 1}, {1, 0.6, 1}, {1, 0.7, 1}, {1, 1, 1}, {0, 1, 1}});
+  surface.vertices.insert(surface.vertices.end(),
+                          {{0, 0, 1}, {0.3, 0, 1}, {1, 0, 1}, {1, 0.6, 1}, {1, 0.7, 1}, {1, 1, 1}, {0, 1, 1}});
   for (Index k = 1; k < 6; ++k) surface.facets.push_back({n, n + k, n + k + 1});
   std::erase_if(surface.facets, [&](const auto& f) { return f[0] == n && f[1] == n + 1; });  // flat
   const Mended result = mended(surface);
@@ -162,7 +172,8 @@ TEST(Precision, FarFromTheOriginItIsUsedUpAndSaid) {
   for (Vec<3>& x : exact.vertices) x = 5 * x + Vec<3>(2e7 + 0.1, -1e7, 3e6);
   EXPECT_FALSE(mended(exact).has_note("single precision"));
   exact.facets.pop_back();
-  EXPECT_TRUE(contains(input_error_of([&] { mend_surface(original_of(exact), "thing", notes, Closing::never); }), "one from (2000000"));
+  EXPECT_TRUE(contains(input_error_of([&] { mend_surface(original_of(exact), "thing", notes, Closing::never); }),
+                       "one from (2000000"));
 }
 
 }  // namespace

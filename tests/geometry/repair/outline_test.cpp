@@ -25,12 +25,11 @@ std::string square(double corner, double side, bool clockwise) {
 }
 
 TEST(Outline, AllLayoutsReadTheSame) {
-  for (const std::string text :
-       {"0,0\n2,0\n2,1\n0,1\n", "x,y\n0, 0\n2, 0\n2, 1\n0, 1\n", "0\t0\r\n2\t0\r\n2\t1\r\n0\t1",
-        "# c\n0;0\n2;0 # d\n#\n2;1\n0;1\n\n\n", "\n\n  0   0\n  2.0 0\n 2e0 1\n +0 1\n 0 0\n",
-        "\"Y\";\"X\"\n0;0\n0;2\n1;2\n1;0\n",
-        "\xEF\xBB\xBF"
-        "0 0\n2 0\n2 1\n0 1\n"}) {
+  for (const std::string text : {"0,0\n2,0\n2,1\n0,1\n", "x,y\n0, 0\n2, 0\n2, 1\n0, 1\n",
+                                 "0\t0\r\n2\t0\r\n2\t1\r\n0\t1", "# c\n0;0\n2;0 # d\n#\n2;1\n0;1\n\n\n",
+                                 "\n\n  0   0\n  2.0 0\n 2e0 1\n +0 1\n 0 0\n", "\"Y\";\"X\"\n0;0\n0;2\n1;2\n1;0\n",
+                                 "\xEF\xBB\xBF"
+                                 "0 0\n2 0\n2 1\n0 1\n"}) {
     const Shape<2> shape = outline(text);
     ASSERT_EQ(shape.original.vertices.size(), 4u) << text;
     EXPECT_EQ(shape.original.vertices[1], Vec<2>(2, 0));
@@ -82,8 +81,7 @@ TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
   const Shape<2> eight = outline("0 0\n1 1\n2 0\n2 2\n1 1\n0 2\n");
   EXPECT_DOUBLE_EQ(area(eight.surface), 2);
   EXPECT_TRUE(has_note(eight, "1 loop cut off"));
-  const Shape<2> tongue =
-      outline("0 0\n4 0\n4 4\n2 4\n2 0\n1 4\n0 4\n");  // point 5 lies on the first segment
+  const Shape<2> tongue = outline("0 0\n4 0\n4 4\n2 4\n2 0\n1 4\n0 4\n");  // point 5 lies on the first segment
   EXPECT_DOUBLE_EQ(area(tongue.surface), 16 - 2);
   const Shape<2> spike = outline("0 0\n2 0\n4 0\n3 0\n2 0\n2 1\n0 1\n");
   EXPECT_DOUBLE_EQ(area(spike.surface), 2);
@@ -92,7 +90,8 @@ TEST(Outline, WhereItTouchesItselfItIsCutInTwo) {
 
 TEST(Outline, NumbersWhoseProductsVanishAreZero) {
   // A loop of the size of the smallest number beside a triangle, which would lie within it.
-  const Shape<2> shape = outline("0 5e-324\n5e-324 5e-324\n5e-324 1e-323\n0 1e-323\n5e-324 5e-324\n4 4\n-28 2\n4 -30.5\n");
+  const Shape<2> shape =
+      outline("0 5e-324\n5e-324 5e-324\n5e-324 1e-323\n0 1e-323\n5e-324 5e-324\n4 4\n-28 2\n4 -30.5\n");
   EXPECT_DOUBLE_EQ(area(shape.surface), 483);
 }
 
@@ -108,12 +107,10 @@ TEST(Outline, BadTextIsRefusedWithItsLine) {
   EXPECT_TRUE(contains(message("x,y,z\n0,0,1\n"), "line 1: there is a column z"));
   EXPECT_TRUE(contains(message("0,0\n1,\n"), "line 2: 1 column,"));
   EXPECT_TRUE(contains(message("0,,1\n"), "line 1: a column is empty"));
-  EXPECT_TRUE(
-      contains(message("0 0\n1 0\nnan 1\n"), "line 3: the point has a coordinate that is not finite"));
+  EXPECT_TRUE(contains(message("0 0\n1 0\nnan 1\n"), "line 3: the point has a coordinate that is not finite"));
   EXPECT_TRUE(contains(message("0 0\n1 0\n"), "ring 1 has only 2 different points"));
   EXPECT_TRUE(contains(message("0 0\n1 0\n2 0\n"), "no area"));
-  EXPECT_TRUE(
-      contains(message(square(0, 1, false) + "\n9 9\n"), "ring 2 has only 1 different point (point 5 on)"));
+  EXPECT_TRUE(contains(message(square(0, 1, false) + "\n9 9\n"), "ring 2 has only 1 different point (point 5 on)"));
   EXPECT_TRUE(contains(message("# nothing\n"), "no points"));
 }
 
@@ -152,7 +149,8 @@ TEST(Outline, ManyRingsMayMeetInAPointButNotAnyNumber) {
     return text;
   };
   EXPECT_EQ(outline(star(1000)).original.polygons.size(), 1000u);
-  EXPECT_TRUE(contains(input_error_of([&] { outline(star(1001)); }), "the outline passes through (0, 0) more than 1000 times"));
+  EXPECT_TRUE(
+      contains(input_error_of([&] { outline(star(1001)); }), "the outline passes through (0, 0) more than 1000 times"));
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ TEST(Repair, PartsFaceOutwardAndCavitiesInward) {
     }
 }
 
-// The vertical ray from a corner of the inner cube meets the diagonal of the outer one's top. With coordinates of 1e20 the search
-// for a better ray went on for ever.
+// The vertical ray from a corner of the inner cube meets the diagonal of the outer one's top. With coordinates of 1e20
+// the search for a better ray went on for ever.
 TEST(Repair, PartsOfAnySizeAreFoundNested) {
   for (const double side : {1e-40, 1.0, 1e20, 1e49}) {
     OriginalShape<3> shape = cube(Vec<3>::Zero(), 4 * side);
@@ -63,8 +63,8 @@ TEST(Repair, PartsOfAnySizeAreFoundNested) {
   }
 }
 
-// A tetrahedron whose corner is one of the cube's, in a vertex of its own or in the cube's; also one whose four corners are all the
-// cube's.
+// A tetrahedron whose corner is one of the cube's, in a vertex of its own or in the cube's; also one whose four corners
+// are all the cube's.
 TEST(Repair, CavitiesMayTouchTheOuterWall) {
   const std::vector<std::vector<Index>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   for (const bool is_inscribed : {false, true})
@@ -201,8 +201,16 @@ TEST(Repair, FlatTrianglesGoAndTheSurfaceStaysClosed) {
 
 // A prism whose base has three corners in one line and crosses itself: flips fold two triangles onto each other.
 TEST(Repair, TrianglesThatAreFoldedOntoEachOtherGo) {
-  const std::vector<Vec<3>> base = {{1.75, -30, -30.5}, {0, 0, 1}, {0, 13.75, 0}, {0, 4, 0}, {0, 4, 4}, {0, 2, 2}, {2.75, 2.75, -3.25},
-                                    {0, -30.5, -30.5}, {-30.5, -30.5, -30.5}, {-30.5, -30.5, -30.5}};
+  const std::vector<Vec<3>> base = {{1.75, -30, -30.5},
+                                    {0, 0, 1},
+                                    {0, 13.75, 0},
+                                    {0, 4, 0},
+                                    {0, 4, 4},
+                                    {0, 2, 2},
+                                    {2.75, 2.75, -3.25},
+                                    {0, -30.5, -30.5},
+                                    {-30.5, -30.5, -30.5},
+                                    {-30.5, -30.5, -30.5}};
   OriginalShape<3> shape;
   const auto n = static_cast<Index>(base.size());
   for (const double height : {0.0, 4.0})
@@ -228,8 +236,7 @@ TEST(Repair, RepeatedTrianglesGo) {
 TEST(Repair, OpenSurfacesAreRefusedWithTheirHoles) {
   OriginalShape<3> shape = cube();
   shape.polygons.erase(shape.polygons.begin() + 1);
-  EXPECT_TRUE(
-      contains(message(shape), "thing: the surface is open: 4 boundary edges in 1 loop, one from (0, 0, 1)"));
+  EXPECT_TRUE(contains(message(shape), "thing: the surface is open: 4 boundary edges in 1 loop, one from (0, 0, 1)"));
   shape.polygons.erase(shape.polygons.begin());
   EXPECT_TRUE(contains(message(shape), "8 boundary edges in 2 loops"));
 }

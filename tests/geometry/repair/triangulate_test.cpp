@@ -1,4 +1,5 @@
-// Triangulation of polygons with very many corners: within the polygon where it does not cross itself, and in seconds always.
+// Triangulation of polygons with very many corners: within the polygon where it does not cross itself, and in seconds
+// always.
 #include "geometry/repair/repair.h"
 #include "geometry/repair/repair_steps.h"
 #include "tests/geometry/io/files.h"
@@ -23,7 +24,8 @@ TEST(Repair, AFaceOfVeryManyCornersKeepsItsArea) {
   std::mt19937 random(1);
   double area = 0;
   for (Index v = 0; v < n; ++v) {
-    const double angle = 2 * std::numbers::pi * v / n, radius = 1 + 0.3 * std::sin(3 * angle) + 1e-6 * static_cast<double>(random() % 1000);
+    const double angle = 2 * std::numbers::pi * v / n,
+                 radius = 1 + 0.3 * std::sin(3 * angle) + 1e-6 * static_cast<double>(random() % 1000);
     shape.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     shape.polygons[0].push_back(v);
   }
@@ -50,7 +52,8 @@ TEST(Repair, AFaceThatCrossesItselfTooMuchIsNoted) {
   shape.vertices.emplace_back(0.1, 0.2, 1);
   std::vector<std::string> notes;
   mend_surface(shape, "thing", notes);
-  EXPECT_EQ(std::ranges::count(notes, "1 polygon with too many crossings of the edges split into triangles that overlap"), 1);
+  EXPECT_EQ(
+      std::ranges::count(notes, "1 polygon with too many crossings of the edges split into triangles that overlap"), 1);
 }
 
 // Nearly every corner of it would be looked at for every triangle: 20,000 corners took an hour.

@@ -33,7 +33,9 @@ TEST(FacetEdges, AreThoseOfAllTrianglesInOrder) {
   const auto in_order = [](const FacetEdge& e, const FacetEdge& f) { return key(e) < key(f); };
   std::sort(expected.begin(), expected.end(), in_order);
   std::vector<FacetEdge> found = sorted_edges(facets, 30);
-  const auto without_begin = [](const FacetEdge& e, const FacetEdge& f) { return std::tie(e.low, e.high, e.facet) < std::tie(f.low, f.high, f.facet); };
+  const auto without_begin = [](const FacetEdge& e, const FacetEdge& f) {
+    return std::tie(e.low, e.high, e.facet) < std::tie(f.low, f.high, f.facet);
+  };
   EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), without_begin));
   std::sort(found.begin(), found.end(), in_order);
   ASSERT_EQ(found.size(), expected.size());

@@ -14,7 +14,8 @@ void expect_all_pairs_once(const std::vector<Box<Dim>>& boxes, const std::string
   std::set<std::pair<std::size_t, std::size_t>> expected, found;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size(); ++j)
-      if ((boxes[i].min.array() <= boxes[j].max.array()).all() && (boxes[j].min.array() <= boxes[i].max.array()).all()) expected.emplace(i, j);
+      if ((boxes[i].min.array() <= boxes[j].max.array()).all() && (boxes[j].min.array() <= boxes[i].max.array()).all())
+        expected.emplace(i, j);
   std::size_t n_visits = 0;
   for_overlapping_boxes(boxes, [&](std::size_t i, std::size_t j) {
     ++n_visits;

@@ -13,8 +13,7 @@ TEST(SelfIntersections, EmbeddedSurfacesHaveNone) {
   EXPECT_TRUE(self_intersecting_facets(unit_sphere(4)).empty());
   EXPECT_TRUE(self_intersecting_facets(torus(0.6, 0.2, 30, 20)).empty());
   EXPECT_TRUE(self_intersecting_facets(box({0, 0, 0}, {1, 1, 1})).empty());
-  EXPECT_TRUE(
-      self_intersecting_facets(polygon(100, [](double t) { return 1 + 0.4 * std::cos(5 * t); })).empty());
+  EXPECT_TRUE(self_intersecting_facets(polygon(100, [](double t) { return 1 + 0.4 * std::cos(5 * t); })).empty());
 }
 
 TEST(SelfIntersections, OfTwoBoxesAreTheFacetsAtTheirCommonCurve) {

@@ -13,7 +13,8 @@ TEST(Space, IsNamedInAComment) {
   EXPECT_EQ(space_in_comment("3D Slicer output. SPACE=RAS"), Space::ras);
   EXPECT_EQ(space_in_comment("SPACE=LPS"), Space::lps);
   EXPECT_EQ(space_in_comment("WORKSPACE=LPS SPACE=RAS"), Space::ras);
-  for (const char* text : {"", "SPACE", "SPACE=IJK", "MYSPACE=LPS", "SPACE=LP"}) EXPECT_EQ(space_in_comment(text), Space::unsaid) << text;
+  for (const char* text : {"", "SPACE", "SPACE=IJK", "MYSPACE=LPS", "SPACE=LP"})
+    EXPECT_EQ(space_in_comment(text), Space::unsaid) << text;
 }
 
 TEST(Space, ConversionTurnsXAndYAndIsItsOwnInverse) {
@@ -31,7 +32,9 @@ TEST(Space, ConversionTurnsXAndYAndIsItsOwnInverse) {
 TEST(Space, IsFoundAtTheHeadOfMeshes) {
   EXPECT_EQ(space_of_mesh("# 3D Slicer\n# SPACE=LPS\nv 0 0 0\n"), Space::lps);
   EXPECT_EQ(space_of_mesh("OFF\n# SPACE=LPS\n1 0 0\n"), Space::lps);
-  EXPECT_EQ(space_of_mesh("ply\r\nformat ascii 1.0\r\ncomment a\r\ncomment 3D Slicer; SPACE=RAS\r\nelement vertex 0\r\n"), Space::ras);
+  EXPECT_EQ(
+      space_of_mesh("ply\r\nformat ascii 1.0\r\ncomment a\r\ncomment 3D Slicer; SPACE=RAS\r\nelement vertex 0\r\n"),
+      Space::ras);
   EXPECT_EQ(space_of_mesh("solid SPACE=LPS\nfacet\n"), Space::lps);
   EXPECT_EQ(space_of_mesh("3D Slicer output. SPACE=LPS" + std::string(60, '\0')), Space::lps);
   // What stands in the data is no comment.

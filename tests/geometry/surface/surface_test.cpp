@@ -26,8 +26,7 @@ TEST(Surface, EnclosedMeasureDoesNotCancelFarFromTheOrigin) {
 
 TEST(Surface, EnclosedMeasureOfSphereConvergesWithSecondOrder) {
   const double exact = 4 * std::numbers::pi / 3;
-  const double coarse = exact - enclosed_measure(unit_sphere(3)),
-               fine = exact - enclosed_measure(unit_sphere(4));
+  const double coarse = exact - enclosed_measure(unit_sphere(3)), fine = exact - enclosed_measure(unit_sphere(4));
   EXPECT_GT(fine, 0);
   EXPECT_NEAR(coarse / fine, 4, 0.1);
 }

@@ -18,8 +18,7 @@ Surface<3> unit_sphere(int level) {
   for (int l = 0; l < level; ++l) {
     std::map<std::pair<Index, Index>, Index> middles;
     const auto middle = [&](Index a, Index b) {
-      const auto [place, is_new] =
-          middles.try_emplace(std::minmax(a, b), static_cast<Index>(s.vertices.size()));
+      const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(s.vertices.size()));
       if (is_new) s.vertices.push_back((s.vertices[a] + s.vertices[b]).normalized());
       return place->second;
     };
@@ -92,8 +91,7 @@ std::optional<Surface<3>> data_surface(const std::string& file) {
   for (const auto& p : original.polygons)
     for (std::size_t k = 2; k < p.size(); ++k) s.facets.push_back({p[0], p[k - 1], p[k]});
   const Box<3> b = bounding_box(s.vertices);
-  return mapped<3>(std::move(s),
-                   [&](const Vec<3>& x) { return Vec<3>((x - b.min) / (b.max - b.min).maxCoeff()); });
+  return mapped<3>(std::move(s), [&](const Vec<3>& x) { return Vec<3>((x - b.min) / (b.max - b.min).maxCoeff()); });
 }
 
 }  // namespace shellmatch::test

@@ -67,8 +67,7 @@ std::vector<Vec<Dim>> random_points(int n, const Vec<Dim>& min, const Vec<Dim>& 
   std::mt19937 generator(seed);
   std::vector<Vec<Dim>> points(static_cast<std::size_t>(n));
   for (Vec<Dim>& x : points)
-    for (int i = 0; i < Dim; ++i)
-      x[i] = min[i] + (max[i] - min[i]) * static_cast<double>(generator()) / 4294967296.0;
+    for (int i = 0; i < Dim; ++i) x[i] = min[i] + (max[i] - min[i]) * static_cast<double>(generator()) / 4294967296.0;
   return points;
 }
 

@@ -47,8 +47,11 @@ TEST(MakeVolume, RefusesWhatNoFileMayHold) {
   m(0, 3) = std::numeric_limits<double>::quiet_NaN();
   expect_input_error([&] { made(m); }, {"scan", "finite"});
   expect_input_error([&] { made(some_matrix(), Space::ras, std::vector<float>(23, 1)); }, {"scan", "23 values"});
-  expect_input_error([&] { make_volume("scan", {1, 3, 4}, some_matrix(), Space::ras, VoxelType::int32, std::vector<float>(12)); },
-                           {"scan", "single slice"});
+  expect_input_error(
+      [&] {
+        make_volume("scan", {1, 3, 4}, some_matrix(), Space::ras, VoxelType::int32, std::vector<float>(12));
+      },
+      {"scan", "single slice"});
   std::vector<float> values(24, 1);
   values[1 + 2 * 2 + 6] = std::numeric_limits<float>::infinity();
   expect_input_error([&] { made(some_matrix(), Space::ras, values); }, {"scan", "voxel 1 2 1"});

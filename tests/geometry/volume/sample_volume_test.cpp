@@ -13,7 +13,8 @@ TEST(SampleVolume, LinearIsExactForLinearFunctions) {
   const auto f = [](const Vec<3>& x) { return 2 * x[0] - x[1] + 0.25 * x[2] + 3; };
   const Volume volume = volume_of(sampled_grid, f, VoxelType::float32);
   const VolumeSampler sample(volume, Sampling::linear);
-  for (const Vec<3>& x : {Vec<3>(1, -2, 5), Vec<3>(1.3, 0.7, 9.1), Vec<3>(4, 3, 13), Vec<3>(2.2, 2.9, 12)}) EXPECT_NEAR(sample(x, -1), f(x), 1e-5);
+  for (const Vec<3>& x : {Vec<3>(1, -2, 5), Vec<3>(1.3, 0.7, 9.1), Vec<3>(4, 3, 13), Vec<3>(2.2, 2.9, 12)})
+    EXPECT_NEAR(sample(x, -1), f(x), 1e-5);
 }
 
 TEST(SampleVolume, OutsideIsBackgroundAndAVoxelHoldsHalfItsSideAround) {
@@ -28,7 +29,8 @@ TEST(SampleVolume, OutsideIsBackgroundAndAVoxelHoldsHalfItsSideAround) {
 }
 
 TEST(SampleVolume, LabelsKeepTheirPlaceAndLoseTheirStairs) {
-  const Volume volume = volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {20, 20, 20}), [](const Vec<3>& x) { return x[0] + 0.5 * x[1] < 14 ? 3 : 7; });
+  const Volume volume = volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {20, 20, 20}),
+                                  [](const Vec<3>& x) { return x[0] + 0.5 * x[1] < 14 ? 3 : 7; });
   const VolumeSampler label(volume, Sampling::label), nearest(volume, Sampling::nearest);
   int n_wrong_labels = 0, n_wrong_nearest = 0;
   for (double x = 5; x < 14; x += 0.1)
@@ -42,10 +44,13 @@ TEST(SampleVolume, LabelsKeepTheirPlaceAndLoseTheirStairs) {
 }
 
 TEST(SampleVolume, LabelsAreFewWholeNumbers) {
-  EXPECT_TRUE(is_label_volume(volume_of(sampled_grid, [](const Vec<3>& x) { return x[0] > 2 ? 1 : 0; }, VoxelType::float32)));
-  EXPECT_FALSE(is_label_volume(volume_of(sampled_grid, [](const Vec<3>& x) { return x[0] > 2 ? 0.5 : 0; }, VoxelType::float32)));
+  EXPECT_TRUE(is_label_volume(volume_of(
+      sampled_grid, [](const Vec<3>& x) { return x[0] > 2 ? 1 : 0; }, VoxelType::float32)));
+  EXPECT_FALSE(is_label_volume(volume_of(
+      sampled_grid, [](const Vec<3>& x) { return x[0] > 2 ? 0.5 : 0; }, VoxelType::float32)));
   EXPECT_FALSE(is_label_volume(volume_of(sampled_grid, [](const Vec<3>& x) { return x[0] > 2 ? -1 : 0; })));
-  EXPECT_FALSE(is_label_volume(volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {200, 2, 2}), [](const Vec<3>& x) { return x[0]; })));
+  EXPECT_FALSE(
+      is_label_volume(volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {200, 2, 2}), [](const Vec<3>& x) { return x[0]; })));
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ namespace {
 const VoxelGrid straight = grid_over({-10.5, 20.25, 3}, {1, 0.5, 2}, {4, 5, 3});
 const VoxelGrid turned = grid_over({-10.5, 20.25, 3}, {1, 0.5, 2}, {4, 5, 3}, {true, true, false});
 
-double number_of_place(const Vec<3>& x) { return std::max(0.0, std::round(3 * (x[0] + 10.5) + 7 * (x[1] - 20.25) + 11 * (x[2] - 3))); }
+double number_of_place(const Vec<3>& x) {
+  return std::max(0.0, std::round(3 * (x[0] + 10.5) + 7 * (x[1] - 20.25) + 11 * (x[2] - 3)));
+}
 
 void expect_equal(const VoxelGrid& a, const VoxelGrid& b, double tolerance) {
   EXPECT_EQ(a.size, b.size);
@@ -25,7 +27,8 @@ TEST(VolumeFile, EveryFormatIsInRas) {
   const TempFolder folder;
   for (const VoxelGrid& grid : {straight, turned, permuted(turned)}) {
     const Volume volume = volume_of(grid, number_of_place);
-    std::vector<std::string> files{folder.write("a.nii", nifti(volume)), folder.write("b.nrrd", nrrd(volume, true)), folder.write("c.nrrd", nrrd(volume, false))};
+    std::vector<std::string> files{folder.write("a.nii", nifti(volume)), folder.write("b.nrrd", nrrd(volume, true)),
+                                   folder.write("c.nrrd", nrrd(volume, false))};
     if (grid.axes.isDiagonal()) files.push_back(folder.write("d.mha", meta_image(volume)));
     for (const std::string& file : files) {
       const Volume read = read_volume(file);
@@ -42,7 +45,8 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
   const TempFolder folder;
   VoxelGrid oblique = straight;
   oblique.axes = Eigen::AngleAxisd(0.4, Vec<3>(1, 2, -1).normalized()).toRotationMatrix() * oblique.axes;
-  for (const VoxelType type : {VoxelType::uint8, VoxelType::int16, VoxelType::int32, VoxelType::float32, VoxelType::float64})
+  for (const VoxelType type :
+       {VoxelType::uint8, VoxelType::int16, VoxelType::int32, VoxelType::float32, VoxelType::float64})
     for (const std::string name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"}) {
       const Volume volume = volume_of(oblique, number_of_place, type);
       write_volume(folder.path(name), volume, Existing::is_replaced);
@@ -68,8 +72,10 @@ TEST(VolumeFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read.values[0], 0);
   EXPECT_EQ(read.values[1], 255);
   EXPECT_EQ(read.values[2], 2);
-  EXPECT_TRUE(contains(input_error_of([&] { write_volume(folder.path("w.nrrd"), wild, Existing::is_kept); }), "exists"));
-  EXPECT_TRUE(contains(input_error_of([&] { check_volume_output("a.mhd"); }), "volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti"));
+  EXPECT_TRUE(
+      contains(input_error_of([&] { write_volume(folder.path("w.nrrd"), wild, Existing::is_kept); }), "exists"));
+  EXPECT_TRUE(contains(input_error_of([&] { check_volume_output("a.mhd"); }),
+                       "volumes are written as .nii, .nii.gz, .nrrd, .mha or .vti"));
 }
 
 TEST(VolumeFile, NamesItsUnit) {
@@ -81,7 +87,8 @@ TEST(VolumeFile, NamesItsUnit) {
     return canonical(read_volume(folder.write("a.nii", bytes))).grid.unit;
   };
   EXPECT_EQ(unit_of_nifti(0), "");
-  for (const char code : {1, 2, 3, 10}) EXPECT_EQ(unit_of_nifti(code), "mm") << "metres and micrometres become millimetres, whatever the unit of time";
+  for (const char code : {1, 2, 3, 10})
+    EXPECT_EQ(unit_of_nifti(code), "mm") << "metres and micrometres become millimetres, whatever the unit of time";
   const auto unit_of_nrrd = [&](const std::string& line) {
     std::string text = nrrd(volume, true);
     text.insert(text.find("encoding"), line);
@@ -136,7 +143,8 @@ class RefusedVolume : public ::testing::Test {
     return bytes;
   }
   const TempFolder folder;
-  const std::string nii = nifti(volume_of(straight, number_of_place)), nrd = nrrd(volume_of(straight, number_of_place), true),
+  const std::string nii = nifti(volume_of(straight, number_of_place)),
+                    nrd = nrrd(volume_of(straight, number_of_place), true),
                     mha = meta_image(volume_of(straight, number_of_place));
 };
 
@@ -151,7 +159,11 @@ TEST_F(RefusedVolume, ShortData) {
   EXPECT_TRUE(contains(refusal("c.nii", ""), "empty"));
   EXPECT_TRUE(contains(refusal("d.nrrd", "no such thing"), "does not begin with the word NRRD"));
   for (const std::string name : {"e.nii.gz", "e.nrrd", "e.mha"}) {  // compressed
-    write_volume(folder.path(name), volume_of(grid_over({0, 0, 0}, {1, 1, 1}, {20, 20, 20}), [](const Vec<3>& x) { return 37 * x[0] * x[1] + x[2] * x[2]; }, VoxelType::int32), Existing::is_replaced);
+    write_volume(folder.path(name),
+                 volume_of(
+                     grid_over({0, 0, 0}, {1, 1, 1}, {20, 20, 20}),
+                     [](const Vec<3>& x) { return 37 * x[0] * x[1] + x[2] * x[2]; }, VoxelType::int32),
+                 Existing::is_replaced);
     const auto size = std::filesystem::file_size(folder.path(name));
     EXPECT_NO_THROW(read_volume(folder.path(name)));
     std::filesystem::resize_file(folder.path(name), size - 200);
@@ -170,31 +182,45 @@ TEST_F(RefusedVolume, DamagedCompression) {
 TEST_F(RefusedVolume, HugeHeaders) {
   std::string huge = nii;
   for (std::size_t k = 0; k < 3; ++k) put<std::int16_t>(huge, 42 + 2 * k, 600);
-  EXPECT_TRUE(contains(refusal("a.nii", huge), "cut off, or damaged: 600 x 600 x 600 voxels take 216000000 bytes, which the file, of 412 bytes, does not hold"));
+  EXPECT_TRUE(contains(
+      refusal("a.nii", huge),
+      "cut off, or damaged: 600 x 600 x 600 voxels take 216000000 bytes, which the file, of 412 bytes, does not hold"));
   for (std::size_t k = 0; k < 3; ++k) put<std::int16_t>(huge, 42 + 2 * k, 32000);
   EXPECT_TRUE(contains(refusal("a.nii", huge), "has more than 268435456 voxels"));
   EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 600 600 600")), "cut off"));
-  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 4000000000 4000000000 4000000000")), "has more than"));
+  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "sizes: 4 5 3", "sizes: 4000000000 4000000000 4000000000")),
+                       "has more than"));
   EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "DimSize = 4 5 3", "DimSize = 600 600 600")), "cut off"));
 }
 
 TEST_F(RefusedVolume, OtherDimensions) {
-  EXPECT_TRUE(contains(refusal("a.nii", changed<std::int16_t>(changed<std::int16_t>(nii, 40, 2), 46, 1)), "a single slice"));
-  EXPECT_TRUE(contains(refusal("b.nii", changed<std::int16_t>(changed<std::int16_t>(nii, 40, 4), 48, 3)), "has 4 dimensions"));
-  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementType", "ElementNumberOfChannels = 3\nElementType")), "3 numbers for each voxel"));
+  EXPECT_TRUE(
+      contains(refusal("a.nii", changed<std::int16_t>(changed<std::int16_t>(nii, 40, 2), 46, 1)), "a single slice"));
+  EXPECT_TRUE(
+      contains(refusal("b.nii", changed<std::int16_t>(changed<std::int16_t>(nii, 40, 4), 48, 3)), "has 4 dimensions"));
+  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementType", "ElementNumberOfChannels = 3\nElementType")),
+                       "3 numbers for each voxel"));
 }
 
 TEST_F(RefusedVolume, NoFrameOfSpace) {
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, 0)), "the spacing of its voxels along axis 2 is 0"));
-  EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, NAN)), "the spacing of its voxels along axis 2 is nan"));
+  EXPECT_TRUE(
+      contains(refusal("a.nii", changed<float>(nii, 84, NAN)), "the spacing of its voxels along axis 2 is nan"));
   EXPECT_TRUE(contains(refusal("a.nii", changed<float>(nii, 84, -1)), "the spacing of its voxels along axis 2 is -1"));
   EXPECT_TRUE(contains(refusal("b.nii", changed<float>(nii, 280, INFINITY)), "position in space is not finite"));
-  EXPECT_TRUE(contains(refusal("c.nii", changed<float>(changed<float>(nii, 280, 0), 296, 1)), "do not span space"));  // two columns along one axis
-  EXPECT_TRUE(contains(refusal("a.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (-1,-0,0)")), "do not span space"));
-  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (0,0,0)")), "must be positive"));
-  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 0 2")), "must be positive"));
-  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 -0.5 2")), "must be positive"));
-  EXPECT_TRUE(contains(refusal("b.mha", replaced(mha, "TransformMatrix = -1 0 0 0 -1 0", "TransformMatrix = -1 0 0 -1 0 0")), "do not span space"));
+  EXPECT_TRUE(contains(refusal("c.nii", changed<float>(changed<float>(nii, 280, 0), 296, 1)),
+                       "do not span space"));  // two columns along one axis
+  EXPECT_TRUE(
+      contains(refusal("a.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (-1,-0,0)")), "do not span space"));
+  EXPECT_TRUE(
+      contains(refusal("b.nrrd", replaced(nrd, "(-1,-0,0) (-0,-0.5,0)", "(-1,-0,0) (0,0,0)")), "must be positive"));
+  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 0 2")),
+                       "must be positive"));
+  EXPECT_TRUE(contains(refusal("a.mha", replaced(mha, "ElementSpacing = 1 0.5 2", "ElementSpacing = 1 -0.5 2")),
+                       "must be positive"));
+  EXPECT_TRUE(
+      contains(refusal("b.mha", replaced(mha, "TransformMatrix = -1 0 0 0 -1 0", "TransformMatrix = -1 0 0 -1 0 0")),
+               "do not span space"));
 }
 
 TEST_F(RefusedVolume, ValuesThatAreNoNumbers) {
@@ -206,8 +232,10 @@ TEST_F(RefusedVolume, ValuesThatAreNoNumbers) {
   EXPECT_TRUE(contains(refusal("a.nrrd", grey + bytes_of<float>(volume)), "voxel 2 1 0 (counted from 0) is nan"));
   volume.values[6] = -INFINITY;
   EXPECT_TRUE(contains(refusal("a.nrrd", grey + bytes_of<float>(volume)), "is -inf"));
-  EXPECT_TRUE(contains(refusal("b.nrrd", replaced(grey, "float", "int") + bytes_of<std::int32_t>(volume_of(straight, [](const Vec<3>&) { return 5e7; }))),
-                       "whole numbers up to 16777216"));
+  EXPECT_TRUE(
+      contains(refusal("b.nrrd", replaced(grey, "float", "int") +
+                                     bytes_of<std::int32_t>(volume_of(straight, [](const Vec<3>&) { return 5e7; }))),
+               "whole numbers up to 16777216"));
 }
 
 TEST_F(RefusedVolume, ValuesElsewhere) {

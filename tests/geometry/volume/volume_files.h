@@ -12,8 +12,10 @@
 
 namespace shellmatch::testing {
 
-/// A grid of n voxels of the spacing whose axes are those of RAS, `turned` ones backward, over the box that begins at `low`.
-inline VoxelGrid grid_over(const Vec<3>& low, const Vec<3>& spacing, const std::array<int, 3>& size, const std::array<bool, 3>& turned = {}) {
+/// A grid of n voxels of the spacing whose axes are those of RAS, `turned` ones backward, over the box that begins at
+/// `low`.
+inline VoxelGrid grid_over(const Vec<3>& low, const Vec<3>& spacing, const std::array<int, 3>& size,
+                           const std::array<bool, 3>& turned = {}) {
   VoxelGrid grid;
   grid.size = size;
   for (int k = 0; k < 3; ++k) {
@@ -34,11 +36,13 @@ inline VoxelGrid permuted(const VoxelGrid& grid) {
 }
 
 /// Values by their place in RAS.
-inline Volume volume_of(const VoxelGrid& grid, const std::function<double(const Vec<3>&)>& value, VoxelType type = VoxelType::uint8) {
+inline Volume volume_of(const VoxelGrid& grid, const std::function<double(const Vec<3>&)>& value,
+                        VoxelType type = VoxelType::uint8) {
   Volume volume{grid, type, {}};
   for (int k = 0; k < grid.size[2]; ++k)
     for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i) volume.values.push_back(static_cast<float>(value(grid.position(Vec<3>(i, j, k)))));
+      for (int i = 0; i < grid.size[0]; ++i)
+        volume.values.push_back(static_cast<float>(value(grid.position(Vec<3>(i, j, k)))));
   return volume;
 }
 
@@ -60,16 +64,19 @@ inline std::string nifti(const Volume& volume) {
   std::string header(352, '\0');
   put<std::int32_t>(header, 0, 348);
   put<std::int16_t>(header, 40, 3);
-  for (std::size_t k = 0; k < 7; ++k) put<std::int16_t>(header, 42 + 2 * k, k < 3 ? static_cast<std::int16_t>(grid.size[k]) : std::int16_t{1});
+  for (std::size_t k = 0; k < 7; ++k)
+    put<std::int16_t>(header, 42 + 2 * k, k < 3 ? static_cast<std::int16_t>(grid.size[k]) : std::int16_t{1});
   put<std::int16_t>(header, 70, 2);
   put<std::int16_t>(header, 72, 8);
   put<float>(header, 76, 1);
-  for (std::size_t k = 0; k < 3; ++k) put<float>(header, 80 + 4 * k, static_cast<float>(grid.axes.col(static_cast<int>(k)).norm()));
+  for (std::size_t k = 0; k < 3; ++k)
+    put<float>(header, 80 + 4 * k, static_cast<float>(grid.axes.col(static_cast<int>(k)).norm()));
   put<float>(header, 108, 352);
   put<float>(header, 112, 1);
   put<std::int16_t>(header, 254, 1);
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) put<float>(header, 280 + 16 * i + 4 * j, static_cast<float>(grid.axes(static_cast<int>(i), static_cast<int>(j))));
+    for (std::size_t j = 0; j < 3; ++j)
+      put<float>(header, 280 + 16 * i + 4 * j, static_cast<float>(grid.axes(static_cast<int>(i), static_cast<int>(j))));
     put<float>(header, 292 + 16 * i, static_cast<float>(grid.origin[static_cast<int>(i)]));
   }
   header.replace(344, 3, "n+1");
@@ -80,19 +87,27 @@ inline std::string nifti(const Volume& volume) {
 inline std::string nrrd(const Volume& volume, bool lps) {
   const VoxelGrid grid = lps ? exchange_space(volume.grid) : volume.grid;
   const auto text = [](const Vec<3>& x) { return fmt::format("({},{},{})", x[0], x[1], x[2]); };
-  return fmt::format("NRRD0004\ntype: unsigned char\ndimension: 3\nspace: {}\nsizes: {} {} {}\nspace directions: {} {} {}\nkinds: domain domain domain\n"
-                     "encoding: raw\nspace origin: {}\n\n", lps ? "left-posterior-superior" : "right-anterior-superior", grid.size[0], grid.size[1], grid.size[2],
-                     text(grid.axes.col(0)), text(grid.axes.col(1)), text(grid.axes.col(2)), text(grid.origin)) + bytes_of<std::uint8_t>(volume);
+  return fmt::format(
+             "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: {}\nsizes: {} {} {}\nspace directions: {} {} "
+             "{}\nkinds: domain domain domain\n"
+             "encoding: raw\nspace origin: {}\n\n",
+             lps ? "left-posterior-superior" : "right-anterior-superior", grid.size[0], grid.size[1], grid.size[2],
+             text(grid.axes.col(0)), text(grid.axes.col(1)), text(grid.axes.col(2)), text(grid.origin)) +
+         bytes_of<std::uint8_t>(volume);
 }
 
 /// MetaImage of bytes, which is in LPS. \pre the axes are those of the coordinates
 inline std::string meta_image(const Volume& volume) {
   const VoxelGrid grid = exchange_space(volume.grid);
   const auto sign = [&](int k) { return grid.axes(k, k) < 0 ? -1 : 1; };
-  return fmt::format("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\nTransformMatrix = {} 0 0 0 {} 0 0 0 {}\n"
-                     "Offset = {} {} {}\nCenterOfRotation = 0 0 0\nElementSpacing = {} {} {}\nDimSize = {} {} {}\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n",
-                     sign(0), sign(1), sign(2), grid.origin[0], grid.origin[1], grid.origin[2], std::abs(grid.axes(0, 0)), std::abs(grid.axes(1, 1)), std::abs(grid.axes(2, 2)),
-                     grid.size[0], grid.size[1], grid.size[2]) + bytes_of<std::uint8_t>(volume);
+  return fmt::format(
+             "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
+             "False\nTransformMatrix = {} 0 0 0 {} 0 0 0 {}\n"
+             "Offset = {} {} {}\nCenterOfRotation = 0 0 0\nElementSpacing = {} {} {}\nDimSize = {} {} {}\nElementType "
+             "= MET_UCHAR\nElementDataFile = LOCAL\n",
+             sign(0), sign(1), sign(2), grid.origin[0], grid.origin[1], grid.origin[2], std::abs(grid.axes(0, 0)),
+             std::abs(grid.axes(1, 1)), std::abs(grid.axes(2, 2)), grid.size[0], grid.size[1], grid.size[2]) +
+         bytes_of<std::uint8_t>(volume);
 }
 
 }  // namespace shellmatch::testing

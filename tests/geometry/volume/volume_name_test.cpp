@@ -6,8 +6,8 @@ namespace shellmatch::testing {
 namespace {
 
 TEST(VolumeName, ChoosesLabelsAndThresholds) {
-  const auto whole = parse_volume_name("a/scan.nii.gz"), one = parse_volume_name("scan.NRRD:3"), two = parse_volume_name("scan.mha:1,-2"),
-             above = parse_volume_name("scan.nii:>0.5");
+  const auto whole = parse_volume_name("a/scan.nii.gz"), one = parse_volume_name("scan.NRRD:3"),
+             two = parse_volume_name("scan.mha:1,-2"), above = parse_volume_name("scan.nii:>0.5");
   ASSERT_TRUE(whole && one && two && above);
   EXPECT_EQ(whole->file, "a/scan.nii.gz");
   EXPECT_TRUE(whole->choice.contains(0.25f) && !whole->choice.contains(0) && !whole->choice.contains(-1));
@@ -32,9 +32,13 @@ TEST(VolumeName, AColonElsewhereBelongsToTheName) {
 
 TEST(VolumeName, WhatCannotBeUnderstoodIsSaid) {
   for (const char* choice : {"", "a", "1,", ",1", "1.5", "1 2", "99999999999999999999", "16777217"})
-    EXPECT_TRUE(contains(input_error_of([&] { parse_volume_name(std::string("scan.nii:") + choice); }), "names no labels; write whole numbers")) << choice;
+    EXPECT_TRUE(contains(input_error_of([&] { parse_volume_name(std::string("scan.nii:") + choice); }),
+                         "names no labels; write whole numbers"))
+        << choice;
   for (const char* choice : {">", ">x", ">nan", ">inf"})
-    EXPECT_TRUE(contains(input_error_of([&] { parse_volume_name(std::string("scan.nii:") + choice); }), "is no threshold; write a number")) << choice;
+    EXPECT_TRUE(contains(input_error_of([&] { parse_volume_name(std::string("scan.nii:") + choice); }),
+                         "is no threshold; write a number"))
+        << choice;
 }
 
 }  // namespace

@@ -22,14 +22,21 @@ float number_at(const std::string& bytes, std::size_t offset) {
 TEST(VolumeUnits, ANiftiIsInMillimetresOrSaysNothing) {
   const TempFolder folder;
   const std::string file = folder.path("a.nii");
-  for (const auto& [unit, millimetres] : {std::pair{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"um", 1e-3}, {"\u00b5m", 1e-3},
-                                          {"micrometer", 1e-3}, {"inch", 25.4}}) {
+  for (const auto& [unit, millimetres] : {std::pair{"mm", 1.0},
+                                          {"cm", 10.0},
+                                          {"m", 1000.0},
+                                          {"um", 1e-3},
+                                          {"\u00b5m", 1e-3},
+                                          {"micrometer", 1e-3},
+                                          {"inch", 25.4}}) {
     const Volume volume = volume_of(grid_in(unit), [](const Vec<3>& x) { return std::round(x[2]); });
     write_volume(file, volume, Existing::is_replaced);
     EXPECT_EQ(folder.read("a.nii")[123], 2) << unit;
     const Volume read = read_volume(file);
     EXPECT_EQ(read.grid.unit, "mm");
-    EXPECT_LE((read.grid.origin - millimetres * volume.grid.origin).norm(), 1e-6 * millimetres * volume.grid.origin.norm()) << unit;
+    EXPECT_LE((read.grid.origin - millimetres * volume.grid.origin).norm(),
+              1e-6 * millimetres * volume.grid.origin.norm())
+        << unit;
     EXPECT_LE((read.grid.axes - millimetres * volume.grid.axes).norm(), 1e-6 * millimetres) << unit;
     EXPECT_EQ(read.values, volume.values) << unit << ": values are no lengths";
   }
@@ -52,7 +59,8 @@ TEST(VolumeUnits, VectorsAreInTheUnitOfTheirFile) {
   EXPECT_EQ(number_at(nii, 352), 2.5f);
   EXPECT_TRUE(contains(nrrd, "space units: \"cm\" \"cm\" \"cm\"\n"));
   std::string inflated;
-  for_each_piece(folder.path("u.nrrd"), nrrd.find("\n\n") + 2, true, 0, sizeof(float), [&](std::string_view piece) { inflated += piece; });
+  for_each_piece(folder.path("u.nrrd"), nrrd.find("\n\n") + 2, true, 0, sizeof(float),
+                 [&](std::string_view piece) { inflated += piece; });
   ASSERT_EQ(inflated.size(), sizeof(float));
   EXPECT_EQ(number_at(inflated, 0), 0.25f);
 }
@@ -60,7 +68,8 @@ TEST(VolumeUnits, VectorsAreInTheUnitOfTheirFile) {
 TEST(VolumeUnits, AnNrrdKeepsItsUnit) {
   const TempFolder folder;
   for (const std::string unit : {"cm", "um", "mm", "voxel", ""}) {
-    write_volume(folder.path("a.nrrd"), volume_of(grid_in(unit), [](const Vec<3>&) { return 1; }), Existing::is_replaced);
+    write_volume(folder.path("a.nrrd"), volume_of(grid_in(unit), [](const Vec<3>&) { return 1; }),
+                 Existing::is_replaced);
     const Volume read = canonical(read_volume(folder.path("a.nrrd")));
     const std::optional<double> millimetres = millimetres_of(unit);
     EXPECT_EQ(read.grid.unit, millimetres ? "mm" : unit);
@@ -72,9 +81,12 @@ TEST(VolumeUnits, AnNrrdKeepsItsUnit) {
     const std::string header = folder.read("a.nrrd").substr(0, folder.read("a.nrrd").find("\n\n"));
     write_volume(folder.path("b.nrrd"), read_volume(folder.path("a.nrrd")), Existing::is_replaced);
     EXPECT_EQ(folder.read("b.nrrd").substr(0, header.size()), header);
-    vector_volume_file(folder.path("u.nrrd"), grid, std::vector<float>(3 * grid.n_voxels(), 5.0f), Existing::is_replaced).publish();
+    vector_volume_file(folder.path("u.nrrd"), grid, std::vector<float>(3 * grid.n_voxels(), 5.0f),
+                       Existing::is_replaced)
+        .publish();
     std::string inflated;
-    for_each_piece(folder.path("u.nrrd"), folder.read("u.nrrd").find("\n\n") + 2, true, 0, sizeof(float), [&](std::string_view piece) { inflated += piece; });
+    for_each_piece(folder.path("u.nrrd"), folder.read("u.nrrd").find("\n\n") + 2, true, 0, sizeof(float),
+                   [&](std::string_view piece) { inflated += piece; });
     EXPECT_FLOAT_EQ(number_at(inflated, 0), static_cast<float>(5 / millimetres.value_or(1)));
   }
 }

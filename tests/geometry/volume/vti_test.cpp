@@ -35,7 +35,8 @@ template <class Array>
 void add(vtkDataSetAttributes* to, const char* name, vtkIdType n, double step) {
   vtkNew<Array> array;
   array->SetName(name);
-  for (vtkIdType i = 0; i < n; ++i) array->InsertNextValue(static_cast<typename Array::ValueType>(step * static_cast<double>(i)));
+  for (vtkIdType i = 0; i < n; ++i)
+    array->InsertNextValue(static_cast<typename Array::ValueType>(step * static_cast<double>(i)));
   to->AddArray(array);
 }
 
@@ -104,7 +105,11 @@ TEST_F(VtiFiles, WhatIsWrittenVtkReads) {
       EXPECT_EQ(data->GetPointData()->GetScalars()->GetTuple1(i), volume.values[static_cast<std::size_t>(i)]);
       Vec<3> there;
       data->GetPoint(i, there.data());
-      EXPECT_LT((grid.position(Vec<3>(static_cast<double>(i % 4), static_cast<double>(i / 4 % 5), static_cast<double>(i / 20))) - there).norm(), 1e-12);
+      EXPECT_LT((grid.position(
+                     Vec<3>(static_cast<double>(i % 4), static_cast<double>(i / 4 % 5), static_cast<double>(i / 20))) -
+                 there)
+                    .norm(),
+                1e-12);
     }
     const Volume read = read_volume(folder.path("a.vti"));
     EXPECT_EQ(read.type, type);

@@ -90,8 +90,7 @@ TYPED_TEST(InterpolationTest, DerivativesAreThoseOfTheValues) {
       up.xi[k] += 0.05;
       down.xi[k] -= 0.05;
       const double length = 0.1 * grid.cell(p.cell).side();
-      ASSERT_NEAR((evaluate<Dim>(grid, scalar, up) - evaluate<Dim>(grid, scalar, down)) / length, g[k],
-                  1e-10);
+      ASSERT_NEAR((evaluate<Dim>(grid, scalar, up) - evaluate<Dim>(grid, scalar, down)) / length, g[k], 1e-10);
       const Vec<Dim> difference = evaluate<Dim>(grid, vector, up) - evaluate<Dim>(grid, vector, down);
       ASSERT_LE((difference / length - j.col(k)).norm(), 1e-10);
     }
@@ -117,8 +116,7 @@ TYPED_TEST(InterpolationTest, FunctionsAreContinuousAcrossEveryFace) {
       LocalPoint<Dim> there;
       there.cell = grid.locate(beyond);
       there.xi = (x - grid.cell_corner(there.cell)) / grid.cell(there.cell).side();
-      ASSERT_NEAR(evaluate<Dim>(grid, nodal, here), evaluate<Dim>(grid, nodal, there), 1e-12)
-          << x.transpose();
+      ASSERT_NEAR(evaluate<Dim>(grid, nodal, here), evaluate<Dim>(grid, nodal, there), 1e-12) << x.transpose();
     }
 }
 
@@ -129,8 +127,7 @@ TYPED_TEST(InterpolationTest, PointsOutsideReadTheNearestPointOfTheDomain) {
   std::mt19937 random(12);
   for (int i = 0; i < 200; ++i) {
     const auto x = random_point<Dim>(random, -1, 2);
-    ASSERT_EQ(evaluate<Dim>(grid, nodal, x),
-              evaluate<Dim>(grid, nodal, Vec<Dim>(x.cwiseMax(0.0).cwiseMin(1.0))));
+    ASSERT_EQ(evaluate<Dim>(grid, nodal, x), evaluate<Dim>(grid, nodal, Vec<Dim>(x.cwiseMax(0.0).cwiseMin(1.0))));
   }
 }
 

@@ -61,8 +61,8 @@ TYPED_TEST(MassTest, ConsistentMassIsTheProductOfFunctions) {
   for (const Index leaf : grid.leaves())
     for (const auto& q : gauss_rule<Dim>(2)) {
       const LocalPoint<Dim> p{leaf, q.point};
-      integral += std::pow(grid.cell(leaf).side(), Dim) * q.weight * evaluate<Dim>(grid, fx, p) *
-                  evaluate<Dim>(grid, fy, p);
+      integral +=
+          std::pow(grid.cell(leaf).side(), Dim) * q.weight * evaluate<Dim>(grid, fx, p) * evaluate<Dim>(grid, fy, p);
     }
   EXPECT_NEAR(std::inner_product(x.begin(), x.end(), my.begin(), 0.0), integral, 1e-14);
 }

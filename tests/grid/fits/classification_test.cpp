@@ -31,8 +31,7 @@ TYPED_TEST(ClassificationTest, RootsAreRootsAndInverseRootsTheirInverse) {
     ASSERT_LE((root * root - whole).norm(), 1e-12 * whole.norm());
     ASSERT_LE((root * inverse - Mat<Dim>::Identity()).norm(), 1e-12);
     ASSERT_LE((root - root.transpose()).norm(), 1e-13 * root.norm());
-    ASSERT_LE((whole * s - s * whole).norm(), 1e-10 * whole.norm() * s.norm())
-        << "they share their eigenvectors";
+    ASSERT_LE((whole * s - s * whole).norm(), 1e-10 * whole.norm() * s.norm()) << "they share their eigenvectors";
   }
 }
 
@@ -57,9 +56,8 @@ TYPED_TEST(ClassificationTest, RotatesWithItsArgument) {
     Mat<Dim> q = Mat<Dim>::Identity();
     q.template topLeftCorner<2, 2>() = Eigen::Rotation2Dd(0.1 * i).toRotationMatrix();
     const Mat<Dim> turned = q * s * q.transpose();
-    ASSERT_LE(
-        (classified_power<Dim>(turned, c, 0.5) - q * classified_power<Dim>(s, c, 0.5) * q.transpose()).norm(),
-        1e-12);
+    ASSERT_LE((classified_power<Dim>(turned, c, 0.5) - q * classified_power<Dim>(s, c, 0.5) * q.transpose()).norm(),
+              1e-12);
   }
 }
 
@@ -94,12 +92,14 @@ TYPED_TEST(ClassificationTest, TangentialPartSufficesForExtendedShapeOperators) 
   for (const Classification kind : {Classification::absolute, Classification::shift})
     for (int i = 0; i < 200; ++i) {
       // Normals along the axes, too, where the choice of the tangents changes.
-      const Vec<Dim> n = i < 2 * Dim ? Vec<Dim>((i % 2 == 0 ? 1 : -1) * Vec<Dim>::Unit(i / 2)) : test::random_point<Dim>(random, -1, 1).normalized();
+      const Vec<Dim> n = i < 2 * Dim ? Vec<Dim>((i % 2 == 0 ? 1 : -1) * Vec<Dim>::Unit(i / 2))
+                                     : test::random_point<Dim>(random, -1, 1).normalized();
       const Mat<Dim> s = extended_shape_operator<Dim>(random_symmetric<Dim>(random, i % 3 == 0 ? 0 : 8), n);
       const Classifier c{.kind = kind, .tau = 0.5, .cap = 6, .shift = 7};
       for (const double exponent : {1.0, 0.5, -0.5}) {
         const Mat<Dim> expected = classified_power<Dim>(s, c, exponent);
-        ASSERT_LE((classified_power<Dim>(s, n, c, exponent) - expected).norm(), 1e-13 * expected.norm()) << n.transpose();
+        ASSERT_LE((classified_power<Dim>(s, n, c, exponent) - expected).norm(), 1e-13 * expected.norm())
+            << n.transpose();
       }
     }
   const Classifier too_small{.kind = Classification::shift, .tau = 1, .cap = 0, .shift = -2};

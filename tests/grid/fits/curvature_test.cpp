@@ -89,8 +89,7 @@ TEST(Curvature, RootsOfASphere) {
     if (std::abs(d[node]) > 0.03) continue;
     const Vec<3> n = (grid.node_position(node) - Vec<3>::Constant(0.5)).normalized();
     const Mat<3> r = unpack_symmetric<3>(root.root[node]);
-    const Mat<3> expected =
-        (Mat<3>::Identity() - n * n.transpose()) / std::sqrt(0.3 + d[node]) + n * n.transpose();
+    const Mat<3> expected = (Mat<3>::Identity() - n * n.transpose()) / std::sqrt(0.3 + d[node]) + n * n.transpose();
     ASSERT_LE((r - expected).norm(), 0.15);
     ASSERT_LE((r * unpack_symmetric<3>(inverse.root[node]) - Mat<3>::Identity()).norm(), 1e-12);
   }
@@ -105,8 +104,7 @@ TEST(Curvature, CapHoldsAtTheMedialAxis) {
   const Octree<3> grid(4);
   CoefficientOptions options;
   options.max_curvature_times_h = 0.25;
-  const auto fields =
-      compute_coefficients<3>(grid, sample_nodes<3>(grid, sphere<3>(0.3).distance), options, false);
+  const auto fields = compute_coefficients<3>(grid, sample_nodes<3>(grid, sphere<3>(0.3).distance), options, false);
   double largest = 0;
   for (const auto& r : fields.root) largest = std::max(largest, unpack_symmetric<3>(r).norm());
   EXPECT_LE(largest, std::sqrt(3 * 0.25 * 16) + 1e-12);
@@ -117,8 +115,7 @@ TEST(Curvature, ThePairSharesItsClassifier) {
   const Octree<2> grid(5);
   const auto circle = sample_nodes<2>(grid, sphere<2>(0.3).distance);
   // The complement of a disc: curvature -1/0.2.
-  const auto hole =
-      sample_nodes<2>(grid, [](const Vec<2>& x) { return 0.2 - (x - Vec<2>::Constant(0.5)).norm(); });
+  const auto hole = sample_nodes<2>(grid, [](const Vec<2>& x) { return 0.2 - (x - Vec<2>::Constant(0.5)).norm(); });
   CoefficientOptions options;
   options.classification = Classification::shift;
   options.max_curvature_times_h = 0.5;

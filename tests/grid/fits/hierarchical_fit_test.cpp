@@ -84,8 +84,7 @@ TYPED_TEST(HierarchicalFitTest, IsTheSearchedFitOtherwise) {
     HierarchicalFit<Dim> fit;
     refine_step_by_step<Dim>(grid, neighbours == 0 ? 3 : 5, [&] { fit.update(grid, field(grid), options); });
     const auto expected = fit_hessians<Dim>(grid, field(grid), options, grid.free_nodes());
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      EXPECT_EQ(fit[grid.free_nodes()[i]], expected[i]) << neighbours;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(fit[grid.free_nodes()[i]], expected[i]) << neighbours;
   }
 }
 

@@ -38,9 +38,7 @@ template <int Dim>
 std::optional<SymmetricComponents<Dim>> hessian_by_search(const Octree<Dim>& grid, const std::vector<double>& field,
                                                           Index node, const std::vector<Index>& nearest,
                                                           double exponent) {
-  const auto difference = [&](Index other) -> Vec<Dim> {
-    return grid.node_position(other) - grid.node_position(node);
-  };
+  const auto difference = [&](Index other) -> Vec<Dim> { return grid.node_position(other) - grid.node_position(node); };
   const double radius = difference(nearest.back()).norm();
   QuadraticFit<Dim, 1> fit;
   fit.add(Vec<Dim>::Zero(), {0.0}, std::pow(difference(nearest.front()).norm() / radius, -exponent));

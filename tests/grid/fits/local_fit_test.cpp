@@ -29,8 +29,7 @@ template <int Dim>
 std::vector<double> quadratic(const Octree<Dim>& grid, const Mat<Dim>& hessian) {
   Vec<Dim> slope;
   for (int k = 0; k < Dim; ++k) slope[k] = 0.3 - k;
-  return sample_nodes<Dim>(grid,
-                           [&](const Vec<Dim>& x) { return 5 + slope.dot(x) + 0.5 * x.dot(hessian * x); });
+  return sample_nodes<Dim>(grid, [&](const Vec<Dim>& x) { return 5 + slope.dot(x) + 0.5 * x.dot(hessian * x); });
 }
 
 // Also with fewer neighbours than a quadratic has coefficients: the neighbourhood grows until it is
@@ -48,12 +47,12 @@ TYPED_TEST(LocalFitTest, ExactForQuadraticsOnAllGrids) {
         const auto hessians = fit_hessians<Dim>(grid, quadratic(grid, expected), options, grid.free_nodes());
         ASSERT_EQ(hessians.size(), grid.free_nodes().size());
         for (const auto& h : hessians)
-          ASSERT_LE((unpack_symmetric<Dim>(h) - expected).norm(),
-                    1e-13 * std::pow(4.0, grid.finest_level() + 2));
+          ASSERT_LE((unpack_symmetric<Dim>(h) - expected).norm(), 1e-13 * std::pow(4.0, grid.finest_level() + 2));
       }
 }
 
-// By ascending position: versions of the library find equally near nodes in other orders, in which sums would have other bits.
+// By ascending position: versions of the library find equally near nodes in other orders, in which sums would have
+// other bits.
 TYPED_TEST(LocalFitTest, NearestNodesAreThoseOfASearchInTheirOrder) {
   constexpr int Dim = TypeParam::value;
   const auto grid = random_grid<Dim>(2, 3, 0.3, 4);
@@ -89,9 +88,8 @@ TYPED_TEST(LocalFitTest, NearestNodesAreThoseOfASearchInTheirOrder) {
 TYPED_TEST(LocalFitTest, TwoFieldsAtOnceAreThoseFieldsEach) {
   constexpr int Dim = TypeParam::value;
   const auto grid = random_grid<Dim>(2, 2, 0.3, 3);
-  const std::array fields{
-      sample_nodes<Dim>(grid, [](const Vec<Dim>& x) { return std::sin(4 * x[0] * x[1]); }),
-      sample_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x.norm(); })};
+  const std::array fields{sample_nodes<Dim>(grid, [](const Vec<Dim>& x) { return std::sin(4 * x[0] * x[1]); }),
+                          sample_nodes<Dim>(grid, [](const Vec<Dim>& x) { return x.norm(); })};
   const auto both = fit_hessians<Dim>(grid, fields, {}, grid.free_nodes());
   for (int f = 0; f < 2; ++f) {
     const auto alone = fit_hessians<Dim>(grid, fields[f], {}, grid.free_nodes());
@@ -104,9 +102,7 @@ TYPED_TEST(LocalFitTest, TwoFieldsAtOnceAreThoseFieldsEach) {
 TYPED_TEST(LocalFitTest, HasTheSymmetriesOfTheGrid) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid(3);
-  const auto f = [](const Vec<Dim>& x) {
-    return std::exp(x[0]) * std::sin(2 * x[1]) + x[Dim - 1] * x[0] * x[0];
-  };
+  const auto f = [](const Vec<Dim>& x) { return std::exp(x[0]) * std::sin(2 * x[1]) + x[Dim - 1] * x[0] * x[0]; };
   CoefficientOptions options;
   options.neighbours = 10;  // cuts into a shell in the plane and in space
   const auto here = fit_hessians<Dim>(grid, sample_nodes<Dim>(grid, f), options, grid.free_nodes());
@@ -143,8 +139,7 @@ TYPED_TEST(LocalFitTest, OnlyAtTheNodesAskedFor) {
 TYPED_TEST(LocalFitTest, RefusesAGridWithoutEnoughNodes) {
   constexpr int Dim = TypeParam::value;
   const Octree<Dim> grid(0);
-  EXPECT_THROW(fit_hessians<Dim>(grid, std::vector<double>(grid.n_nodes()), {}, grid.free_nodes()),
-               std::logic_error);
+  EXPECT_THROW(fit_hessians<Dim>(grid, std::vector<double>(grid.n_nodes()), {}, grid.free_nodes()), std::logic_error);
 }
 
 TYPED_TEST(LocalFitTest, SameBitsWithOneAndTwoThreads) {

@@ -56,7 +56,8 @@ TYPED_TEST(InverseMapTest, UndoesTheMap) {
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < 5000; ++i) {
     Vec<Dim> x;
-    for (int k = 0; k < Dim; ++k) x[k] = i % 3 == 0 ? std::round(8 * uniform(random)) / 8 : uniform(random);  // faces and corners, too
+    for (int k = 0; k < Dim; ++k)
+      x[k] = i % 3 == 0 ? std::round(8 * uniform(random)) / 8 : uniform(random);  // faces and corners, too
     const auto back = inverse(evaluate(grid, phi, x));
     ASSERT_TRUE(back) << x.transpose();
     EXPECT_LT((*back - x).norm(), 1e-11);

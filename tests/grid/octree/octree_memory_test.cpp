@@ -39,8 +39,7 @@ void expect_memory(int finest_level, double bytes_per_node) {
   const auto grid = test::sphere_grid<Dim>(3, finest_level, 0.3, Vec<Dim>::Constant(0.51));
   const auto taken = static_cast<double>(allocated_bytes - before);
   EXPECT_NEAR(static_cast<double>(grid.memory_bytes()), taken, 0.001 * taken + 200);
-  EXPECT_LT(static_cast<double>(grid.memory_bytes()), bytes_per_node * grid.n_nodes())
-      << grid.n_nodes() << " nodes";
+  EXPECT_LT(static_cast<double>(grid.memory_bytes()), bytes_per_node * grid.n_nodes()) << grid.n_nodes() << " nodes";
 }
 
 // The bounds are 10 % above what is stored and include the table, of a megabyte.

@@ -49,8 +49,7 @@ TEST(RebuildGrid, RefusesGapsOverlapsAndLostBalance) {
   EXPECT_FALSE(rebuild_grid<2>(more));
 
   // A cell of level 3 beside one of level 1.
-  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}},
-                                  {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
+  std::vector<LeafPlace<2>> steep{{1, {0, 0}}, {1, {0, 1}}, {1, {1, 1}}, {2, {3, 0}}, {2, {2, 1}}, {2, {3, 1}}};
   for (int c = 0; c < 4; ++c) steep.push_back({3, {4 + (c & 1), c >> 1}});
   EXPECT_FALSE(rebuild_grid<2>(steep));
 

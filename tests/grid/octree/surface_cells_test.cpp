@@ -23,9 +23,7 @@ bool sphere_meets(const Vec<Dim>& low, double side, const Vec<Dim>& centre, doub
 
 template <int Dim>
 void check_sphere(const Octree<Dim>& grid, double radius, const Vec<Dim>& centre) {
-  const std::function<double(const Vec<Dim>&)> d = [&](const Vec<Dim>& x) {
-    return (x - centre).norm() - radius;
-  };
+  const std::function<double(const Vec<Dim>&)> d = [&](const Vec<Dim>& x) { return (x - centre).norm() - radius; };
   const auto nodal = sample_nodes<Dim>(grid, d);
   int n_met = 0, n_too_many = 0, n_by_sign = 0;
   for (const Index leaf : grid.leaves()) {

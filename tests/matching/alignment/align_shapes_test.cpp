@@ -60,7 +60,8 @@ TEST_F(AlignShapes, PairsThatContradictThoseAroundThemAreNotUsed) {
   const ShapePair<3> unlike{reference_, std::get<Shape<3>>(open_shape("generate:dolphin/bent"))};
   const ExperimentOptions options = quick(AlignMode::similarity);  // used whatever the score
   std::size_t least = 1000;
-  for (const Start<3>& start : search_starts(unlike, {}, options.align).starts) least = std::min(least, start.n_contradicting);
+  for (const Start<3>& start : search_starts(unlike, {}, options.align).starts)
+    least = std::min(least, start.n_contradicting);
   ASSERT_GT(least, 0u) << "whichever is chosen has some";
   Notes notes;
   const Alignment<3> found = align_shapes<3>(unlike, {}, options, notes, "the reference");
@@ -123,12 +124,14 @@ TEST_F(AlignShapes, LandmarksGiveThePose) {
     const Vec<3>& x = reference_.original.vertices[i * reference_.original.vertices.size() / 5];
     landmarks.push_back({std::to_string(i), x, by(x)});
   }
-  const Alignment<3> found = align_shapes(ShapePair<3>{reference_, moved(reference_, by)}, landmarks, quick(AlignMode::landmarks), quiet);
+  const Alignment<3> found =
+      align_shapes(ShapePair<3>{reference_, moved(reference_, by)}, landmarks, quick(AlignMode::landmarks), quiet);
   EXPECT_LT((found.pose.rotation - by.rotation).norm(), 1e-9);
   EXPECT_NEAR(found.pose.scale, 2, 1e-9);
   EXPECT_TRUE(found.pairs.empty());
-  const std::string told =
-      message_of<InputError>([&] { align_shapes(ShapePair<3>{reference_, bent_}, {}, quick(AlignMode::landmarks), quiet); });
+  const std::string told = message_of<InputError>([&] {
+    align_shapes(ShapePair<3>{reference_, bent_}, {}, quick(AlignMode::landmarks), quiet);
+  });
   EXPECT_NE(told.find("landmarks.file"), std::string::npos) << told;
 }
 
@@ -144,7 +147,8 @@ TEST_F(AlignShapes, CoordinatesTakenAsTheyAreStay) {
 
 TEST(AlignRoundShapes, FindsAPoseWhereSpectraCannotTellTheSidesApart) {
   const Shape<3> ellipsoid = std::get<Shape<3>>(open_shape("generate:ellipsoid/long"));
-  const Similarity<3> by{1, Vec<3>(0.1, 0, 0), Eigen::AngleAxisd(0.7, Vec<3>(0.3, 1, 0.5).normalized()).toRotationMatrix()};
+  const Similarity<3> by{1, Vec<3>(0.1, 0, 0),
+                         Eigen::AngleAxisd(0.7, Vec<3>(0.3, 1, 0.5).normalized()).toRotationMatrix()};
   Notes notes;
   ExperimentOptions o = quick(AlignMode::automatic);
   o.align.doubtful_margin = 1.2;  // half a turn of it ends as well but for a few per cent, which depend on rounding
@@ -157,7 +161,8 @@ TEST(AlignRoundShapes, FindsAPoseWhereSpectraCannotTellTheSidesApart) {
 }
 
 TEST(AlignOutlines, ATurnedLeafMatchesAsWellAsTheOneThatLiesAsItBelongs) {
-  const Shape<2> deep = std::get<Shape<2>>(open_shape("generate:leaf/deep")), shallow = std::get<Shape<2>>(open_shape("generate:leaf/shallow"));
+  const Shape<2> deep = std::get<Shape<2>>(open_shape("generate:leaf/deep")),
+                 shallow = std::get<Shape<2>>(open_shape("generate:leaf/shallow"));
   Similarity<2> by;
   by.rotation = Eigen::Rotation2Dd(2.3).toRotationMatrix();
   by.scale = 7;
@@ -183,7 +188,8 @@ TEST(AlignOutlines, ATurnedLeafMatchesAsWellAsTheOneThatLiesAsItBelongs) {
 TEST(AlignOutlines, CirclesStayWhereTheyAre) {
   const auto outline = [](const char* name) { return std::get<Shape<2>>(open_shape(name)); };
   Observer quiet;
-  const Alignment<2> found = align_shapes(ShapePair<2>{outline("generate:circle"), outline("generate:ellipse/long")}, {}, quick(AlignMode::automatic), quiet);
+  const Alignment<2> found = align_shapes(ShapePair<2>{outline("generate:circle"), outline("generate:ellipse/long")},
+                                          {}, quick(AlignMode::automatic), quiet);
   EXPECT_TRUE(found.pose.is_identity());
   EXPECT_TRUE(found.pairs.empty());
 }

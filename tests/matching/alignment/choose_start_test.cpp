@@ -18,7 +18,8 @@ namespace {
 
 template <int Dim>
 ShapePair<Dim> generated(const std::string& reference, const std::string& target) {
-  return {std::get<Shape<Dim>>(open_shape("generate:" + reference)), std::get<Shape<Dim>>(open_shape("generate:" + target))};
+  return {std::get<Shape<Dim>>(open_shape("generate:" + reference)),
+          std::get<Shape<Dim>>(open_shape("generate:" + target))};
 }
 
 ExperimentOptions quick() {
@@ -37,7 +38,8 @@ Similarity<3> half_turn(const ShapePair<3>& shapes, int axis) {
   return pose;
 }
 
-/// Every k-th vertex and where it belongs; both through `pose` first, so that with a turn the pairs are wrong, but fit the pose.
+/// Every k-th vertex and where it belongs; both through `pose` first, so that with a turn the pairs are wrong, but fit
+/// the pose.
 Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double score) {
   const Correspondence<3> truth = generated_correspondence<3>("generate:hand", "generate:hand/bent");
   Start<3> start;
@@ -49,8 +51,9 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
     if (!is_right) {  // the template's vertex nearest to the turned one
       const Vec<3> turned = pose(from);
       const auto& all = hands.template_shape.original.vertices;
-      y = *std::min_element(all.begin(), all.end(),
-                            [&](const Vec<3>& p, const Vec<3>& q) { return (p - turned).norm() < (q - turned).norm(); });
+      y = *std::min_element(all.begin(), all.end(), [&](const Vec<3>& p, const Vec<3>& q) {
+        return (p - turned).norm() < (q - turned).norm();
+      });
     }
     start.alignment.pairs.push_back({std::to_string(i), from, y});
   }
@@ -61,8 +64,8 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
 }
 
 template <int Dim>
-StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin, const ExperimentOptions& options,
-                      bool landmarks_are_spread = false, bool is_ambiguous = false) {
+StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
+                      const ExperimentOptions& options, bool landmarks_are_spread = false, bool is_ambiguous = false) {
   Observer quiet;
   const std::vector<Landmark<Dim>> no_landmarks;
   Trials<Dim> trials(shapes, no_landmarks, options, quiet);
@@ -215,7 +218,8 @@ TEST(Trial, ReportsEnergyAndCoverage) {
 
 TEST(Trial, GivesLandmarksTheirWholeWeight) {
   const ShapePair<2> shapes = generated<2>("circle", "ellipse");
-  const std::vector<Landmark<2>> noisy{{"a", shapes.reference.original.vertices[0], shapes.template_shape.original.vertices[5]}};
+  const std::vector<Landmark<2>> noisy{
+      {"a", shapes.reference.original.vertices[0], shapes.template_shape.original.vertices[5]}};
   const ExperimentOptions options = quick();
   Observer quiet;
   const Trials<2> trials(shapes, noisy, options, quiet);
@@ -247,7 +251,9 @@ TEST_F(TrialOfCircles, AStartThatLeavesTheDomainIsNone) {
 
 struct Counting final : Observer {
   void trial_iterated() override { ++n; }
-  bool iterated(const LevelStart&, const IterationRecord&) override { throw std::logic_error("a trial is no level of the run"); }
+  bool iterated(const LevelStart&, const IterationRecord&) override {
+    throw std::logic_error("a trial is no level of the run");
+  }
   int n = 0;
 };
 

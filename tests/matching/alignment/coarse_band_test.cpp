@@ -16,7 +16,9 @@
 namespace shellmatch {
 namespace {
 
-ShapePair<3> hands() { return {std::get<Shape<3>>(open_shape("generate:hand")), std::get<Shape<3>>(open_shape("generate:hand/bent"))}; }
+ShapePair<3> hands() {
+  return {std::get<Shape<3>>(open_shape("generate:hand")), std::get<Shape<3>>(open_shape("generate:hand/bent"))};
+}
 
 ExperimentOptions to_level_4() {
   ExperimentOptions o = profile_defaults(Profile::standard);
@@ -43,7 +45,8 @@ TEST(CoarseBand, IsNarrowWherePairsLeadASurface) {
   ExperimentOptions for_pose_alone = to_level_4();
   for_pose_alone.align.weight = 0;
   EXPECT_EQ(coarse_sigma_cells(found, for_pose_alone), 3);
-  EXPECT_EQ(cascade_options(to_level_4(), found).cascade.sigma_cells, to_level_4().cascade.sigma_cells) << "on the finest level it stays";
+  EXPECT_EQ(cascade_options(to_level_4(), found).cascade.sigma_cells, to_level_4().cascade.sigma_cells)
+      << "on the finest level it stays";
   // The teeth of outlines lie between their pairs.
   Alignment<2> of_outline;
   of_outline.pairs = {{"a", Vec<2>(0, 0), Vec<2>(1, 0)}};
@@ -63,19 +66,22 @@ TEST(CoarseBand, IsThatOfTheCascadeAndOfItsLevelsAsObjects) {
   EXPECT_EQ(PairLevel<3>(hands(), {}, o, 3, quiet).energy().sigma, 3.0 / 8);
 }
 
-// Starts with and without pairs are compared by their energies, which a narrow band lowers; directions by the maps that a run would begin with.
+// Starts with and without pairs are compared by their energies, which a narrow band lowers; directions by the maps that
+// a run would begin with.
 TEST(CoarseBand, IsTheSameForAllStartsThatAreComparedByEnergy) {
   const ShapePair<3> shapes = hands();
   Alignment<3> start;
   for (const auto& [vertex, place] : generated_correspondence<3>("generate:hand", "generate:hand/bent"))
-    if (vertex % 10 == 0) start.pairs.push_back({std::to_string(vertex), shapes.reference.original.vertices[vertex], place});
+    if (vertex % 10 == 0)
+      start.pairs.push_back({std::to_string(vertex), shapes.reference.original.vertices[vertex], place});
   Observer quiet;
   const ExperimentOptions narrow = to_level_4();
   ExperimentOptions wide = narrow;
   wide.align.coarse_sigma_cells = 6;
   const Trials<3> in_narrow(shapes, {}, narrow, quiet), in_wide(shapes, {}, wide, quiet);
   EXPECT_EQ(in_narrow(start).energy, in_wide(start).energy);
-  EXPECT_NE(in_narrow.of_direction(start, Carried::reference).energy, in_wide.of_direction(start, Carried::reference).energy);
+  EXPECT_NE(in_narrow.of_direction(start, Carried::reference).energy,
+            in_wide.of_direction(start, Carried::reference).energy);
 }
 
 }  // namespace

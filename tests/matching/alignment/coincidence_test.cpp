@@ -27,7 +27,9 @@ Shape<3> bone(double length) {
   for (int i = 0; i <= rings; ++i)
     for (int j = 0; j < n; ++j) {
       const double z = 0.1 * i, t = 2 * EIGEN_PI * j / n;
-      const double r = std::min(1.0, std::sqrt(z / 0.5) + 0.05) * (1 + 0.8 * std::exp(-(z - 1) * (z - 1)) * (1 + 0.5 * std::cos(t)) + 0.6 * std::exp(-(z - 3) * (z - 3)) * std::cos(t - 1.5));
+      const double r =
+          std::min(1.0, std::sqrt(z / 0.5) + 0.05) * (1 + 0.8 * std::exp(-(z - 1) * (z - 1)) * (1 + 0.5 * std::cos(t)) +
+                                                      0.6 * std::exp(-(z - 3) * (z - 3)) * std::cos(t - 1.5));
       s.vertices.emplace_back(r * std::cos(t) + 0.001 * z * z, r * std::sin(t) + 0.05 * z, z);
     }
   s.vertices.emplace_back(0, 0, -0.1);
@@ -71,7 +73,8 @@ TEST(Coincidence, WhatIsTurnedOrLiesElsewhereDoesNotCoincide) {
     EXPECT_FALSE(turned.decides()) << turned.share();
   }
   // The sides of a thin plate are near each other, but face away.
-  const Shape<3> plate = shape_of(test::box({0, 0, 0}, {1, 1.5, 0.05})), on_top = shape_of(test::box({0, 0, 0.05}, {1, 1.5, 0.5}));
+  const Shape<3> plate = shape_of(test::box({0, 0, 0}, {1, 1.5, 0.05})),
+                 on_top = shape_of(test::box({0, 0, 0.05}, {1, 1.5, 0.5}));
   EXPECT_NEAR(Coincidence<3>(ShapePair<3>{plate, plate}).share(), 1, 1e-9);
   EXPECT_LT(Coincidence<3>(ShapePair<3>{plate, on_top}).share(), 0.1);
 }

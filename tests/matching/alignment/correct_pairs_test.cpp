@@ -59,7 +59,8 @@ class CorrectPairs : public ::testing::Test {
 
 TEST_F(CorrectPairs, FollowLandmarksByTheShareAskedFor) {
   EXPECT_LT(mean_error(corrected(1)), 0.25 * mean_error(pairs_));
-  EXPECT_NEAR(mean_error(corrected(0.5)), 0.5 * (mean_error(corrected(1)) + mean_error(pairs_)), 0.05 * mean_error(pairs_));
+  EXPECT_NEAR(mean_error(corrected(0.5)), 0.5 * (mean_error(corrected(1)) + mean_error(pairs_)),
+              0.05 * mean_error(pairs_));
   EXPECT_EQ(mean_error(corrected(0)), mean_error(pairs_));
 }
 
@@ -88,7 +89,8 @@ TEST_F(CorrectPairs, AreThoseOfShapesFarFromIsometric) {
   for (const PointPair<3>& pair : landmarks_) landmarks.push_back({"", pair.p, pair.y});
   const auto error_with = [&](double spread) {
     alignment.spread = spread;
-    return mean_error(known_pairs<3>(landmarks, alignment, ExperimentOptions(), {}, sphere_, sphere_).back().pairs.pairs);
+    return mean_error(
+        known_pairs<3>(landmarks, alignment, ExperimentOptions(), {}, sphere_, sphere_).back().pairs.pairs);
   };
   EXPECT_EQ(error_with(1), mean_error(pairs_));
   EXPECT_NEAR(error_with(2), mean_error(corrected(0.75)), 1e-12);
@@ -96,7 +98,8 @@ TEST_F(CorrectPairs, AreThoseOfShapesFarFromIsometric) {
   alignment.landmark_trust = 0.5;
   EXPECT_EQ(error_with(2), mean_error(pairs_));
   const ExperimentOptions options;
-  EXPECT_EQ(known_pairs<3>(landmarks, alignment, options, {}, sphere_, sphere_).front().factor, 0.5 * options.landmarks.weight);
+  EXPECT_EQ(known_pairs<3>(landmarks, alignment, options, {}, sphere_, sphere_).front().factor,
+            0.5 * options.landmarks.weight);
   alignment.landmark_trust.reset();
   landmarks.clear();
   EXPECT_EQ(error_with(2), mean_error(pairs_));

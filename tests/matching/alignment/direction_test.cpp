@@ -29,7 +29,9 @@ using testing::message_of;
 using testing::TemporaryFolder;
 
 template <int Dim>
-Shape<Dim> generated(const std::string& name) { return std::get<Shape<Dim>>(open_shape("generate:" + name)); }
+Shape<Dim> generated(const std::string& name) {
+  return std::get<Shape<Dim>>(open_shape("generate:" + name));
+}
 
 ExperimentOptions options_to(int level, MatchDirection direction) {
   ExperimentOptions o = profile_defaults(Profile::standard);
@@ -58,7 +60,8 @@ struct Words final : Observer {
 
 TEST(MatchBackward, AHandEndsWhereItBelongsAlsoWhereTheTemplateIsTurnedAndLarger) {
   const Shape<3> hand = generated<3>("hand");
-  const Similarity<3> by{20, Vec<3>(3, -7, 1), Eigen::AngleAxisd(3.0, Vec<3>(1, 0.4, -0.3).normalized()).toRotationMatrix()};
+  const Similarity<3> by{20, Vec<3>(3, -7, 1),
+                         Eigen::AngleAxisd(3.0, Vec<3>(1, 0.4, -0.3).normalized()).toRotationMatrix()};
   const Shape<3> target = moved(generated<3>("hand/bent"), by);
   const double diagonal = bounding_box(target.original.vertices).diagonal();
   Observer quiet;
@@ -78,7 +81,8 @@ TEST(MatchBackward, AHandEndsWhereItBelongsAlsoWhereTheTemplateIsTurnedAndLarger
 
   // What is said about vertices is in the unit of the template.
   const auto& attributes = r.deformed.attributes;
-  const auto distance = std::find_if(attributes.begin(), attributes.end(), [](const auto& a) { return a.name == "distance_to_template"; });
+  const auto distance = std::find_if(attributes.begin(), attributes.end(),
+                                     [](const auto& a) { return a.name == "distance_to_template"; });
   ASSERT_NE(distance, attributes.end());
   const SignedDistance<3> to_target(target.surface);
   for (std::size_t i = 0; i < r.deformed.vertices.size(); i += 97)
@@ -169,7 +173,8 @@ TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
     if (wanted == MatchDirection::automatic) {
       const DirectionSummary& d = *prepared.direction;
       EXPECT_TRUE(d.forward_distance && d.backward_distance && d.forward_energy && d.backward_energy);
-      EXPECT_EQ(d.backward, *d.backward_distance * std::sqrt(*d.backward_energy) < 0.985 * *d.forward_distance * std::sqrt(*d.forward_energy));
+      EXPECT_EQ(d.backward, *d.backward_distance * std::sqrt(*d.backward_energy) <
+                                0.985 * *d.forward_distance * std::sqrt(*d.forward_energy));
     } else {
       EXPECT_FALSE(prepared.direction && prepared.direction->forward_distance);
     }
@@ -192,7 +197,8 @@ TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
     Words notes, of_same;
     const PreparedPair<2> chosen = prepare_pair(pair, {}, options_to(5, MatchDirection::automatic), notes);
     const bool backward = chosen.is_backward();
-    const PreparedPair<2> asked = prepare_pair(same, {}, options_to(5, backward ? MatchDirection::backward : MatchDirection::forward), of_same);
+    const PreparedPair<2> asked =
+        prepare_pair(same, {}, options_to(5, backward ? MatchDirection::backward : MatchDirection::forward), of_same);
     EXPECT_EQ(chosen.alignment.pose.scale, asked.alignment.pose.scale);
     EXPECT_EQ(chosen.alignment.pose.rotation, asked.alignment.pose.rotation);
     EXPECT_EQ(chosen.alignment.pairs.size(), asked.alignment.pairs.size());
@@ -203,7 +209,8 @@ TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
     EXPECT_LT(std::max(*d.forward_distance, *d.backward_distance), 0.1);
     // Nothing is said of the other direction's alignment.
     EXPECT_EQ(notes.all.find("alignment: "), notes.all.rfind("alignment: ")) << notes.all;
-    EXPECT_NE(notes.all.find(backward ? "the template is turned" : "the reference is turned"), std::string::npos) << notes.all;
+    EXPECT_NE(notes.all.find(backward ? "the template is turned" : "the reference is turned"), std::string::npos)
+        << notes.all;
   }
 }
 
@@ -212,7 +219,8 @@ TEST(ChooseDirection, LandmarksAreThoseOfTheShapesAsGiven) {
   ShapePair<2> pair{letter(0.04), moved(letter(0.4), by)};
   std::vector<Landmark<2>> landmarks;
   for (std::size_t i = 0; i < pair.reference.original.vertices.size(); i += 20)
-    landmarks.push_back({std::to_string(i), pair.reference.original.vertices[i], pair.template_shape.original.vertices[i]});
+    landmarks.push_back(
+        {std::to_string(i), pair.reference.original.vertices[i], pair.template_shape.original.vertices[i]});
   ExperimentOptions o = options_to(4, MatchDirection::automatic);
   o.align.mode = AlignMode::landmarks;
   Words notes;
@@ -220,16 +228,19 @@ TEST(ChooseDirection, LandmarksAreThoseOfTheShapesAsGiven) {
   EXPECT_TRUE(prepared.is_backward()) << notes.all;
   EXPECT_NE(notes.all.find("the template is turned"), std::string::npos) << notes.all;
   EXPECT_EQ(notes.all.find("the reference is turned"), std::string::npos) << notes.all;
-  for (const Landmark<2>& l : landmarks) EXPECT_LT((prepared.alignment.pose(l.on_template) - l.on_reference).norm(), 0.5) << l.name;
+  for (const Landmark<2>& l : landmarks)
+    EXPECT_LT((prepared.alignment.pose(l.on_template) - l.on_reference).norm(), 0.5) << l.name;
 }
 
 TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
-  // Of a circle that lies within an ellipse: the distance between both after each direction, in diagonals of the shape that is not carried.
+  // Of a circle that lies within an ellipse: the distance between both after each direction, in diagonals of the shape
+  // that is not carried.
   const ShapePair<2> pair{generated<2>("circle"), generated<2>("ellipse/long")};
   const ExperimentOptions o = options_to(5, MatchDirection::forward);
   Observer quiet;
   const Trials<2> trials(pair, {}, o, quiet);
-  const DirectionTrial carried = trials.of_direction({}, Carried::reference), inverse = trials.of_direction({}, Carried::template_shape);
+  const DirectionTrial carried = trials.of_direction({}, Carried::reference),
+                       inverse = trials.of_direction({}, Carried::template_shape);
   EXPECT_LT(carried.distance, 0.02);
   EXPECT_LT(inverse.distance, 0.05);
   EXPECT_NE(carried.distance, inverse.distance);

@@ -25,7 +25,9 @@ TEST(SearchStarts, ATurnedSurfaceFindsTheSameMapAsTheOneThatLiesAsItBelongs) {
 TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
   const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.02));
   // Fingers are longer, and the palm is narrower.
-  const auto grown = [](const Vec<3>& x) { return Vec<3>(0.5 + (x[0] - 0.5) * (0.6 + x[1]), x[1] + 1.2 * x[1] * x[1], x[2]); };
+  const auto grown = [](const Vec<3>& x) {
+    return Vec<3>(0.5 + (x[0] - 0.5) * (0.6 + x[1]), x[1] + 1.2 * x[1] * x[1], x[2]);
+  };
   ShapePair<3> shapes;
   shapes.reference.surface = as_surface(pair.reference);
   shapes.template_shape.surface = test::mapped<3>(as_surface(pair.template_shape), grown);
@@ -72,7 +74,8 @@ TEST(SearchStarts, SayWhichComponentsAreLeftOut) {
   ShapePair<3> shapes;
   const Surface<3> sphere = generated_surface("sphere", "", 0.05);
   shapes.template_shape.surface = sphere;
-  shapes.reference.surface = test::joined(sphere, test::mapped<3>(sphere, [](const Vec<3>& x) { return Vec<3>(0.1 * x); }));
+  shapes.reference.surface =
+      test::joined(sphere, test::mapped<3>(sphere, [](const Vec<3>& x) { return Vec<3>(0.1 * x); }));
   shapes.reference.source = "a.ply";
   AlignOptions options;
   options.search.functions = 40;

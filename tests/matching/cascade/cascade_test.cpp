@@ -84,7 +84,8 @@ TEST(Schedule, EachMinimisationStopsAsWhatFollowsItNeeds) {
   EXPECT_EQ(of(o, "lbfgs", Followed::on_level), 5e-3);
   const ExperimentOptions paper = profile_defaults(Profile::paper);
   for (const Followed f : {Followed::on_level, Followed::by_level, Followed::by_nothing})
-    EXPECT_EQ(of(paper, paper.solver.name, f), paper.solver.stop.relative_decrease) << "the paper's minimisations all converge alike";
+    EXPECT_EQ(of(paper, paper.solver.name, f), paper.solver.stop.relative_decrease)
+        << "the paper's minimisations all converge alike";
 }
 
 // The numbers of the minimisations that each level of circle to ellipse/long runs.
@@ -124,7 +125,8 @@ TEST(Cascade, ALevelBeginsWithItsLastNuWhereThatRaisesTheEnergyLittle) {
   std::set<std::size_t> counts;
   for (const auto& [level, steps] : steps_of_levels(o))
     if (level > o.cascade.min_level) counts.insert(steps.size());
-  EXPECT_EQ(counts, (std::set<std::size_t>{1, 3})) << "coarse levels, far from the target, keep all; fine ones need the last";
+  EXPECT_EQ(counts, (std::set<std::size_t>{1, 3}))
+      << "coarse levels, far from the target, keep all; fine ones need the last";
   o.coverage.levels = 1;
   o.coverage.tolerance = 0;
   o.coverage.weight = 1000;
@@ -166,7 +168,7 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   } stop;
   // Stopped before its first step on level 5, the second run has the first one's phi, prolonged.
   ExperimentOptions o = small(5);
-  o.cascade.intermediate_decrease = 0;  // so that both converge alike on level 4
+  o.cascade.intermediate_decrease = 0;                   // so that both converge alike on level 4
   o.cascade.coarse_sigma_cells = o.cascade.sigma_cells;  // and to the same
   o.coefficients.levels_ahead = 0;
   o.coverage.levels = 1;  // none on level 4
@@ -180,7 +182,8 @@ TEST(Cascade, RefinementChangesNoValueOfPhi) {
   EXPECT_TRUE(fine.interrupted);
   const Deformation<2> after{{}, fine.grid, fine.phi};
   EXPECT_GT(fine.grid.n_nodes(), reference.grid.n_nodes());
-  for (const auto& x : points) EXPECT_LT((before_map.apply_in_unit_domain(x) - after.apply_in_unit_domain(x)).norm(), 1e-14);
+  for (const auto& x : points)
+    EXPECT_LT((before_map.apply_in_unit_domain(x) - after.apply_in_unit_domain(x)).norm(), 1e-14);
 }
 
 TEST(Cascade, SmallerNuGivesSmallerMismatch) {
@@ -213,7 +216,10 @@ double tight_minimum(const std::string& solver, Metric metric) {
   o.solver.name = solver;
   o.solver.metric = metric;
   o.solver.ceres.function_tolerance = o.solver.ceres.gradient_tolerance = o.solver.ceres.parameter_tolerance = 0;
-  o.solver.stop = {.max_iterations = 3000, .relative_decrease = 1e-9, .decrease_window = 20, .gradient_norm = 1e-9,
+  o.solver.stop = {.max_iterations = 3000,
+                   .relative_decrease = 1e-9,
+                   .decrease_window = 20,
+                   .gradient_norm = 1e-9,
                    .max_seconds = 0};
   Steps steps;
   return run<2>("circle", "ellipse/long", o, steps).levels.back().minimised.sum();
@@ -271,7 +277,8 @@ TEST(Cascade, AMethodThatGivesUpIsReplacedAndEverybodyIsTold) {
   Methods methods;
   const auto result = run<2>("circle", "ellipse/long", o, methods);
   ASSERT_EQ(methods.notes.size(), 1u);
-  EXPECT_NE(methods.notes[0].find("level 3, step 1: fletcher_reeves gave up after"), std::string::npos) << methods.notes[0];
+  EXPECT_NE(methods.notes[0].find("level 3, step 1: fletcher_reeves gave up after"), std::string::npos)
+      << methods.notes[0];
   EXPECT_NE(methods.notes[0].find("(no_descent: no lower value"), std::string::npos) << methods.notes[0];
   EXPECT_EQ(result.levels.back().fallbacks, methods.notes);
   EXPECT_EQ(result.levels.back().last.solver, "lbfgs");

@@ -12,8 +12,7 @@
 namespace shellmatch {
 namespace {
 
-CascadeResult<2> run(const std::string& reference, const std::string& target,
-                     const ExperimentOptions& options) {
+CascadeResult<2> run(const std::string& reference, const std::string& target, const ExperimentOptions& options) {
   const auto distance = [](const std::string& name) {
     return SignedDistance<2>(std::get<Shape<2>>(open_shape("generate:" + name)).surface);
   };
@@ -83,8 +82,7 @@ TEST(Claims, ComparisonEnergiesVanishOnIdenticalShapes) {
     o.solver.stop.max_iterations = 100;
     const auto result = run("ellipse/long", "ellipse/long", o);
     for (const LevelResult& level : result.levels)
-      for (const double e : level.minimised)
-        EXPECT_LT(std::abs(e), level.start.level == 5 ? 0.02 : 0.5) << membrane;
+      for (const double e : level.minimised) EXPECT_LT(std::abs(e), level.start.level == 5 ? 0.02 : 0.5) << membrane;
   }
 }
 

@@ -1,5 +1,5 @@
-// Newton's method on terms that nobody wrote a second derivative for: one from outside the program, and those that are there
-// to compare with.
+// Newton's method on terms that nobody wrote a second derivative for: one from outside the program, and those that are
+// there to compare with.
 
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
@@ -69,7 +69,8 @@ struct WithAlignment {
   };
   /// From phi = id.
   Minimum minimise(const std::string& solver, double alignment_weight) const {
-    const MatchingEnergy<Dim> energy(level->unknowns, level->geometry, terms, level->sigma, options.energy.quadrature_order);
+    const MatchingEnergy<Dim> energy(level->unknowns, level->geometry, terms, level->sigma,
+                                     options.energy.quadrature_order);
     EnergyHessian<Dim> hessian(energy, level->unknowns);
     const ScheduleStep step = schedule_of_level(options.cascade, options.cascade.max_level).front();
     const TermValues listed = term_weights(options.energy, step.nu, step.volume_weight);
@@ -107,8 +108,9 @@ TEST(NewtonTerms, ATermOfOnesOwnIsMinimisedInSpace) { check_alignment<3>("ellips
 
 template <int Dim>
 void check_models(const std::string& from, const std::string& to, int level) {
-  for (const auto& [membrane, bending] : {std::pair{"no_p2", "thin_shell"}, std::pair{"thin_shell", "no_p2"},
-                                          std::pair{"cauchy_green", "thin_shell"}, std::pair{"thin_shell", "quadratic"}}) {
+  for (const auto& [membrane, bending] :
+       {std::pair{"no_p2", "thin_shell"}, std::pair{"thin_shell", "no_p2"}, std::pair{"cauchy_green", "thin_shell"},
+        std::pair{"thin_shell", "quadratic"}}) {
     SCOPED_TRACE(std::string("membrane ") + membrane + ", bending " + bending);
     ExperimentOptions o = experiment(level, level);
     o.energy.terms.model("membrane"_term) = membrane;

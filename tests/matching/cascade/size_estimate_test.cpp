@@ -38,12 +38,8 @@ void expect_bound_from_above(const std::vector<std::pair<int, int>>& levels) {
       EXPECT_LT(estimated, 2.5 * actual) << Dim << " " << low << " " << high;
     }
 }
-TEST(SizeEstimateTest, BoundsTheGridFromAboveInThePlane) {
-  expect_bound_from_above<2>({{4, 9}, {3, 11}, {5, 5}});
-}
-TEST(SizeEstimateTest, BoundsTheGridFromAboveInSpace) {
-  expect_bound_from_above<3>({{3, 6}, {2, 7}, {4, 4}});
-}
+TEST(SizeEstimateTest, BoundsTheGridFromAboveInThePlane) { expect_bound_from_above<2>({{4, 9}, {3, 11}, {5, 5}}); }
+TEST(SizeEstimateTest, BoundsTheGridFromAboveInSpace) { expect_bound_from_above<3>({{3, 6}, {2, 7}, {4, 4}}); }
 
 // A shape's own grid, which is wider.
 template <int Dim>

@@ -1,4 +1,5 @@
-// The levels that a checkpoint keeps for the report: bit for bit, refused where they cannot be those of the run, and in the end the same report.
+// The levels that a checkpoint keeps for the report: bit for bit, refused where they cannot be those of the run, and in
+// the end the same report.
 
 #include "matching/checkpoint/level_vertices.h"
 
@@ -28,7 +29,8 @@ using testing::TemporaryFolder;
 
 TEST(LevelVertices, AreReadBackBitForBit) {
   const TemporaryFolder tmp;
-  const std::vector<LevelVertices<3>> levels = {{3, {{0.1, 1.0 / 3, 5e-324}, {-0.0, 1, 2}}}, {4, {{1e300, 0, 0}, {4, 5, 6}}}, {12, {{7, 8, 9}, {0, 0, 0}}}};
+  const std::vector<LevelVertices<3>> levels = {
+      {3, {{0.1, 1.0 / 3, 5e-324}, {-0.0, 1, 2}}}, {4, {{1e300, 0, 0}, {4, 5, 6}}}, {12, {{7, 8, 9}, {0, 0, 0}}}};
   write_level_vertices<3>(levels, tmp / "levels.bin");
   const auto read = read_level_vertices<3>(tmp / "levels.bin", 2);
   ASSERT_EQ(read.size(), 3u);
@@ -54,11 +56,15 @@ TEST(LevelVertices, OthersAreRefused) {
   std::memcpy(not_finite.data() + whole.size() - 8, &nan, 8);
   const std::string head = "dimension 2, 2 vertices, levels ";
   for (const std::string& damaged :
-       {std::string(), std::string("\n"), head, whole.substr(0, whole.size() - 1), whole + "x", not_finite, values, head + "[4, 3]\n" + values, head + "[3, 3]\n" + values, head + "[0, 3]\n" + values, head + "[3, 16]\n" + values,
-        head + "[3]\n" + values, head + "[3, 4, 5]\n" + values, head + "[3,4]\n" + values, head + "[3, 4\n" + values, head + "[99999999999, 4]\n" + values,
-        head + "[]\n", head + "[3, 4]" + values, head + "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]\n" + std::string(512, '\0')}) {
+       {std::string(), std::string("\n"), head, whole.substr(0, whole.size() - 1), whole + "x", not_finite, values,
+        head + "[4, 3]\n" + values, head + "[3, 3]\n" + values, head + "[0, 3]\n" + values, head + "[3, 16]\n" + values,
+        head + "[3]\n" + values, head + "[3, 4, 5]\n" + values, head + "[3,4]\n" + values, head + "[3, 4\n" + values,
+        head + "[99999999999, 4]\n" + values, head + "[]\n", head + "[3, 4]" + values,
+        head + "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]\n" + std::string(512, '\0')}) {
     put(file, damaged);
-    EXPECT_NE(message_of<InputError>([&] { read_level_vertices<2>(file, 2); }).find(file + ": does not hold"), std::string::npos) << damaged.substr(0, 60);
+    EXPECT_NE(message_of<InputError>([&] { read_level_vertices<2>(file, 2); }).find(file + ": does not hold"),
+              std::string::npos)
+        << damaged.substr(0, 60);
   }
   put(file, whole);
   EXPECT_EQ(read_level_vertices<2>(file, 2).size(), 2u);
@@ -101,7 +107,8 @@ std::string decoded(const std::string& base64_text) {
   return bytes;
 }
 
-// What the page of an output folder has of the deformed reference at the ends of levels, by name: how it is to be read, and its bytes.
+// What the page of an output folder has of the deformed reference at the ends of levels, by name: how it is to be read,
+// and its bytes.
 std::map<std::string, std::string> levels_of_page(const std::string& folder) {
   const std::string page = contents_of(folder + "/report.html");
   std::istringstream text(testing::page_element(page, "data"));
@@ -174,7 +181,8 @@ TEST(ResumedReport, CheckpointsOfOtherFormatsBeginAnewAndSaySo) {
     put(kept + "/state.json", manifest_json(manifest));
     std::filesystem::remove(kept + "/levels.bin");
     const std::string notes = run(o, tmp / "out");
-    EXPECT_NE(notes.find("another build of the program has written it; the run begins anew"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("another build of the program has written it; the run begins anew"), std::string::npos)
+        << notes;
     EXPECT_EQ(levels_of_page(tmp / "out"), levels_of_page(tmp / "whole"));
     EXPECT_FALSE(std::filesystem::exists(kept));
     std::filesystem::remove_all(tmp / "out");

@@ -111,9 +111,11 @@ void check_every_stop(const ExperimentOptions& o) {
     const std::string out = tmp / "out", state = out + ".unfinished";
     const std::string told = stop_at(level, o, out);
     EXPECT_NE(told.find(level == 100 ? "while the result was written" : "in level " + std::to_string(level)),
-              std::string::npos) << told;
+              std::string::npos)
+        << told;
     EXPECT_NE(told.find("level " + std::to_string(kept) + " is kept in " + fs::canonical(state).string()),
-              std::string::npos) << told;
+              std::string::npos)
+        << told;
     EXPECT_FALSE(fs::exists(out));
     EXPECT_EQ(read_summary(state + "/summary.json").levels.back().level, kept);
 
@@ -174,7 +176,7 @@ TEST(Resume, TheFolderSaysWhatItIsAndHoldsTheMap) {
   const TemporaryFolder tmp;
   ExperimentOptions fine = experiment();
   fine.coefficients.levels_ahead = 0;  // a level is then the same whatever the finest one is
-  fine.coverage.levels = 1;             // none on level 4
+  fine.coverage.levels = 1;            // none on level 4
   stop_at(5, fine, tmp / "out");
   EXPECT_NE(contents_of(tmp / "out.unfinished/README.txt").find("The same command"), std::string::npos);
   EXPECT_TRUE(read_summary(tmp / "out.unfinished/summary.json").interrupted);
@@ -195,7 +197,8 @@ TEST(Resume, AnotherConfigurationBeginsAnew) {
   o.resume.min_seconds = 1e-9;  // no matter
   run(o, tmp / "whole");
   const Watcher anew = run(o, tmp / "out");
-  EXPECT_NE(anew.notes.find("configuration has changed (cascade.nu: 0.0002, now 0.001)"), std::string::npos) << anew.notes;
+  EXPECT_NE(anew.notes.find("configuration has changed (cascade.nu: 0.0002, now 0.001)"), std::string::npos)
+      << anew.notes;
   EXPECT_EQ(anew.levels.front(), 3);
   expect_same_bits(tmp / "whole", tmp / "out");
   EXPECT_FALSE(fs::exists(tmp / "out.unfinished"));
@@ -254,7 +257,8 @@ TEST(Resume, DamagedStatesBeginAnewWithOneWarning) {
   const TemporaryFolder tmp;
   const ExperimentOptions o = experiment();
   run(o, tmp / "whole");
-  for (const std::string file : {"deformation.vtu", "history.csv", "summary.json", "config.yaml", "levels.bin", "state.json"})
+  for (const std::string file :
+       {"deformation.vtu", "history.csv", "summary.json", "config.yaml", "levels.bin", "state.json"})
     for (const bool cut : {true, false}) {
       SCOPED_TRACE(file + (cut ? " cut off" : " changed"));
       stop_at(4, o, tmp / "out");
@@ -343,7 +347,8 @@ TEST(Resume, AFullDiskCostsNoLevelThatIsKept) {
     std::string told;
     int last_kept;
   };
-  for (const auto& [full_at, told, last_kept] : {Case{4, "level 4 is not kept", 3}, Case{100, "cannot be written", 5}}) {
+  for (const auto& [full_at, told, last_kept] :
+       {Case{4, "level 4 is not kept", 3}, Case{100, "cannot be written", 5}}) {
     SCOPED_TRACE(full_at);
     Watcher watcher;
     std::optional<FullDisk> full;
@@ -353,7 +358,8 @@ TEST(Resume, AFullDiskCostsNoLevelThatIsKept) {
       full.reset();
       if (begins == full_at) full.emplace(1000);
     };
-    watcher.notes = testing::message_of<EnvironmentError>([&] { run_matching(o, tmp / "out", {}, watcher); }) + watcher.notes;
+    watcher.notes =
+        testing::message_of<EnvironmentError>([&] { run_matching(o, tmp / "out", {}, watcher); }) + watcher.notes;
     full.reset();
     EXPECT_NE(watcher.notes.find(told), std::string::npos) << watcher.notes;
     if (full_at == 100) {

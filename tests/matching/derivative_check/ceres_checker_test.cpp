@@ -46,7 +46,8 @@ void check_terms() {
   std::vector<double> dofs;
   for (const Index node : element.nodes) dofs.insert(dofs.end(), phi[node].begin(), phi[node].end());
 
-  const ElementFields<Dim> fields(element, p.geometry, ProblemOptions{}.sigma_over_h * grid.finest_side(), p.energy.shape());
+  const ElementFields<Dim> fields(element, p.geometry, ProblemOptions{}.sigma_over_h * grid.finest_side(),
+                                  p.energy.shape());
   const double weight = std::pow(element.side, -Dim);  // so that the derivatives are of order 1
   check(ElementCost<Match<Dim>>(fields, weight, 1, 1), dofs, element.side);
   check(ElementCost<Membrane<Dim>>(fields, weight, 1, 1), dofs, element.side);

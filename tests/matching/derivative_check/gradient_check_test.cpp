@@ -54,10 +54,11 @@ enum class Fault { every_element, one_element, one_unknown };
 template <int Dim>
 class Planted final : public CheckedEnergy<Dim> {
  public:
-  Planted(const LevelEnergy<Dim>& level, Term term, Fault fault) : CheckedEnergy<Dim>(level), term_(term), fault_(fault) {}
+  Planted(const LevelEnergy<Dim>& level, Term term, Fault fault)
+      : CheckedEnergy<Dim>(level), term_(term), fault_(fault) {}
 
-  bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values, std::span<double> gradient,
-                std::vector<double>& element_gradients) const override {
+  bool evaluate(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values,
+                std::span<double> gradient, std::vector<double>& element_gradients) const override {
     if (!CheckedEnergy<Dim>::evaluate(phi, weights, values, gradient, element_gradients)) return false;
     if (gradient.empty() || !(weights[term_] > 0)) return true;
     std::vector<double> share(gradient.size()), elements;

@@ -41,14 +41,15 @@ std::vector<std::filesystem::path> shipped_experiments() {
   return found;
 }
 
-// The two evaluators share the terms' functors and the fields, and no further code: the check's sums are made by Ceres' cost functions,
-// whichever of both evaluates the energy.
+// The two evaluators share the terms' functors and the fields, and no further code: the check's sums are made by Ceres'
+// cost functions, whichever of both evaluates the energy.
 TEST(ShippedExperiments, HaveTheSameEnergyByBothEvaluators) {
   Observer silent;
   int n_compared = 0;
   for (const auto& path : shipped_experiments())
-    for (const auto& [state, evaluator] : {std::pair("identity", Evaluator::compiled), std::pair("random:0.1", Evaluator::compiled),
-                                           std::pair("random:0.1", Evaluator::ceres)}) {
+    for (const auto& [state, evaluator] :
+         {std::pair("identity", Evaluator::compiled), std::pair("random:0.1", Evaluator::compiled),
+          std::pair("random:0.1", Evaluator::ceres)}) {
       SCOPED_TRACE(path.string() + " " + state);
       ExperimentOptions options = read_experiment(path.string());
       options.energy.evaluator = evaluator;
@@ -69,7 +70,8 @@ TEST(ShippedExperiments, HaveTheSameEnergyByBothEvaluators) {
         const double tolerance = t.name == "sum" ? 1e-12 : 1e-11;
         EXPECT_LE(t.value_error, tolerance) << t.name;
         EXPECT_LE(t.gradient_error, tolerance) << t.name;
-        EXPECT_EQ(t.element_error == 0, evaluator == Evaluator::ceres || t.n_elements == 0) << t.name << ": no code is shared";
+        EXPECT_EQ(t.element_error == 0, evaluator == Evaluator::ceres || t.n_elements == 0)
+            << t.name << ": no code is shared";
         ++n_compared;
       }
     }
@@ -81,8 +83,8 @@ TEST(CheckStates, AreReadAndNamed) {
   EXPECT_EQ(CheckState::parse("random:0.25:7").text(), "random:0.25:7");
   EXPECT_EQ(CheckState::parse("random:0.25").seed, 1u);
   EXPECT_EQ(CheckState::parse(test::source_folder().string()).kind, CheckState::Kind::folder);
-  for (const char* wrong : {"", "idenity", "random", "random:", "random:x", "random:nan", "random:-1", "random:2", "random:0.1:",
-                            "random:0.1:-3", "random:0.1:1.5", "random:0.1:1 ", "no/such/folder"})
+  for (const char* wrong : {"", "idenity", "random", "random:", "random:x", "random:nan", "random:-1", "random:2",
+                            "random:0.1:", "random:0.1:-3", "random:0.1:1.5", "random:0.1:1 ", "no/such/folder"})
     EXPECT_THROW(CheckState::parse(wrong), InputError) << wrong;
 }
 

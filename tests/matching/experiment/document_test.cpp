@@ -84,7 +84,8 @@ TEST(YamlDocument, EmptyListIsAValue) { EXPECT_TRUE(read("inner: {counts: []}").
 TEST(YamlDocument, UnknownKeyNamesLineAndNeighbour) {
   expect_refused("length: 1\ncuont: 2\n", {"test.yaml:2:", "cuont", "did you mean count?", "allowed at the top",
                                            "count, length, file, colour, inner"});
-  expect_refused("inner:\n  flga: true\n", {"test.yaml:2:", "inner", "flga", "did you mean inner.flag?", "flag, counts"});
+  expect_refused("inner:\n  flga: true\n",
+                 {"test.yaml:2:", "inner", "flga", "did you mean inner.flag?", "flag, counts"});
   expect_refused("flag: true\n", {"test.yaml:1:", "did you mean inner.flag?"});
   expect_refused("<<: {count: 2}\n", {"test.yaml:1:", "unknown key"});
 }
@@ -191,8 +192,7 @@ TEST(YamlDocument, HostileDocumentsEndInAMessage) {
   }
   // Every line doubles what the one before stands for.
   std::string bomb = "a0: &a0 [x, x]\n";
-  for (int i = 1; i < 60; ++i)
-    bomb += fmt::format("a{0}: &a{0} [*a{1}, *a{1}]\n", i, i - 1);
+  for (int i = 1; i < 60; ++i) bomb += fmt::format("a{0}: &a{0} [*a{1}, *a{1}]\n", i, i - 1);
   EXPECT_THROW(read(bomb), InputError);
   EXPECT_THROW(read("inner: &i\n  counts: *i\n"), InputError);
   EXPECT_THROW(read("inner: &i {inner: *i}\n"), InputError);
@@ -224,8 +224,9 @@ TEST(OptionText, RealsRoundTripExactly) {
 }
 
 TEST(OptionText, AnyTextRoundTripsThroughYaml) {
-  for (const char* text : {"", "a b", "true", "3", "~", "c:\\d\\", "say \"it\"", "#no comment", "a: b", "line\nbreak\ttab",
-                           "bell\a", "é漢", "generate:hand/bent", " spaces ", "%@`", "-", "{x", "'"}) {
+  for (const char* text :
+       {"", "a b", "true", "3", "~", "c:\\d\\", "say \"it\"", "#no comment", "a: b", "line\nbreak\ttab", "bell\a",
+        "é漢", "generate:hand/bent", " spaces ", "%@`", "-", "{x", "'"}) {
     Outer options;
     options.file = text;
     const OptionNode root = option_tree(options);

@@ -70,7 +70,8 @@ TEST_F(Experiment, OverridesWinAndTheLastOneMost) {
 
 TEST_F(Experiment, WrongOverridesNameTheOption) {
   const std::string text = "threads: 1\n";
-  expect_refused(text, {"cascade.nuu=1"}, {"--set cascade.nuu=1:", "cascade", "unknown key \"nuu\"", "did you mean cascade.nu?"});
+  expect_refused(text, {"cascade.nuu=1"},
+                 {"--set cascade.nuu=1:", "cascade", "unknown key \"nuu\"", "did you mean cascade.nu?"});
   expect_refused(text, {"nu=1"}, {"--set nu=1:", "did you mean cascade.nu?"});
   expect_refused(text, {"cascde.nu=1"}, {"--set cascde.nu=1:", "unknown key"});
   expect_refused(text, {"cascade.nu.x=1"}, {"unknown key"});

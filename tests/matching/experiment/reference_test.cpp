@@ -42,9 +42,9 @@ TEST_P(EveryProfile, NamesAreSnakeCaseAndDifferWithinASection) {
   std::set<std::string> paths;
   for_each_option(root_, [&](const OptionNode& option) {
     EXPECT_TRUE(paths.insert(option.path).second) << option.path;
-    EXPECT_TRUE(std::all_of(option.name.begin(), option.name.end(),
-                            [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; }))
-        << option.path;
+    EXPECT_TRUE(std::all_of(option.name.begin(), option.name.end(), [](unsigned char c) {
+      return std::islower(c) || std::isdigit(c) || c == '_';
+    })) << option.path;
   });
 }
 

@@ -24,7 +24,8 @@ Shape<2> outline(std::vector<Vec<2>> points, bool turned = false) {
 const std::vector<Vec<2>> letter = {{10, 10}, {30, 10}, {30, 90}, {70, 90}, {70, 110}, {10, 110}};
 
 TEST(DownwardOutline, CommonShareIsThatOfAreas) {
-  const Shape<2> square = outline({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), shifted = outline({{1, 1}, {3, 1}, {3, 3}, {1, 3}});
+  const Shape<2> square = outline({{0, 0}, {2, 0}, {2, 2}, {0, 2}}),
+                 shifted = outline({{1, 1}, {3, 1}, {3, 3}, {1, 3}});
   EXPECT_NEAR(common_share(square.surface, square.surface), 1, 1e-12);
   EXPECT_NEAR(common_share(square.surface, shifted.surface), 1.0 / 7, 1e-3);
   EXPECT_EQ(common_share(square.surface, outline({{5, 0}, {6, 0}, {6, 1}}).surface), 0);

@@ -38,7 +38,9 @@ struct Level {
     o.cascade.min_level = o.cascade.max_level = 4;
     return o;
   }
-  LevelProblem<2> problem() { return {level->unknowns, level->energy, level->hessian, weights, level->unknown_mass(), identity_map(grid)}; }
+  LevelProblem<2> problem() {
+    return {level->unknowns, level->energy, level->hessian, weights, level->unknown_mass(), identity_map(grid)};
+  }
 };
 
 struct Found {

@@ -53,8 +53,7 @@ TEST(FieldGrid, IsFineAllAroundTheShapeAndNowhereElse) {
   // What was not split at the last step is too far.
   for (const Index leaf : own.grid.leaves()) {
     if (own.grid.cell(leaf).level != 5) continue;
-    for (const Index node : own.grid.cell(leaf).nodes)
-      EXPECT_GT(std::abs(own.distance.values()[node]), 1.5 * 2 * side);
+    for (const Index node : own.grid.cell(leaf).nodes) EXPECT_GT(std::abs(own.distance.values()[node]), 1.5 * 2 * side);
   }
   int n_near = 0, n_far = 0;
   std::mt19937 random(1);

@@ -188,39 +188,41 @@ TEST(DeformationFileTest, AHeadThatLiesIsAnInputError) {
   const std::string whole = contents_of(tmp / "whole.vtu");
   put_changed(tmp / "same.vtu", whole, "RangeMin", "rangemin");  // of no meaning here
   expect_same(some_deformation<3>(), read_deformation<3>(tmp / "same.vtu"));
-  const auto phi = [](const std::string& components) { return "Name=\"phi\" NumberOfComponents=\"" + components + "\""; };
-  const std::string points = whole.substr(whole.find("NumberOfPoints=\""), 36), cells = whole.substr(whole.find("NumberOfCells=\""), 36);
+  const auto phi = [](const std::string& components) {
+    return "Name=\"phi\" NumberOfComponents=\"" + components + "\"";
+  };
+  const std::string points = whole.substr(whole.find("NumberOfPoints=\""), 36),
+                    cells = whole.substr(whole.find("NumberOfCells=\""), 36);
   struct Case {
     std::string before, after;
   };
-  const Case cases[] = {
-      {"Name=\"dimension\"", "Name=\"level\""},
-      {"Name=\"level\"", "Name=\"dimension\""},
-      {"type=\"Int32\" Name=\"dimension\"", "type=\"level\" Name=\"dimension\""},
-      {"header_type=\"UInt64\"", "header_type=\"UInt46\""},
-      {"header_type=\"UInt64\"", "header_type=\"UInt32\""},
-      {"compressor=\"vtkZLibDataCompressor\"", "compressor=\"vtkLZ4DataCompressor\""},
-      {"byte_order=\"LittleEndian\"", "byte_order=\"BigEndian\""},
-      {phi("3"), phi("-1")},
-      {phi("3"), phi("0")},
-      {phi("3"), phi("9223372036854775807")},
-      {phi("3"), phi("1")},
-      {"type=\"Float64\" Name=\"phi\"", "type=\"Float32\" Name=\"phi\""},
-      {"type=\"Float64\" Name=\"phi\"", "type=\"Int64\" Name=\"phi\""},
-      {"Name=\"connectivity\"", "Name=\"offsets\""},
-      {points, "NumberOfPoints=\"1099511627776\""},
-      {points, "NumberOfPoints=\"-5\""},
-      {points, "NumberOfPoints=\"0\""},
-      {cells, "NumberOfCells=\"1099511627776\""},
-      {cells, "NumberOfCells=\"0\""},
-      {"offset=\"0\"", "offset=\"9999999999\""},
-      {"offset=\"0\"", "offset=\"44\""},
-      {"<Points>", "<Point>"},
-      {"<UnstructuredGrid>", "<UnstructuredGrid "},
-      {"</Piece>", "<Piece/>"},
-      {"encoding=\"raw\"", "encoding=\"base64\""},
-      {"format=\"appended\"", "format=\"ascii\""},
-      {"<AppendedData", "<AppendedDatum"}};
+  const Case cases[] = {{"Name=\"dimension\"", "Name=\"level\""},
+                        {"Name=\"level\"", "Name=\"dimension\""},
+                        {"type=\"Int32\" Name=\"dimension\"", "type=\"level\" Name=\"dimension\""},
+                        {"header_type=\"UInt64\"", "header_type=\"UInt46\""},
+                        {"header_type=\"UInt64\"", "header_type=\"UInt32\""},
+                        {"compressor=\"vtkZLibDataCompressor\"", "compressor=\"vtkLZ4DataCompressor\""},
+                        {"byte_order=\"LittleEndian\"", "byte_order=\"BigEndian\""},
+                        {phi("3"), phi("-1")},
+                        {phi("3"), phi("0")},
+                        {phi("3"), phi("9223372036854775807")},
+                        {phi("3"), phi("1")},
+                        {"type=\"Float64\" Name=\"phi\"", "type=\"Float32\" Name=\"phi\""},
+                        {"type=\"Float64\" Name=\"phi\"", "type=\"Int64\" Name=\"phi\""},
+                        {"Name=\"connectivity\"", "Name=\"offsets\""},
+                        {points, "NumberOfPoints=\"1099511627776\""},
+                        {points, "NumberOfPoints=\"-5\""},
+                        {points, "NumberOfPoints=\"0\""},
+                        {cells, "NumberOfCells=\"1099511627776\""},
+                        {cells, "NumberOfCells=\"0\""},
+                        {"offset=\"0\"", "offset=\"9999999999\""},
+                        {"offset=\"0\"", "offset=\"44\""},
+                        {"<Points>", "<Point>"},
+                        {"<UnstructuredGrid>", "<UnstructuredGrid "},
+                        {"</Piece>", "<Piece/>"},
+                        {"encoding=\"raw\"", "encoding=\"base64\""},
+                        {"format=\"appended\"", "format=\"ascii\""},
+                        {"<AppendedData", "<AppendedDatum"}};
   for (const auto& [before, after] : cases) {
     SCOPED_TRACE(before + " -> " + after);
     put_changed(tmp / "changed.vtu", whole, before, after);
@@ -240,9 +242,11 @@ TEST(DeformationFileTest, MoreArraysOrAttributesThanItCanHaveAreRefusedAtOnce) {
     attributes += "a" + std::to_string(i) + "=\"\" ";
   }
   put_changed(tmp / "changed.vtu", whole, "<FieldData>", arrays);
-  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("more arrays"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("more arrays"),
+            std::string::npos);
   put_changed(tmp / "changed.vtu", whole, "<FieldData>", attributes + ">");
-  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("no XML"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { read_deformation<2>(tmp / "changed.vtu"); }).find("no XML"),
+            std::string::npos);
 }
 
 TEST(DeformationFileTest, ANameThatIsTooLongIsAnInputError) {
@@ -260,7 +264,8 @@ TEST(DeformationFileTest, ChangedBytesWithARightChecksumAreFoundOrDoNotMatter) {
   int n_found = 0;
   for (int trial = 0; trial < 2000; ++trial) {
     std::string changed = body;
-    for (std::uint64_t n = 1 + random() % 3; n > 0; --n) changed[random() % changed.size()] = static_cast<char>(random());
+    for (std::uint64_t n = 1 + random() % 3; n > 0; --n)
+      changed[random() % changed.size()] = static_cast<char>(random());
     if (trial % 10 == 0) changed.resize(random() % changed.size());
     put(tmp / "changed.vtu", changed);
     append_checksum(tmp / "changed.vtu");

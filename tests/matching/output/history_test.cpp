@@ -18,12 +18,19 @@ History some_history() {
   History h{{"match", "membrane"}, {}};
   for (int level = 3; level < 5; ++level)
     for (int i = 0; i < 4; ++i)
-      h.rows.push_back(
-          {level,
-           1,
-           0.1 / level,
-           {i, 1.0 / (3 + i), {0.1 * i, 1e-300 / 7}, 1e-5 / 3, 1e-3 / 7, 0.7, 2 * i + 1, i + 1, 0.25 * i,
-            i < 2 ? "newton" : "lbfgs"}});
+      h.rows.push_back({level,
+                        1,
+                        0.1 / level,
+                        {i,
+                         1.0 / (3 + i),
+                         {0.1 * i, 1e-300 / 7},
+                         1e-5 / 3,
+                         1e-3 / 7,
+                         0.7,
+                         2 * i + 1,
+                         i + 1,
+                         0.25 * i,
+                         i < 2 ? "newton" : "lbfgs"}});
   return h;
 }
 
@@ -64,7 +71,8 @@ TEST(HistoryTest, DamageIsAnInputErrorThatNamesTheLine) {
   }
   // A level that no integer has is not cut to one.
   put(tmp / "h.csv", good.substr(0, third) + "4294967299" + good.substr(good.find(',', third)));
-  EXPECT_NE(message_of<InputError>([&] { read_history(tmp / "h.csv"); }).find("line 3: '4294967299'"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { read_history(tmp / "h.csv"); }).find("line 3: '4294967299'"),
+            std::string::npos);
   put(tmp / "h.csv", "a,b,c\n");
   EXPECT_THROW(read_history(tmp / "h.csv"), InputError);
   EXPECT_THROW(read_history(tmp / "not_there.csv"), InputError);

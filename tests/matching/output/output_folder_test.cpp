@@ -35,7 +35,8 @@ TEST(OutputFolderTest, NothingIsSeenBeforeCommitAndAllOfItAfterwards) {
   write_file(out.path_of("pictures/level_03.png"), "p");
   EXPECT_FALSE(std::filesystem::exists(tmp / "run"));
   out.commit();
-  EXPECT_EQ(tmp.entries(), (Names{"run", "run/files.json", "run/pictures", "run/pictures/level_03.png", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(),
+            (Names{"run", "run/files.json", "run/pictures", "run/pictures/level_03.png", "run/summary.json"}));
   EXPECT_EQ(contents_of(tmp / "run/summary.json"), "{}");
   EXPECT_EQ(out.final_path(), std::filesystem::canonical(tmp / "run").string());
 }
@@ -90,11 +91,11 @@ TEST(OutputFolderTest, ForceReplacesNothingThatNoRunHasWritten) {
   struct Case {
     std::string file, told;
   };
-  for (const auto& [file, told] : {Case{"thesis.tex", "thesis.tex"}, Case{"run2/summary.json", "run2"},
-                                   Case{"pictures/mine.txt", "pictures/mine.txt"},
-                                   Case{"pictures/more/level_03.png", "pictures/more"}, Case{"output.png", "output.png"},
-                                   Case{"pictures/mine.png", "pictures/mine.png"}, Case{"README.txt", "README.txt"},
-                                   Case{"summary.json", "summary.json"}}) {
+  for (const auto& [file, told] :
+       {Case{"thesis.tex", "thesis.tex"}, Case{"run2/summary.json", "run2"},
+        Case{"pictures/mine.txt", "pictures/mine.txt"}, Case{"pictures/more/level_03.png", "pictures/more"},
+        Case{"output.png", "output.png"}, Case{"pictures/mine.png", "pictures/mine.png"},
+        Case{"README.txt", "README.txt"}, Case{"summary.json", "summary.json"}}) {
     const TemporaryFolder tmp;
     write_output(tmp / "run", {"summary.json", "pictures/level_03.png"});
     const std::filesystem::path whole = std::filesystem::path(tmp / "run") / file;
@@ -183,17 +184,20 @@ TEST(OutputFolderTest, HiddenNamesWithoutANumberAreOfNoRun) {
   EXPECT_EQ(tmp.entries(), (Names{".run.partial-notes", ".run.partial-notes/thesis"}));
 }
 
-// What was set aside in a replacement that was killed has been an output folder, into which anybody may have put something.
+// What was set aside in a replacement that was killed has been an output folder, into which anybody may have put
+// something.
 TEST(OutputFolderTest, OfAResultThatWasSetAsideOnlyFilesOfTheRunGo) {
   const TemporaryFolder tmp;
   write_output(tmp / "run", {"summary.json"});
   write_output(tmp / ".run.partial-1.old", {"summary.json", "pictures/a.png"});
   put(tmp / ".run.partial-1.old/thesis", "years of work");
   remove_leftovers(tmp / "run");
-  EXPECT_EQ(tmp.entries(), (Names{".run.partial-1.old", ".run.partial-1.old/thesis", "run", "run/files.json", "run/summary.json"}));
+  EXPECT_EQ(tmp.entries(),
+            (Names{".run.partial-1.old", ".run.partial-1.old/thesis", "run", "run/files.json", "run/summary.json"}));
 }
 
-// A kill while a folder was filled in place: some of the new result's files are there, and the earlier one is set aside.
+// A kill while a folder was filled in place: some of the new result's files are there, and the earlier one is set
+// aside.
 TEST(OutputFolderTest, AnEarlierResultStaysUntilAWholeOneHasItsPlace) {
   const TemporaryFolder tmp;
   write_output(tmp / "run", {"summary.json", "pictures/a.png"});
@@ -248,7 +252,8 @@ TEST(OutputFolderTest, LongNamesHaveShortHiddenOnes) {
     EXPECT_LE(std::filesystem::path(name).filename().string().size(), 240u);
   EXPECT_NE(lock_name("/x/" + longest), lock_name("/x/" + other));
   EXPECT_EQ(lock_name("/x/run"), "/x/.run.lock");
-  EXPECT_TRUE(is_hidden_name(std::filesystem::path(partial_folder_name("/x/" + longest)).filename().string() + "-1.old", longest));
+  EXPECT_TRUE(is_hidden_name(std::filesystem::path(partial_folder_name("/x/" + longest)).filename().string() + "-1.old",
+                             longest));
   EXPECT_FALSE(is_hidden_name(".run.partial-", "run"));
 }
 
@@ -303,8 +308,7 @@ TEST(OutputFolderTest, PlacesThatCannotBeWrittenAreEnvironmentErrors) {
 
 TEST(OutputFolderTest, AFullDiskIsAnEnvironmentErrorThatSaysSo) {
   ASSERT_TRUE(std::filesystem::exists("/dev/full"));
-  const std::string message =
-      message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
+  const std::string message = message_of<EnvironmentError>([] { write_file("/dev/full", std::string(100000, 'x')); });
   EXPECT_NE(message.find("make room"), std::string::npos) << message;
 }
 

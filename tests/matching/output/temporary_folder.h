@@ -47,9 +47,7 @@ inline std::string contents_of(const std::string& path) {
   return text.str();
 }
 
-inline void put(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
+inline void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 /// The message of the exception of type E that `action` throws; "" if it throws none.
 template <class E, class Action>

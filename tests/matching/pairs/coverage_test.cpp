@@ -37,7 +37,8 @@ void check_pairs(const std::string& name) {
   EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 64, options).pairs(grid, identity).tolerance, half);
   EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 32, options).pairs(grid, identity).tolerance, 0.001);
   options.tolerance = 0.125;
-  EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 64, options).pairs(grid, identity).tolerance, 0.125 * diagonal);
+  EXPECT_DOUBLE_EQ(Coverage<Dim>(surface, distance, 1.0 / 64, options).pairs(grid, identity).tolerance,
+                   0.125 * diagonal);
   EXPECT_EQ(same.loss, RobustLoss::huber);
   EXPECT_DOUBLE_EQ(same.scale, options.loss_scale / 32);
   double sum = 0;
@@ -48,7 +49,8 @@ void check_pairs(const std::string& name) {
   }
   EXPECT_NEAR(sum, 2 * area, 0.02 * area) << "both shapes are covered";
   options.samples = 1000000;
-  EXPECT_EQ(Coverage<Dim>(surface, distance, 1, options).pairs(grid, identity).pairs.size(), 2 * surface.vertices.size());
+  EXPECT_EQ(Coverage<Dim>(surface, distance, 1, options).pairs(grid, identity).pairs.size(),
+            2 * surface.vertices.size());
   options.samples = 300;
 
   // Under a shift no image is farther from its other point than the shift; those of M2's samples that are farther than
@@ -96,7 +98,8 @@ TEST(Coverage, LargeFacetsHaveSamplesWithin) {
     area += pair.weight;
   }
   EXPECT_NEAR(area, 2 * 1.5, 1e-9);
-  EXPECT_LT(Coverage<3>(cube, distance, 1, options).pairs(grid, identity_map(grid)).pairs.size(), 17u) << "a cell holds all of it";
+  EXPECT_LT(Coverage<3>(cube, distance, 1, options).pairs(grid, identity_map(grid)).pairs.size(), 17u)
+      << "a cell holds all of it";
 }
 
 TEST(Coverage, WeighsAsTheMatchTermNearGaps) {
@@ -150,8 +153,10 @@ TEST(Coverage, ReachesWhatAOneSidedMatchLeavesOut) {
   const auto one_sided = match_shapes(from, to, o, quiet);
   o.coverage.levels = 1;
   const auto covered = match_shapes(from, to, o, quiet);
-  EXPECT_LT(covered.summary.distance->template_to_deformed.mean, 0.5 * one_sided.summary.distance->template_to_deformed.mean);
-  EXPECT_LT(covered.summary.distance->template_to_deformed.max, 0.3 * one_sided.summary.distance->template_to_deformed.max);
+  EXPECT_LT(covered.summary.distance->template_to_deformed.mean,
+            0.5 * one_sided.summary.distance->template_to_deformed.mean);
+  EXPECT_LT(covered.summary.distance->template_to_deformed.max,
+            0.3 * one_sided.summary.distance->template_to_deformed.max);
   EXPECT_LT(covered.summary.distance->deformed_to_template.mean, one_sided.summary.distance->deformed_to_template.mean);
   EXPECT_EQ(covered.summary.levels.back().folds.n_uncertified_cells, 0);
   ASSERT_EQ(covered.history.term_names.back(), "coverage");

@@ -1,4 +1,5 @@
-// Landmarks of drawings: coordinates of CSV are those of the shape's file, and go where its outline goes; TPS files of landmarks.
+// Landmarks of drawings: coordinates of CSV are those of the shape's file, and go where its outline goes; TPS files of
+// landmarks.
 
 #include "matching/input/shape_pair.h"
 #include "matching/pairs/landmark_file.h"
@@ -30,13 +31,15 @@ std::string table_of(const std::vector<Vec<2>>& points) {
 }
 std::string landmark_csv(const std::vector<Vec<2>>& points) {
   std::string text = "name,x,y\n";
-  for (std::size_t i = 0; i < points.size(); ++i) text += fmt::format("{},{},{}\n", i + 1, points[i].x(), points[i].y());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    text += fmt::format("{},{},{}\n", i + 1, points[i].x(), points[i].y());
   return text;
 }
 std::string svg_of(double scale) {
   std::string text;
   for (const Vec<2>& x : letter_l) text += fmt::format("{},{} ", x.x(), x.y());
-  return fmt::format("<svg width=\"{}mm\" viewBox=\"0 0 60 60\"><polygon id=\"L\" points=\"{}\"/></svg>", 60 * scale, text);
+  return fmt::format("<svg width=\"{}mm\" viewBox=\"0 0 60 60\"><polygon id=\"L\" points=\"{}\"/></svg>", 60 * scale,
+                     text);
 }
 
 struct DrawnLandmarks : ::testing::Test {
@@ -44,15 +47,16 @@ struct DrawnLandmarks : ::testing::Test {
   ExperimentOptions options;
   HeardNotes notes;
 
-  std::vector<Landmark<2>> landmarks(const std::string& reference, const std::string& template_file, const std::string& of_reference,
-                                     const std::string& of_template) {
+  std::vector<Landmark<2>> landmarks(const std::string& reference, const std::string& template_file,
+                                     const std::string& of_reference, const std::string& of_template) {
     options.input.reference = folder / reference;
     options.input.template_file = folder / template_file;
     options.landmarks.file = of_reference.empty() ? "" : folder / of_reference;
     options.landmarks.template_file = of_template.empty() ? "" : folder / of_template;
     const auto pair = std::get<ShapePair<2>>(open_shape_pair(options.input, options.landmarks, notes));
     reference_ = pair.reference.original.vertices;
-    return read_landmarks<2>(options.landmarks, pair.reference.original.vertices, pair.template_shape.original.vertices, landmark_spaces(pair), &notes.all);
+    return read_landmarks<2>(options.landmarks, pair.reference.original.vertices, pair.template_shape.original.vertices,
+                             landmark_spaces(pair), &notes.all);
   }
   // The picture with the L in it, and a pixel of background around.
   void put_picture() {
@@ -116,44 +120,56 @@ TEST_F(DrawnLandmarks, OfTpsFilesAreNamedByTheirNumbers) {
   EXPECT_TRUE(has_note("a.tps:right: coordinates multiplied by SCALE=2"));
   EXPECT_TRUE(has_note("1 point without position left out"));
   EXPECT_EQ(landmarks("b.csv", "b.csv", "l.csv", "l.csv").size(), 6u);
-  expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps", "l.csv"); }, {"a.tps: 2 specimens in it; choose one by its ID"});
+  expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps", "l.csv"); },
+                     {"a.tps: 2 specimens in it; choose one by its ID"});
   expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps:left", ""); }, {"holds points of one shape"});
-  expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps:middle", "l.csv"); }, {"no specimen has the ID 'middle'"});
+  expect_input_error([&] { landmarks("b.csv", "b.csv", "a.tps:middle", "l.csv"); },
+                     {"no specimen has the ID 'middle'"});
 }
 
 TEST_F(DrawnLandmarks, InspectionListsSpecimens) {
   const std::string file = folder / "a.tps";
-  put(file, "LM=2\n10 10\nNA NA\nID=left\nLM=3\n5 5\n1 1\n10 20\nOUTLINES=1\nPOINTS=3\n0 0\n1 0\n0 1\nIMAGE=b.jpg\nSCALE=2\n");
+  put(file,
+      "LM=2\n10 10\nNA NA\nID=left\nLM=3\n5 5\n1 1\n10 20\nOUTLINES=1\nPOINTS=3\n0 0\n1 0\n0 "
+      "1\nIMAGE=b.jpg\nSCALE=2\n");
   const auto all = listed_specimens(file), left = listed_specimens(file + ":left");
   ASSERT_TRUE(all && left);
   EXPECT_FALSE(listed_specimens(file + ":b")) << "is an outline";
   EXPECT_FALSE(listed_specimens("b.csv"));
   const std::string text = specimens_text(file, *all);
-  for (const char* part : {"a.tps: 2 specimens of TPS\n", "landmarks             2 to 3 of the plane, of which 0 to 1 without position\n", "outlines and curves   0 to 1\n",
-                           "with SCALE=           1\n", "names                 'left', 'b.jpg'\n"})
+  for (const char* part :
+       {"a.tps: 2 specimens of TPS\n", "landmarks             2 to 3 of the plane, of which 0 to 1 without position\n",
+        "outlines and curves   0 to 1\n", "with SCALE=           1\n", "names                 'left', 'b.jpg'\n"})
     EXPECT_NE(text.find(part), text.npos) << part << text;
   EXPECT_NE(specimens_text(file, *left).find("1 specimen of TPS"), text.npos);
   const std::string json = specimens_json(file, *all);
-  for (const char* part : {"\"name\": \"left\"", "null", "20.0", "\"curves\": 1"}) EXPECT_NE(json.find(part), json.npos) << part << json;
+  for (const char* part : {"\"name\": \"left\"", "null", "20.0", "\"curves\": 1"})
+    EXPECT_NE(json.find(part), json.npos) << part << json;
 }
 
 TEST_F(DrawnLandmarks, WhatIsWrittenAsTpsIsReadBack) {
-  const std::vector<PointSet<2>> sets = {{"a", {"1", "2"}, {Vec<2>(0.1, -7e-9), Vec<2>(1.0 / 3, 5)}}, {"b", {"1", "2"}, {std::nullopt, Vec<2>(2, 3)}}};
+  const std::vector<PointSet<2>> sets = {{"a", {"1", "2"}, {Vec<2>(0.1, -7e-9), Vec<2>(1.0 / 3, 5)}},
+                                         {"b", {"1", "2"}, {std::nullopt, Vec<2>(2, 3)}}};
   put(folder / "a.tps", point_sets_text<2>(PointFormat::tps, sets, Space::unsaid));
   std::vector<std::string> said;
-  const auto a = read_named_points<2>(folder / "a.tps:a", {}, Space::unsaid, Space::unsaid, said), b = read_named_points<2>(folder / "a.tps:b", {}, Space::unsaid, Space::unsaid, said);
+  const auto a = read_named_points<2>(folder / "a.tps:a", {}, Space::unsaid, Space::unsaid, said),
+             b = read_named_points<2>(folder / "a.tps:b", {}, Space::unsaid, Space::unsaid, said);
   EXPECT_EQ(a.at(0).point, sets[0].points[0]);
   EXPECT_EQ(a.at(1).point, sets[0].points[1]);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_EQ(b[0].name, "2");
   const std::vector<PointSet<3>> skull = {{"a", {"1"}, {Vec<3>(1, 2, 3)}}};
   put(folder / "s.tps", point_sets_text<3>(PointFormat::tps, skull, Space::lps));
-  EXPECT_EQ(read_named_points<3>(folder / "s.tps", {}, Space::ras, Space::ras, said).at(0).point, Vec<3>(-1, -2, 3)) << "in the frame that the file names";
-  expect_input_error([&] { read_named_points<2>(folder / "s.tps", {}, Space::unsaid, Space::unsaid, said); }, {"LM3= holds points of space"});
+  EXPECT_EQ(read_named_points<3>(folder / "s.tps", {}, Space::ras, Space::ras, said).at(0).point, Vec<3>(-1, -2, 3))
+      << "in the frame that the file names";
+  expect_input_error([&] { read_named_points<2>(folder / "s.tps", {}, Space::unsaid, Space::unsaid, said); },
+                     {"LM3= holds points of space"});
   put(folder / "none.tps", "LM=1\nNA NA\n");
-  expect_input_error([&] { read_named_points<2>(folder / "none.tps", {}, Space::unsaid, Space::unsaid, said); }, {"none of its points has a position"});
+  expect_input_error([&] { read_named_points<2>(folder / "none.tps", {}, Space::unsaid, Space::unsaid, said); },
+                     {"none of its points has a position"});
   put(folder / "empty.tps", "LM=0\nID=a\n");
-  expect_input_error([&] { read_named_points<2>(folder / "empty.tps", {}, Space::unsaid, Space::unsaid, said); }, {"LM= or LM3= is missing or 0"});
+  expect_input_error([&] { read_named_points<2>(folder / "empty.tps", {}, Space::unsaid, Space::unsaid, said); },
+                     {"LM= or LM3= is missing or 0"});
 }
 
 }  // namespace

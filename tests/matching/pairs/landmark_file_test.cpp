@@ -37,7 +37,8 @@ struct LandmarkFile : ::testing::Test {
 };
 
 TEST_F(LandmarkFile, HoldsPointsOfBothShapes) {
-  const auto marks = read("# ours\nname, x1,y1,z1, x2,y2,z2, weight\nnose,1,2,3,4,5,6,0.5\n\n\"left ear\",-1e-1,0,0,0,0,7,2\n");
+  const auto marks =
+      read("# ours\nname, x1,y1,z1, x2,y2,z2, weight\nnose,1,2,3,4,5,6,0.5\n\n\"left ear\",-1e-1,0,0,0,0,7,2\n");
   ASSERT_EQ(marks.size(), 2u);
   EXPECT_EQ(marks[0].name, "nose");
   EXPECT_EQ(marks[0].on_reference, Vec<3>(1, 2, 3));
@@ -76,7 +77,8 @@ TEST_F(LandmarkFile, StandardDeviationsWeighByTheirInverseSquares) {
 TEST_F(LandmarkFile, NoneWithoutAFile) {
   EXPECT_TRUE(read_landmarks<3>({}, corners, others).empty());
   options.template_file = "b.csv";
-  EXPECT_NE(message_of<InputError>([&] { read_landmarks<3>(options, corners, others); }).find("landmarks.file"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { read_landmarks<3>(options, corners, others); }).find("landmarks.file"),
+            std::string::npos);
 }
 
 TEST_F(LandmarkFile, NamesThatOneFileLacksMayBeLeftOut) {
@@ -103,10 +105,13 @@ TEST_F(LandmarkFile, SaysWhatIsWrongAndWhere) {
   expect_refused("a.csv, line 2", "sd is 0; expected a number > 0", "vertex1,vertex2,sd\n0,0,0\n");
   expect_refused("a.csv", "holds no landmark besides its head line", head);
   // Their squares would not be finite, or 0.
-  expect_refused("a.csv, line 3", "sd is 1e-200; expected a number from 1e-50 to 1e+50", "vertex1,vertex2,sd\n0,0,1\n1,1,1e-200\n");
+  expect_refused("a.csv, line 3", "sd is 1e-200; expected a number from 1e-50 to 1e+50",
+                 "vertex1,vertex2,sd\n0,0,1\n1,1,1e-200\n");
   expect_refused("a.csv, line 2", "weight is 1e+300; expected a number from", "vertex1,vertex2,weight\n0,0,1e300\n");
-  expect_refused("b.csv, line 3", "the name 'c' is unknown to", "name,x,y,z\na,1,0,0\n", "name,x,y,z\na,1,0,0\nc,1,0,0\n");
-  expect_refused("a.csv, line 3", "the name 'b' is unknown to", "name,x,y,z\na,1,0,0\nb,1,0,0\n", "name,x,y,z\na,1,0,0\n");
+  expect_refused("b.csv, line 3", "the name 'c' is unknown to", "name,x,y,z\na,1,0,0\n",
+                 "name,x,y,z\na,1,0,0\nc,1,0,0\n");
+  expect_refused("a.csv, line 3", "the name 'b' is unknown to", "name,x,y,z\na,1,0,0\nb,1,0,0\n",
+                 "name,x,y,z\na,1,0,0\n");
   expect_refused("b.csv, line 1", "no column 'name'", "name,x,y,z\na,1,0,0\n", "x,y,z\n1,0,0\n");
 }
 

@@ -72,8 +72,10 @@ TEST(Landmarks, PullALimbToItsPlace) {
     for (const double term : row.record.terms) sum += term;
     EXPECT_NEAR(sum, row.record.value, 1e-12 * sum);
   }
-  for (const auto& list : {pulled.summary.levels.back().energy_minimised, pulled.summary.levels.back().energy_reported}) {
-    const auto at = std::find_if(list.begin(), list.end(), [](const auto& entry) { return entry.first == "landmarks"; });
+  for (const auto& list :
+       {pulled.summary.levels.back().energy_minimised, pulled.summary.levels.back().energy_reported}) {
+    const auto at =
+        std::find_if(list.begin(), list.end(), [](const auto& entry) { return entry.first == "landmarks"; });
     ASSERT_NE(at, list.end());
     EXPECT_GT(at->second, 0);
   }
@@ -121,7 +123,8 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
   options.scale = 0.1;
   const PairSet<2> set = landmark_pairs("landmarks", marks, options, {}, placement, d1, d2);
   double length = 0;
-  for (std::size_t f = 0; f < d1.surface().facets.size(); ++f) length += facet_measure(d1.surface(), static_cast<Index>(f));
+  for (std::size_t f = 0; f < d1.surface().facets.size(); ++f)
+    length += facet_measure(d1.surface(), static_cast<Index>(f));
   ASSERT_EQ(set.pairs.pairs.size(), 4u);
   EXPECT_NEAR(set.pairs.pairs[0].weight, length / 4, 1e-14);
   EXPECT_NEAR(set.pairs.pairs[1].weight, 3 * length / 4, 1e-14);
@@ -135,7 +138,8 @@ TEST(Landmarks, AreWeighedByTheReferencesLength) {
     (on_template ? moved[2].on_template : moved[2].on_reference) = x;
     return message_of<InputError>([&] { landmark_pairs("landmarks", moved, options, {}, placement, d1, d2); });
   };
-  EXPECT_NE(refused({50, 0}, true).find("landmark 'at 2': its point of the template lies outside of the domain"), std::string::npos);
+  EXPECT_NE(refused({50, 0}, true).find("landmark 'at 2': its point of the template lies outside of the domain"),
+            std::string::npos);
   EXPECT_NE(refused({0, 0}, false).find("its point of the reference lies"), std::string::npos);
   EXPECT_NE(refused({0, 0}, false).find("landmarks.max_distance"), std::string::npos);
   EXPECT_EQ(refused(limb_point(0.1, from), false), "");
@@ -163,7 +167,8 @@ TEST(Landmarks, AreCheckedBeforeAnythingIsSearched) {
   EXPECT_EQ(swapped[2].reference_name, "template");
   marks[2].on_template = {std::nan(""), 0};
   Observer quiet;
-  EXPECT_NE(message_of<InputError>([&] { prepare_pair(shapes, marks, options_to(5), quiet); }).find("is not finite"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { prepare_pair(shapes, marks, options_to(5), quiet); }).find("is not finite"),
+            std::string::npos);
 }
 
 TEST(Landmarks, CheckGradientExaminesThem) {

@@ -24,11 +24,15 @@ struct Notes : Observer {
   }
 };
 
-std::string fcsv_of(const std::vector<Vec<3>>& points, const char* system = "LPS", const std::vector<int>& status = {}) {
-  std::string text = fmt::format("# Markups fiducial file version = 5.4\n# CoordinateSystem = {}\n"
-                                 "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n", system);
+std::string fcsv_of(const std::vector<Vec<3>>& points, const char* system = "LPS",
+                    const std::vector<int>& status = {}) {
+  std::string text = fmt::format(
+      "# Markups fiducial file version = 5.4\n# CoordinateSystem = {}\n"
+      "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n",
+      system);
   for (std::size_t i = 0; i < points.size(); ++i)
-    text += fmt::format("{},{},{},{},0,0,0,1,1,1,0,L{},,,{},0\n", i, points[i].x(), points[i].y(), points[i].z(), i, i < status.size() ? status[i] : 2);
+    text += fmt::format("{},{},{},{},0,0,0,1,1,1,0,L{},,,{},0\n", i, points[i].x(), points[i].y(), points[i].z(), i,
+                        i < status.size() ? status[i] : 2);
   return text;
 }
 
@@ -56,7 +60,8 @@ struct PointFrame : ::testing::Test {
     return std::get<ShapePair<3>>(open_shape_pair(options.input, options.landmarks, notes));
   }
   std::vector<Landmark<3>> landmarks(const ShapePair<3>& pair) {
-    return read_landmarks<3>(options.landmarks, pair.reference.original.vertices, pair.template_shape.original.vertices, landmark_spaces(pair), &notes.all);
+    return read_landmarks<3>(options.landmarks, pair.reference.original.vertices, pair.template_shape.original.vertices,
+                             landmark_spaces(pair), &notes.all);
   }
 };
 
@@ -99,7 +104,8 @@ TEST_F(PointFrame, IsSlicersWherePointsDoNotTellIt) {
   }
   // CSV is in the frame of its shape.
   options.landmarks = {};
-  EXPECT_EQ(std::get<ShapePair<3>>(open_shape_pair(options.input, options.landmarks, notes)).reference.original.space, Space::unsaid);
+  EXPECT_EQ(std::get<ShapePair<3>>(open_shape_pair(options.input, options.landmarks, notes)).reference.original.space,
+            Space::unsaid);
 }
 
 TEST_F(PointFrame, IsWhatTheUserOrTheMeshSays) {
@@ -130,8 +136,9 @@ TEST_F(PointFrame, BesideAShapeOfACohort) {
 std::string markups_of(const std::vector<Vec<3>>& points, const std::vector<const char*>& status = {}) {
   std::string list;
   for (std::size_t i = 0; i < points.size(); ++i)
-    list += fmt::format("{}{{\"label\": \"L{}\", \"position\": [{}, {}, {}], \"positionStatus\": \"{}\"}}", i ? ", " : "", i, points[i].x(), points[i].y(),
-                        points[i].z(), i < status.size() ? status[i] : "defined");
+    list +=
+        fmt::format("{}{{\"label\": \"L{}\", \"position\": [{}, {}, {}], \"positionStatus\": \"{}\"}}", i ? ", " : "",
+                    i, points[i].x(), points[i].y(), points[i].z(), i < status.size() ? status[i] : "defined");
   return "{\"markups\": [{\"type\": \"Fiducial\", \"coordinateSystem\": \"LPS\", \"controlPoints\": [" + list + "]}]}";
 }
 
@@ -140,7 +147,8 @@ TEST_F(PointFrame, PointsWithoutPositionAreLeftOutOfBothFiles) {
   const std::string csv = "name,x,y,z\nL0,,,\nL1,NA,NA,NA\nL2,nan,NaN,nan\nL3,5,2,-1\n";
   const std::vector<std::pair<std::string, std::string>> with_gaps = {
       {"g.fcsv", fcsv_of({corners.begin(), corners.begin() + 4}, "LPS", {0, 1, 3, 2})},
-      {"g.mrk.json", markups_of({corners.begin(), corners.begin() + 4}, {"undefined", "preview", "missing"})}, {"g.csv", csv}};
+      {"g.mrk.json", markups_of({corners.begin(), corners.begin() + 4}, {"undefined", "preview", "missing"})},
+      {"g.csv", csv}};
   put(folder / "whole.mrk.json", markups_of({corners.begin(), corners.begin() + 4}));
   for (const auto& [name, text] : with_gaps) {
     SCOPED_TRACE(name);
@@ -160,9 +168,11 @@ TEST_F(PointFrame, PointsWithoutPositionAreLeftOutOfBothFiles) {
   // A name that the other file does not have at all may be misspelt.
   put(options.landmarks.file = folder / "more.csv", csv + "L9,5,2,-1\n");
   options.landmarks.template_file = folder / "whole.mrk.json";
-  expect_input_error([&] { read_landmarks<3>(options.landmarks, corners, corners); }, {"more.csv, line 6", "'L9' is unknown"});
+  expect_input_error([&] { read_landmarks<3>(options.landmarks, corners, corners); },
+                     {"more.csv, line 6", "'L9' is unknown"});
   put(options.landmarks.file = folder / "none.csv", "name,x,y,z\nL0,,,\n");
-  expect_input_error([&] { read_landmarks<3>(options.landmarks, corners, corners); }, {"none.csv", "none of its points has a position"});
+  expect_input_error([&] { read_landmarks<3>(options.landmarks, corners, corners); },
+                     {"none.csv", "none of its points has a position"});
 }
 
 }  // namespace

@@ -26,8 +26,10 @@ const std::string fcsv =
 
 std::string json_with(const std::string& system, const std::string& more = "") {
   return "{\"@schema\": \"markups-schema-v1.0.3.json#\", \"markups\": [{\"type\": \"Fiducial\"" + system +
-         ", \"controlPoints\": [{\"id\": \"1\", \"label\": \"nose\", \"description\": \"t\\u00fcp\", \"position\": [1.5, -2, 3], "
-         "\"orientation\": [-1.0, -0.0, 0.0], \"selected\": true, \"positionStatus\": \"defined\"}" + more + "], \"display\": {\"color\": [0.4, 1.0, 0.0]}}]}";
+         ", \"controlPoints\": [{\"id\": \"1\", \"label\": \"nose\", \"description\": \"t\\u00fcp\", \"position\": "
+         "[1.5, -2, 3], "
+         "\"orientation\": [-1.0, -0.0, 0.0], \"selected\": true, \"positionStatus\": \"defined\"}" +
+         more + "], \"display\": {\"color\": [0.4, 1.0, 0.0]}}]}";
 }
 
 struct SlicerFiles : ::testing::Test {
@@ -41,7 +43,8 @@ struct SlicerFiles : ::testing::Test {
 
 TEST_F(SlicerFiles, NamesOfFilesSayTheFormat) {
   for (const char* name : {"a.fcsv", "A.FCSV", "b.mrk.json", "b.MRK.json"}) EXPECT_TRUE(is_slicer_file(name)) << name;
-  for (const char* name : {"a.csv", "b.json", ".fcsv", "fcsv", "a.fcsv.txt"}) EXPECT_FALSE(is_slicer_file(name)) << name;
+  for (const char* name : {"a.csv", "b.json", ".fcsv", "fcsv", "a.fcsv.txt"})
+    EXPECT_FALSE(is_slicer_file(name)) << name;
 }
 
 TEST_F(SlicerFiles, FcsvHasNamesAndItsFrame) {
@@ -64,7 +67,12 @@ TEST_F(SlicerFiles, FcsvHasNamesAndItsFrame) {
 // Since 4.11 Slicer writes LPS; a file that names no version is one of Slicer 3.
 TEST_F(SlicerFiles, FcsvWithoutFrameHasThatOfItsVersion) {
   const std::string point = "id,1,2,3,0,0,0,1,1,1,0,a,,\n";
-  for (const auto& [version, space] : {std::pair{"4.10", Space::ras}, {"4.6.2", Space::ras}, {"4.11", Space::lps}, {"4.13.0-2021", Space::lps}, {"5.4", Space::lps}, {"new", Space::ras}}) {
+  for (const auto& [version, space] : {std::pair{"4.10", Space::ras},
+                                       {"4.6.2", Space::ras},
+                                       {"4.11", Space::lps},
+                                       {"4.13.0-2021", Space::lps},
+                                       {"5.4", Space::lps},
+                                       {"new", Space::ras}}) {
     const std::string head = std::string("# Markups fiducial file version = ") + version + "\n";
     EXPECT_EQ(read("b.fcsv", head + point).points[0].space, space) << version;
     EXPECT_EQ(read("b.fcsv", "# CoordinateSystem = RAS\n" + head + point).points[0].space, Space::ras) << version;
@@ -72,9 +80,12 @@ TEST_F(SlicerFiles, FcsvWithoutFrameHasThatOfItsVersion) {
 }
 
 TEST_F(SlicerFiles, FcsvSaysWhichPointsHaveNoPosition) {
-  const std::string head = "# CoordinateSystem = LPS\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n",
-                    text = head + "1,nan,,3,0,0,0,1,1,1,0,a,,,0,0\n2,4,5,6,0,0,0,1,1,1,0,b,,,1,0\n3,7,8,9,0,0,0,1,1,1,0,c,,,2,0\n4,1,2,3,0,0,0,1,1,1,0,d,,,3,0\n"
-                                  "5,1,2,3,0,0,0,1,1,1,0,e,,\n";
+  const std::string
+      head = "# CoordinateSystem = LPS\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n",
+      text = head +
+             "1,nan,,3,0,0,0,1,1,1,0,a,,,0,0\n2,4,5,6,0,0,0,1,1,1,0,b,,,1,0\n3,7,8,9,0,0,0,1,1,1,0,c,,,2,0\n4,1,2,3,0,"
+             "0,0,1,1,1,0,d,,,3,0\n"
+             "5,1,2,3,0,0,0,1,1,1,0,e,,\n";
   const SlicerPoints file = read("b.fcsv", text);
   ASSERT_EQ(file.points.size(), 5u);
   for (const std::size_t i : {0u, 1u, 3u}) EXPECT_FALSE(file.points[i].has_position) << i;
@@ -101,7 +112,9 @@ TEST_F(SlicerFiles, InspectionNamesTheFrame) {
 TEST_F(SlicerFiles, MarkupsOfManyPointsAreReadInLinearTime) {
   const auto many = [](int n) {
     std::string list;
-    for (int i = 0; i < n; ++i) list += fmt::format("{}{{\"label\": \"{}\", \"position\": [1, 2, 3], \"orientation\": [1, 0, 0]}}", i ? "," : "", i);
+    for (int i = 0; i < n; ++i)
+      list +=
+          fmt::format("{}{{\"label\": \"{}\", \"position\": [1, 2, 3], \"orientation\": [1, 0, 0]}}", i ? "," : "", i);
     return "{\"markups\": [{\"controlPoints\": [" + list + "]}]}";
   };
   put(folder / "many.mrk.json", many(200000));
@@ -130,14 +143,17 @@ TEST_F(SlicerFiles, FcsvGoesOutAsItCameButForPositions) {
 }
 
 TEST_F(SlicerFiles, MarkupsHaveTheirFrame) {
-  for (const char* system : {", \"coordinateSystem\": \"LPS\"", ", \"coordinateSystem\": 1", ", \"coordinateSystem\": \"1\"", ""})
+  for (const char* system :
+       {", \"coordinateSystem\": \"LPS\"", ", \"coordinateSystem\": 1", ", \"coordinateSystem\": \"1\"", ""})
     EXPECT_EQ(read("a.mrk.json", json_with(system)).points.at(0).space, Space::lps) << system;
   for (const char* system : {", \"coordinateSystem\": \"RAS\"", ", \"coordinateSystem\": 0"})
     EXPECT_EQ(read("a.mrk.json", json_with(system)).points.at(0).space, Space::ras) << system;
 }
 
 TEST_F(SlicerFiles, MarkupsGoOutAsTheyCameButForPositions) {
-  const std::string text = json_with(", \"coordinateSystem\": \"RAS\"", ", {\"label\": \"next\", \"position\": [9, 9, 9], \"positionStatus\": \"undefined\"}");
+  const std::string text =
+      json_with(", \"coordinateSystem\": \"RAS\"",
+                ", {\"label\": \"next\", \"position\": [9, 9, 9], \"positionStatus\": \"undefined\"}");
   const SlicerPoints file = read("a.mrk.json", text);
   ASSERT_EQ(file.points.size(), 2u);
   EXPECT_EQ(file.points[0].position, Vec<3>(1.5, -2, 3));
@@ -167,8 +183,10 @@ TEST_F(SlicerFiles, DamageIsSaidInOneLine) {
   refused("a.mrk.json", "[]", {"there is no list 'markups'"});
   refused("a.mrk.json", "{\"markups\": [1]}", {"an entry of 'markups' is no object"});
   refused("a.mrk.json", "{\"markups\": [{\"controlPoints\": 1}]}", {"'controlPoints' is no list"});
-  refused("a.mrk.json", "{\"markups\": [{\"controlPoints\": [{\"position\": [1, 2]}]}]}", {"control point 1", "three numbers"});
-  refused("a.mrk.json", "{\"markups\": [{\"controlPoints\": [{\"position\": [1, 2, \"3\"]}]}]}", {"control point 1", "three numbers"});
+  refused("a.mrk.json", "{\"markups\": [{\"controlPoints\": [{\"position\": [1, 2]}]}]}",
+          {"control point 1", "three numbers"});
+  refused("a.mrk.json", "{\"markups\": [{\"controlPoints\": [{\"position\": [1, 2, \"3\"]}]}]}",
+          {"control point 1", "three numbers"});
   refused("a.mrk.json", "{\"markups\": [{\"coordinateSystem\": \"IJK\"}]}", {"coordinate system is \"IJK\""});
   refused("a.mrk.json", "{\"markups\": []}", {"holds no control points"});
   refused("a.mrk.json", "{\"markups\": " + std::string(100000, '['), {"nested too deeply"});
@@ -178,8 +196,8 @@ struct SlicerLandmarks : SlicerFiles {
   const std::vector<Vec<3>> vertices = {{0, 0, 0}, {1, 2, 3}};
   LandmarkOptions options;
   std::vector<std::string> notes;
-  std::vector<Landmark<3>> landmarks(const std::string& a, const std::string& name_a, const std::string& b, const std::string& name_b,
-                                     const LandmarkSpaces& spaces = {}) {
+  std::vector<Landmark<3>> landmarks(const std::string& a, const std::string& name_a, const std::string& b,
+                                     const std::string& name_b, const LandmarkSpaces& spaces = {}) {
     put(options.file = folder / name_a, a);
     put(options.template_file = folder / name_b, b);
     notes.clear();
@@ -211,12 +229,16 @@ TEST_F(SlicerLandmarks, AreConvertedToTheFrameOfTheShapes) {
 
 TEST_F(SlicerLandmarks, NeedNamesAndTwoFiles) {
   const std::string table = "name,x,y,z\na,3,2,1\n", head = "# columns = label,x,y,z\n";
-  expect_input_error([&] { landmarks(head + "a,1,2,3\na,4,5,6\n", "a.fcsv", table, "b.csv"); }, {"a.fcsv, line 3", "stands in", "line 2 already"});
-  expect_input_error([&] { landmarks(head + ",1,2,3\n", "a.fcsv", table, "b.csv"); }, {"a.fcsv, line 2", "the label is empty"});
-  expect_input_error([&] { landmarks(head + "b,1,2,3\n", "a.fcsv", table, "b.csv"); }, {"b.csv, line 2", "the name 'a' is unknown to"});
+  expect_input_error([&] { landmarks(head + "a,1,2,3\na,4,5,6\n", "a.fcsv", table, "b.csv"); },
+                     {"a.fcsv, line 3", "stands in", "line 2 already"});
+  expect_input_error([&] { landmarks(head + ",1,2,3\n", "a.fcsv", table, "b.csv"); },
+                     {"a.fcsv, line 2", "the label is empty"});
+  expect_input_error([&] { landmarks(head + "b,1,2,3\n", "a.fcsv", table, "b.csv"); },
+                     {"b.csv, line 2", "the name 'a' is unknown to"});
   put(options.file = folder / "a.fcsv", head + "a,1,2,3\n");
   options.template_file.clear();
-  expect_input_error([&] { read_landmarks<3>(options, vertices, vertices); }, {"a.fcsv", "points of one shape", "--template-landmarks"});
+  expect_input_error([&] { read_landmarks<3>(options, vertices, vertices); },
+                     {"a.fcsv", "points of one shape", "--template-landmarks"});
   options.template_file = options.file;
   expect_input_error([&] { read_landmarks<2>(options, {}, {}); }, {"a.fcsv", "points of space"});
 }

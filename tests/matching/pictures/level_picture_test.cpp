@@ -29,8 +29,7 @@ TEST(LevelPictureTest, EveryPanelInSpaceShowsSomething) {
   Surface<3> b = a, c = a;
   for (Vec<3>& v : b.vertices) v.x() = 0.5 + 1.3 * (v.x() - 0.5);
   for (Vec<3>& v : c.vertices) v.x() = 0.5 + 1.28 * (v.x() - 0.5);
-  LevelPicture<3> picture{
-      .reference = &a, .template_shape = &b, .deformed = &c, .title = "level 5", .panel_size = 120};
+  LevelPicture<3> picture{.reference = &a, .template_shape = &b, .deformed = &c, .title = "level 5", .panel_size = 120};
   for (std::size_t i = 0; i < a.vertices.size(); ++i)
     picture.distance.push_back((b.vertices[i] - c.vertices[i]).norm());
   write_level_picture(picture, tmp / "p.png");
@@ -56,8 +55,7 @@ TEST(LevelPictureTest, ThePlaneShowsTheDeformedGridToo) {
   }
   LevelPicture<2> picture{
       .reference = &a, .template_shape = &b, .deformed = &b, .title = "level 6", .grid = &grid, .phi = &phi};
-  for (std::size_t i = 0; i < a.vertices.size(); ++i)
-    picture.distance.push_back(1e-4 * static_cast<double>(i % 50));
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) picture.distance.push_back(1e-4 * static_cast<double>(i % 50));
   write_level_picture(picture, tmp / "with.png");
   const Image with = read_png(tmp / "with.png");
   for (int k = 0; k < 4; ++k) EXPECT_GT(covered(with, k / 4.0, (k + 1) / 4.0), 0.02) << k;

@@ -70,7 +70,8 @@ TEST(PackedArrays, TakesPointsThatAreNoneOrOneOrNotFinite) {
 TEST(PackedArrays, IndicesAreKeptAndNumbersRounded) {
   const std::vector<Index> indices = {5, 0, 2147483646, 7, 7, 1};
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<double> numbers = {0, -1, 1e-30, 3.14159265, -2.7e20, infinite, std::numeric_limits<double>::quiet_NaN(), 3.4e38};
+  std::vector<double> numbers = {
+      0, -1, 1e-30, 3.14159265, -2.7e20, infinite, std::numeric_limits<double>::quiet_NaN(), 3.4e38};
   for (int i = 1; i < 300; ++i) numbers.push_back(std::exp(0.37 * i - 50));
   PackedArrays arrays;
   arrays.add_indices("indices", 3, indices);

@@ -21,7 +21,9 @@ namespace shellmatch {
 namespace {
 
 template <int Dim>
-Shape<Dim> shape(const std::string& name) { return std::get<Shape<Dim>>(open_shape("generate:" + name)); }
+Shape<Dim> shape(const std::string& name) {
+  return std::get<Shape<Dim>>(open_shape("generate:" + name));
+}
 
 ExperimentOptions quick(int min_level, int max_level) {
   ExperimentOptions o = profile_defaults(Profile::standard);
@@ -34,7 +36,8 @@ ExperimentOptions quick(int min_level, int max_level) {
 }
 
 template <int Dim>
-MatchResult<Dim> matched(const std::string& reference, const std::string& template_shape, const ExperimentOptions& options) {
+MatchResult<Dim> matched(const std::string& reference, const std::string& template_shape,
+                         const ExperimentOptions& options) {
   Observer nobody;
   return match_shapes(shape<Dim>(reference), shape<Dim>(template_shape), options, nobody);
 }
@@ -62,8 +65,9 @@ TEST(Report, HoldsSummaryOptionsAndAllArrays) {
     EXPECT_EQ(a["offset"], end);
     end += a["bytes"].get<std::size_t>();
   }
-  for (const char* name : {"reference", "template", "deformed", "deformed.3", "deformed.4", "reference.facets", "distance_to_template",
-                           "distance_to_deformed", "measure_ratio", "curvature_change", "history.energy", "history.match", "grid.levels", "grid.images"})
+  for (const char* name : {"reference", "template", "deformed", "deformed.3", "deformed.4", "reference.facets",
+                           "distance_to_template", "distance_to_deformed", "measure_ratio", "curvature_change",
+                           "history.energy", "history.match", "grid.levels", "grid.images"})
     EXPECT_TRUE(names.contains(name)) << name;
   EXPECT_FALSE(names.contains("angle_change"));
   for (const Json& option : report["options"])
@@ -107,7 +111,8 @@ TEST(Report, NamesDoNotBecomePartsOfThePage) {
 
 TEST(Report, ThePageNamesNoHostItWouldAsk) {
   EXPECT_NE(report_page.find("Content-Security-Policy\" content=\"default-src 'none'"), std::string_view::npos);
-  for (const char* word : {"src=\"http", "href=\"http", "src=\"//", "@import"}) EXPECT_EQ(report_page.find(word), std::string_view::npos) << word;
+  for (const char* word : {"src=\"http", "href=\"http", "src=\"//", "@import"})
+    EXPECT_EQ(report_page.find(word), std::string_view::npos) << word;
 }
 
 // A sphere of radius 1/4 carried onto one of 3/8 by a map that is known.
@@ -135,10 +140,12 @@ TEST(SurfaceFigures, AreThoseOfAScaledSphere) {
     EXPECT_NEAR(figures.curvature_change[v], (1 / 0.375 - 1 / 0.25) / 2, 0.01);
   }
   // From a few fits, too, of which the other vertices have theirs.
-  for (const double change : surface_figures(result, 100).curvature_change) EXPECT_NEAR(change, (1 / 0.375 - 1 / 0.25) / 2, 0.01);
+  for (const double change : surface_figures(result, 100).curvature_change)
+    EXPECT_NEAR(change, (1 / 0.375 - 1 / 0.25) / 2, 0.01);
 }
 
-// Stretched along an axis by 2: facets that contain the axis are sheared by 2 atan sqrt 2 - 90 degrees, those across it not at all.
+// Stretched along an axis by 2: facets that contain the axis are sheared by 2 atan sqrt 2 - 90 degrees, those across it
+// not at all.
 TEST(SurfaceFigures, AngleChangeIsTheLargestOfAllAngles) {
   MatchResult<3> result = matched<3>("sphere", "sphere", quick(2, 2));
   MatchedSurfaces<3>& s = result.surfaces;

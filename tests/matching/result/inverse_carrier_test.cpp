@@ -26,7 +26,8 @@ class Pressed : public ::testing::Test {
   }
   /// A slab from y = 0.25 to `top`, which faces outward.
   static Surface<2> slab(double top) {
-    return subdivided(Surface<2>{{{0.3, 0.25}, {0.7, 0.25}, {0.7, top}, {0.3, top}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}}, 0.02);
+    return subdivided(Surface<2>{{{0.3, 0.25}, {0.7, 0.25}, {0.7, top}, {0.3, top}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
+                      0.02);
   }
   static double highest(const Surface<2>& s) {
     return std::ranges::max_element(s.vertices, {}, [](const Vec<2>& x) { return x.y(); })->y();
@@ -40,7 +41,8 @@ class Pressed : public ::testing::Test {
 TEST_F(Pressed, WhatLiesOnTheDeformedSurfaceGoesBackExactly) {
   const InverseCarrier<2> carry(template_shape, grid, phi);
   const Surface<2> there = deformed_surface(template_shape, grid, phi), back = carry(there);
-  for (std::size_t v = 0; v < back.vertices.size(); ++v) EXPECT_LT((back.vertices[v] - template_shape.vertices[v]).norm(), 1e-12);
+  for (std::size_t v = 0; v < back.vertices.size(); ++v)
+    EXPECT_LT((back.vertices[v] - template_shape.vertices[v]).norm(), 1e-12);
 }
 
 TEST_F(Pressed, WhatItMissesIsNotDrawnOut) {

@@ -34,7 +34,8 @@ template <int Dim>
 Vec<Dim> named_point(const OriginalShape<Dim>& deformed, const OriginalShape<Dim>& template_shape, std::size_t i) {
   Vec<Dim> x = Vec<Dim>::Zero();
   double sum = 0;
-  const auto& polygon = template_shape.polygons.at(static_cast<std::size_t>(column(deformed, Dim == 3 ? "template_face" : "template_ring").values[i]));
+  const auto& polygon = template_shape.polygons.at(
+      static_cast<std::size_t>(column(deformed, Dim == 3 ? "template_face" : "template_ring").values[i]));
   for (int k = 0; k < Dim; ++k) {
     const auto v = static_cast<Index>(column(deformed, "template_v" + std::to_string(k)).values[i]);
     const double b = column(deformed, "template_b" + std::to_string(k)).values[i];
@@ -52,7 +53,8 @@ TEST(NearestFaces, AreThoseOfTheFile) {
   OriginalShape<3> cube;
   for (int i = 0; i < 8; ++i) cube.vertices.push_back(20 * Vec<3>(i & 1, i >> 1 & 1, i >> 2 & 1));
   cube.vertices.push_back({10, 0, 0});
-  cube.polygons = {{0, 8, 1}, {0, 0, 1, 5}, {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  cube.polygons = {{0, 8, 1}, {0, 0, 1, 5}, {0, 2, 3, 1}, {4, 5, 7, 6},
+                   {0, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-10, 30);
   OriginalShape<3> deformed;
@@ -68,7 +70,9 @@ TEST(NearestFaces, AreThoseOfTheFile) {
   for (std::size_t i = 0; i < deformed.vertices.size(); ++i) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < all.facets.size(); ++f)
-      least = std::min(least, (closest_point_on_facet(all, static_cast<Index>(f), deformed.vertices[i]).point - deformed.vertices[i]).norm());
+      least = std::min(
+          least, (closest_point_on_facet(all, static_cast<Index>(f), deformed.vertices[i]).point - deformed.vertices[i])
+                     .norm());
     EXPECT_NEAR((named_point(deformed, cube, i) - deformed.vertices[i]).norm(), least, 1e-10);
   }
 }

@@ -67,7 +67,9 @@ Surface<Dim> moved(Surface<Dim> s, const Mat<Dim>& a) {
 // A box of twelve triangles, bent: between its vertices it follows the deformation, not the chords.
 TEST(TwoSidedDistance, LargeFacetsBendWithTheDeformation) {
   const auto bent = [](const Surface<3>& s) {
-    return test::mapped<3>(s, [](const Vec<3>& x) { return Vec<3>(x.x() + 0.05 * std::sin(std::numbers::pi * (x.y() - 0.3) / 0.4), x.y(), x.z()); });
+    return test::mapped<3>(s, [](const Vec<3>& x) {
+      return Vec<3>(x.x() + 0.05 * std::sin(std::numbers::pi * (x.y() - 0.3) / 0.4), x.y(), x.z());
+    });
   };
   const Surface<3> box = test::box({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
   const SignedDistance<3> target(bent(subdivided(box, 0.01)));
@@ -158,7 +160,8 @@ TEST(MatchResult, FreshAttributesReplaceThoseOfAnEarlierMatching) {
 TEST(MatchResult, MeanDistortionIsTheRatioOfTheWhole) {
   const OriginalShape<2> square = uneven_square({});
   Surface<2> reference{square.vertices, {}};
-  for (Index i = 0, n = static_cast<Index>(square.vertices.size()); i < n; ++i) reference.facets.push_back({i, (i + 1) % n});
+  for (Index i = 0, n = static_cast<Index>(square.vertices.size()); i < n; ++i)
+    reference.facets.push_back({i, (i + 1) % n});
   MatchSummary s;
   add_distortion(s, reference, moved<2>(reference, Vec<2>(2, 1).asDiagonal()), SignedDistance<2>(reference));
   EXPECT_NEAR(s.area_distortion->mean, 1.5, 1e-12);

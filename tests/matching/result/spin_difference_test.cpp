@@ -1,4 +1,5 @@
-// Whether corresponding points look alike: nothing for a copy of another size, much for head on tail, none where little is known.
+// Whether corresponding points look alike: nothing for a copy of another size, much for head on tail, none where little
+// is known.
 #include "matching/result/spin_difference.h"
 
 #include "matching/input/shape_source.h"
@@ -23,7 +24,8 @@ TEST(SpinDifference, IsNothingForACopyOfAnySize) {
   const Surface<3> shape = dolphin(), smaller = half_as_large(shape);
   EXPECT_NEAR(spin_difference<3>(shape, shape, shape, all_is_known, false).value(), 0, 1e-6);
   EXPECT_LT(spin_difference<3>(shape, smaller, smaller, all_is_known, false).value(), 0.02);
-  EXPECT_GT(spin_difference<3>(shape, smaller, smaller, all_is_known, true).value(), 0.1) << "no part of that size is like it";
+  EXPECT_GT(spin_difference<3>(shape, smaller, smaller, all_is_known, true).value(), 0.1)
+      << "no part of that size is like it";
 }
 
 TEST(SpinDifference, IsLargeWhereHeadLiesOnTail) {
@@ -45,7 +47,8 @@ TEST(SpinDifference, IsUnknownWithoutEnoughPoints) {
   Evidence<3> evidence{shape, shape};
   evidence.observed.facets.clear();
   evidence.unobserved.facets.clear();
-  for (std::size_t f = 0; f < shape.facets.size(); ++f) (f % 2 == 0 ? evidence.observed : evidence.unobserved).facets.push_back(shape.facets[f]);
+  for (std::size_t f = 0; f < shape.facets.size(); ++f)
+    (f % 2 == 0 ? evidence.observed : evidence.unobserved).facets.push_back(shape.facets[f]);
   const ObservedPair<3> half{ObservedPart<3>(evidence), {}};
   EXPECT_FALSE(spin_difference<3>(shape, shape, shape, half, true));
   EXPECT_FALSE(spin_difference<2>({}, {}, {}, {}, false));

@@ -39,15 +39,23 @@ struct Case {
 };
 
 const std::vector<Case> cases = {
-    {"mean there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.mean = x; }, 0.005, 0.03, "deformed reference lies", places.deformed},
-    {"mean back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.mean = x; }, 0.005, 0.03, "template lies", places.template_shape},
-    {"largest there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.max = x; }, 0.03, 0.2, "part of the deformed", places.deformed},
-    {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2, "part of the template", places.template_shape},
-    {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05, "% of the template is not reached", places.template_shape},
+    {"mean there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.mean = x; }, 0.005, 0.03,
+     "deformed reference lies", places.deformed},
+    {"mean back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.mean = x; }, 0.005, 0.03,
+     "template lies", places.template_shape},
+    {"largest there", [](MatchSummary& s, double x) { s.distance->deformed_to_template.max = x; }, 0.03, 0.2,
+     "part of the deformed", places.deformed},
+    {"largest back", [](MatchSummary& s, double x) { s.distance->template_to_deformed.max = x; }, 0.03, 0.2,
+     "part of the template", places.template_shape},
+    {"unreached", [](MatchSummary& s, double x) { s.distance->uncovered = x; }, 0.015, 0.05,
+     "% of the template is not reached", places.template_shape},
     {"flipped", [](MatchSummary& s, double x) { s.flipped_share = x; }, 0.02, 0.08, "% of the surface faces away", {}},
-    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 48, "directions on a twentieth", places.distorted},
-    {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor", places.distorted},
-    {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12, "areas change by a factor", places.distorted},
+    {"angles", [](MatchSummary& s, double x) { s.angle_distortion->p95 = x; }, 20, 48, "directions on a twentieth",
+     places.distorted},
+    {"areas grow", [](MatchSummary& s, double x) { s.area_distortion->p95 = x; }, 4, 12, "areas change by a factor",
+     places.distorted},
+    {"areas shrink", [](MatchSummary& s, double x) { s.area_distortion->p5 = 1 / x; }, 4, 12,
+     "areas change by a factor", places.distorted},
 };
 
 // Of limbs in another pose, which touch.
@@ -69,17 +77,23 @@ TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAli
   EXPECT_EQ(judge(vouched_summary(), places).outcome, "matched");
   for (void (*const spoil)(MatchSummary&) :
        {+[](MatchSummary& s) { s.alignment->score = 0.85; }, +[](MatchSummary& s) { s.alignment->margin = 1.1; },
-        +[](MatchSummary& s) { s.alignment->as_it_lies = true; }, +[](MatchSummary& s) { s.alignment->doubtful = true; },
-        +[](MatchSummary& s) { s.alignment->n_pairs = 0; }, +[](MatchSummary& s) { s.alignment.reset(); },
-        +[](MatchSummary& s) { s.spin_difference = 0.45; }, +[](MatchSummary& s) { s.spin_difference.reset(); }}) {
+        +[](MatchSummary& s) { s.alignment->as_it_lies = true; },
+        +[](MatchSummary& s) { s.alignment->doubtful = true; }, +[](MatchSummary& s) { s.alignment->n_pairs = 0; },
+        +[](MatchSummary& s) { s.alignment.reset(); }, +[](MatchSummary& s) { s.spin_difference = 0.45; },
+        +[](MatchSummary& s) { s.spin_difference.reset(); }}) {
     MatchSummary unsure = vouched_summary();
     spoil(unsure);
     EXPECT_EQ(judge(unsure, places).outcome, "not-matched");
   }
   for (const auto& [set, look, fail] :
-       {std::tuple<void (*)(MatchSummary&, double), double, double>{cases[0].set, 0.008, 0.03}, {cases[2].set, 0.12, 0.25},
-        {cases[4].set, 0.06, 0.2}, {cases[5].set, 0.06, 0.15}, {cases[6].set, 52, 60}, {cases[7].set, 5, 12}})
-    for (const auto& [figure, outcome, below] : {std::tuple(look, "look-here", "matched"), {fail, "not-matched", "look-here"}}) {
+       {std::tuple<void (*)(MatchSummary&, double), double, double>{cases[0].set, 0.008, 0.03},
+        {cases[2].set, 0.12, 0.25},
+        {cases[4].set, 0.06, 0.2},
+        {cases[5].set, 0.06, 0.15},
+        {cases[6].set, 52, 60},
+        {cases[7].set, 5, 12}})
+    for (const auto& [figure, outcome, below] :
+         {std::tuple(look, "look-here", "matched"), {fail, "not-matched", "look-here"}}) {
       MatchSummary s = vouched_summary();
       set(s, 1.01 * figure);
       EXPECT_EQ(judge(s, places).outcome, outcome) << figure;
@@ -132,7 +146,8 @@ TEST(Verdict, LengthsInThePlaneMayChangeByTheRootOfWhatAreasMay) {
   MatchSummary s = good_summary();
   s.dimension = 2;
   s.angle_distortion.reset();
-  for (const auto& [factor, outcome] : {std::pair(1.98, "matched"), {2.02, "look-here"}, {3.43, "look-here"}, {3.5, "not-matched"}}) {
+  for (const auto& [factor, outcome] :
+       {std::pair(1.98, "matched"), {2.02, "look-here"}, {3.43, "look-here"}, {3.5, "not-matched"}}) {
     s.area_distortion->p95 = factor;
     EXPECT_EQ(judge(s, places).outcome, outcome) << factor;
   }
@@ -157,7 +172,8 @@ TEST(Verdict, TheGravestReasonIsFirst) {
 TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
   using Change = void (*)(MatchSummary&);
   for (const auto& [change, what] :
-       {std::pair<Change, const char*>([](MatchSummary& s) { s.template_shape.genus = 1; }, "the reference has 1 component and genus 0, the template 1 and 1"),
+       {std::pair<Change, const char*>([](MatchSummary& s) { s.template_shape.genus = 1; },
+                                       "the reference has 1 component and genus 0, the template 1 and 1"),
         {[](MatchSummary& s) { s.reference.invented = 0.62; }, "62 % of the reference's surface was made up"},
         {[](MatchSummary& s) { s.reference.n_components = 2; }, "the reference has 2 components and genus 0"},
         {[](MatchSummary& s) { s.levels.back().folds.n_folded_cells = 7; }, "folded cells of the grid: 7"},
@@ -198,7 +214,9 @@ TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
     set(s);
     return judge(s, places).outcome;
   };
-  const auto unreached = [](MatchSummary& s) { s.distance->uncovered = 0.4, s.distance->template_to_deformed.max = 0.5; };
+  const auto unreached = [](MatchSummary& s) {
+    s.distance->uncovered = 0.4, s.distance->template_to_deformed.max = 0.5;
+  };
   const auto beyond = [](MatchSummary& s) { s.distance->deformed_to_template.max = 0.5; };
   EXPECT_EQ(outcome(unreached), "not-matched");
   EXPECT_EQ(outcome([&](MatchSummary& s) { unreached(s), s.reference.invented = 0.2; }), "look-here");
@@ -207,7 +225,8 @@ TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
   EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.template_shape.invented = 0.2; }), "look-here");
   EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.reference.invented = 0.2; }), "not-matched");
   // Distances on average are of what both have.
-  EXPECT_EQ(outcome([&](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05, s.reference.invented = 0.2; }), "not-matched");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05, s.reference.invented = 0.2; }),
+            "not-matched");
 }
 
 TEST(Verdict, NothingInCommonIsNoMatch) {
@@ -228,12 +247,18 @@ TEST(Verdict, LinesTellDistancesInTheUnitAndInDiagonals) {
   s.verdict = judge(s, places);
   const auto lines = verdict_lines(s);
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[0], "distance of the deformed reference from the template: mean 0.02 mm (0.0001 diagonals), 95 % 0.04 mm (0.0002 diagonals), "
-                      "largest 0.06 mm (0.0003 diagonals)");
+  EXPECT_EQ(lines[0],
+            "distance of the deformed reference from the template: mean 0.02 mm (0.0001 diagonals), 95 % 0.04 mm "
+            "(0.0002 diagonals), "
+            "largest 0.06 mm (0.0003 diagonals)");
   EXPECT_NE(lines[1].find("mean 0.08 mm (0.0004 diagonals)"), std::string::npos) << lines[1];
   EXPECT_NE(lines[1].find("; 3.4 % is not reached"), std::string::npos) << lines[1];
   EXPECT_EQ(lines[2], "verdict: matched, but look here");
-  EXPECT_EQ(lines[3].find("  3.4 % of the template is not reached, near (4.0, 5.0, 6.0) of the template; --align auto or landmarks"), 0u) << lines[3];
+  EXPECT_EQ(
+      lines[3].find(
+          "  3.4 % of the template is not reached, near (4.0, 5.0, 6.0) of the template; --align auto or landmarks"),
+      0u)
+      << lines[3];
   s.alignment.emplace().mode = "auto";  // it has been tried
   EXPECT_EQ(judge(s, places).reasons[0].advice.find("landmarks"), 0u);
   s.distance->deformed_to_template.mean = 50;
@@ -258,7 +283,8 @@ TEST(FarApart, IsSaidBeforeTheRun) {
   EXPECT_FALSE(far_apart_warning(s));
   s.distance_before->template_to_deformed.mean = 0.26;
   ASSERT_TRUE(far_apart_warning(s));
-  EXPECT_NE(far_apart_warning(s)->find("the template 52 mm (0.26 diagonals) from the reference"), std::string::npos) << *far_apart_warning(s);
+  EXPECT_NE(far_apart_warning(s)->find("the template 52 mm (0.26 diagonals) from the reference"), std::string::npos)
+      << *far_apart_warning(s);
 }
 
 /// Levels from 3 on with these shares of the template not reached.

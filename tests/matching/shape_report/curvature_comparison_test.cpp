@@ -57,7 +57,8 @@ TEST(CurvatureComparison, ErrorsOfKnownDifferences) {
 template <int Dim>
 void expect_convergence(const std::string& source, int finest, double largest) {
   const auto c = compare<Dim>(source, 3, finest);
-  const CurvatureErrors &coarse = *c.levels[c.levels.size() - 3].formula_to_formula, &fine = *c.levels.back().formula_to_formula;
+  const CurvatureErrors &coarse = *c.levels[c.levels.size() - 3].formula_to_formula,
+                        &fine = *c.levels.back().formula_to_formula;
   const double order = 0.5 * std::log2(coarse.k1.p95 / fine.k1.p95);
   EXPECT_GT(order, 0.8) << source;
   EXPECT_LT(order, 2.2) << source;

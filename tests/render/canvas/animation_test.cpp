@@ -75,7 +75,8 @@ TEST(Animation, TimesAreThoseOfTheSum) {
 }
 
 TEST(Animation, APictureThatStaysIsOne) {
-  const DecodedAnimation decoded = decoded_animation(animation_of({moving_disc(0), moving_disc(3), moving_disc(3)}, 100));
+  const DecodedAnimation decoded =
+      decoded_animation(animation_of({moving_disc(0), moving_disc(3), moving_disc(3)}, 100));
   ASSERT_EQ(decoded.pictures.size(), 2u);
   EXPECT_EQ(decoded.ends, (std::vector<int>{40, 120}));
 }
@@ -84,7 +85,8 @@ TEST(Animation, APictureThatStaysIsOne) {
 TEST(Animation, APictureIsTheSameWhateverCameBefore) {
   std::vector<Image> pictures;
   for (int i = 0; i < 12; ++i) pictures.push_back(moving_disc(i));
-  EXPECT_EQ(decoded_animation(animation_of(pictures, 60)).pictures.back(), decoded_animation(animation_of({moving_disc(0), moving_disc(11)}, 60)).pictures.back());
+  EXPECT_EQ(decoded_animation(animation_of(pictures, 60)).pictures.back(),
+            decoded_animation(animation_of({moving_disc(0), moving_disc(11)}, 60)).pictures.back());
 }
 
 TEST(Animation, TheSamePicturesGiveTheSameBytes) {

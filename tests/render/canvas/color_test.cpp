@@ -45,8 +45,7 @@ TEST(ColorTest, MapsAreUniform) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (int i = 0; i < 64; ++i) {
       const double step =
-          (oklab_from_color(map_color(map, (i + 1) / 64.0)) - oklab_from_color(map_color(map, i / 64.0)))
-              .norm();
+          (oklab_from_color(map_color(map, (i + 1) / 64.0)) - oklab_from_color(map_color(map, i / 64.0))).norm();
       least = std::min(least, step);
       most = std::max(most, step);
     }
@@ -75,8 +74,7 @@ TEST(ColorTest, MapsClampAndNanIsGrey) {
 TEST(ColorTest, SeriesColoursAreFarApart) {
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < i; ++j)
-      EXPECT_GT((oklab_from_color(series_color(i)) - oklab_from_color(series_color(j))).norm(), 0.08)
-          << i << " " << j;
+      EXPECT_GT((oklab_from_color(series_color(i)) - oklab_from_color(series_color(j))).norm(), 0.08) << i << " " << j;
 }
 
 }  // namespace

@@ -32,14 +32,15 @@ TEST(ContoursTest, AreaOfADiscAndOfARing) {
 TEST(ContoursTest, LinesAreAsLongAndWideAsTheyShould) {
   const Surface<2> line = circle(400, 0.4, {0.5, 0.5});
   const RenderContour look{.contour = &line, .line_width = 3};
-  EXPECT_NEAR(ink(render_contours(std::span(&look, 1), Frame{}, 300, 300)),
-              2 * std::numbers::pi * 0.4 * 3 / 300, 1e-3);
+  EXPECT_NEAR(ink(render_contours(std::span(&look, 1), Frame{}, 300, 300)), 2 * std::numbers::pi * 0.4 * 3 / 300, 1e-3);
 }
 
 TEST(ContoursTest, DashesLeaveGapsInWhichWhatLiesBelowIsSeen) {
   const Surface<2> line = circle(400, 0.4, {0.5, 0.5});
-  const RenderContour whole{.contour = &line, .line_width = 3}, dashed{.contour = &line, .line_width = 3, .dashes = {6, 6}};
-  const double all = ink(render_contours(std::span(&whole, 1), Frame{}, 300, 300)), half = ink(render_contours(std::span(&dashed, 1), Frame{}, 300, 300));
+  const RenderContour whole{.contour = &line, .line_width = 3},
+      dashed{.contour = &line, .line_width = 3, .dashes = {6, 6}};
+  const double all = ink(render_contours(std::span(&whole, 1), Frame{}, 300, 300)),
+               half = ink(render_contours(std::span(&dashed, 1), Frame{}, 300, 300));
   EXPECT_NEAR(half / all, 0.5, 0.03);
 }
 

@@ -14,8 +14,7 @@ namespace shellmatch {
 namespace {
 
 TEST(TicksTest, LinearTicksLieInsideAtEqualSteps) {
-  for (const auto& [min, max] :
-       {std::pair{0.0, 1.0}, {-3.7, 12.1}, {1e-9, 2.3e-9}, {1e6, 1.0001e6}, {-0.5, 0.5}}) {
+  for (const auto& [min, max] : {std::pair{0.0, 1.0}, {-3.7, 12.1}, {1e-9, 2.3e-9}, {1e6, 1.0001e6}, {-0.5, 0.5}}) {
     const auto ticks = linear_ticks(min, max);
     ASSERT_GE(ticks.size(), 3u);
     ASSERT_LE(ticks.size(), 13u);
@@ -60,8 +59,7 @@ Image drawn(const Plot& plot) {
 }
 
 TEST(PlotTest, AFallingLineLeavesInkInTheUpperLeftAndLowerRight) {
-  Plot plot{
-      .title = "", .x_label = "x", .y_label = "y", .log_y = true, .series = {{.name = "", .x = {}, .y = {}}}};
+  Plot plot{.title = "", .x_label = "x", .y_label = "y", .log_y = true, .series = {{.name = "", .x = {}, .y = {}}}};
   const Image empty_axes = [&] {
     Plot p = plot;
     p.series[0] = {.name = "", .x = {0, 100}, .y = {1, 1e-4}, .dashed = false};
@@ -99,10 +97,8 @@ TEST(PlotTest, BadValuesInterruptTheLineAndNothingIsAPicture) {
 }
 
 TEST(PlotTest, WritesPngAndSvg) {
-  const Plot plot{.title = "Energy",
-                  .x_label = "x",
-                  .y_label = "y",
-                  .series = {{.name = "one", .x = {0, 1}, .y = {1, 2}}}};
+  const Plot plot{
+      .title = "Energy", .x_label = "x", .y_label = "y", .series = {{.name = "one", .x = {0, 1}, .y = {1, 2}}}};
   const std::string base = ::testing::TempDir() + "shellmatch_plot";
   write_plot(plot, base + ".png");
   EXPECT_EQ(read_png(base + ".png"), drawn(plot));

@@ -14,14 +14,10 @@ using testing::sphere;
 
 Camera from_front(double half_height) { return {.half_height = half_height}; }
 
-int brightness(const Image& image, int x, int y) {
-  return image.at(x, y)[0] + image.at(x, y)[1] + image.at(x, y)[2];
-}
+int brightness(const Image& image, int x, int y) { return image.at(x, y)[0] + image.at(x, y)[1] + image.at(x, y)[2]; }
 
-Image draw(const std::vector<RenderSurface>& surfaces, const Camera& camera, int size = 120,
-           bool shade = false) {
-  return render_surfaces(surfaces, camera,
-                         {.width = size, .height = size, .samples = 2, .ambient_occlusion = shade});
+Image draw(const std::vector<RenderSurface>& surfaces, const Camera& camera, int size = 120, bool shade = false) {
+  return render_surfaces(surfaces, camera, {.width = size, .height = size, .samples = 2, .ambient_occlusion = shade});
 }
 
 // Share of pixels that are not background.
@@ -60,14 +56,13 @@ TEST(SurfacesTest, FittedCameraSeesAllAndFillsThePicture) {
   for (const double field_of_view : {0.0, 20.0, 60.0}) {
     const Camera camera = fit_camera(all, 1.5, {.field_of_view = field_of_view, .margin = 0.05});
     const std::vector<RenderSurface> looks{{.surface = &a, .color = black}, {.surface = &b, .color = black}};
-    const Image image = render_surfaces(
-        looks, camera, {.width = 300, .height = 200, .samples = 1, .ambient_occlusion = false});
+    const Image image =
+        render_surfaces(looks, camera, {.width = 300, .height = 200, .samples = 1, .ambient_occlusion = false});
     int left = 300, right = -1, top = 200, bottom = -1;
     for (int y = 0; y < 200; ++y)
       for (int x = 0; x < 300; ++x)
         if (brightness(image, x, y) < 600) {
-          left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
-          bottom = std::max(bottom, y);
+          left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
         }
     EXPECT_GE(left, 10);
     EXPECT_LE(right, 289);
@@ -100,8 +95,7 @@ TEST(SurfacesTest, SameBitsWhateverTheNumberOfThreads) {
   const Surface<3> a = sphere(300, 0.8), b = cube(1.2);
   const Surface<3>* all[] = {&a, &b};
   const Camera camera = fit_camera(all, 1);
-  const std::vector<RenderSurface> looks{{.surface = &a, .paint = Paint::checker},
-                                         {.surface = &b, .opacity = 0.4}};
+  const std::vector<RenderSurface> looks{{.surface = &a, .paint = Paint::checker}, {.surface = &b, .opacity = 0.4}};
   const int before = n_threads();
   std::vector<Image> images;
   for (const int n : {1, 2, 2, 4}) {
@@ -140,8 +134,7 @@ TEST(SurfacesTest, PatternIsCarriedAlong) {
   Camera camera = from_front(1);
   const Image before = draw({{.surface = &reference, .paint = Paint::checker}}, camera);
   camera.target += shift;
-  const Image after =
-      draw({{.surface = &deformed, .paint = Paint::checker, .origins = reference.vertices}}, camera);
+  const Image after = draw({{.surface = &deformed, .paint = Paint::checker, .origins = reference.vertices}}, camera);
   const Image lost = draw({{.surface = &deformed,
                             .paint = Paint::checker,
                             .origins = deformed.vertices,

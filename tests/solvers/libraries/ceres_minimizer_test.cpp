@@ -61,12 +61,14 @@ TEST(CeresMinimizer, RecordsWhatCeresReturns) {
       ASSERT_GE(records.size(), report.iterations.size());
       for (std::size_t i = 0; i < report.iterations.size(); ++i) {
         EXPECT_EQ(records[i].value, report.iterations[i].cost);
-        EXPECT_NEAR(records[i].gradient_norm, report.iterations[i].gradient_norm, 1e-10 * records[i].gradient_norm + 1e-15);
+        EXPECT_NEAR(records[i].gradient_norm, report.iterations[i].gradient_norm,
+                    1e-10 * records[i].gradient_norm + 1e-15);
         EXPECT_NEAR(records[i].step, report.iterations[i].step_norm, 1e-9 * records[i].step + 1e-15);
       }
       EXPECT_EQ(records.back().value, report.final_cost);
       ASSERT_EQ(summary.library_reports.size(), 1u);
-      EXPECT_NE(summary.library_reports[0].brief.find(fmt::format("Iterations: {}", report.iterations.size())), std::string::npos)
+      EXPECT_NE(summary.library_reports[0].brief.find(fmt::format("Iterations: {}", report.iterations.size())),
+                std::string::npos)
           << summary.library_reports[0].brief;
       EXPECT_NE(summary.library_reports[0].full.find("Line search direction"), std::string::npos);
     }

@@ -53,8 +53,7 @@ OneDimensional parabola() {
 TEST(InterpolatedMinimum, IsExactForParabolasAndCubics) {
   const LinePoint a{
       .alpha = 0.5, .value = 0.25, .slope = -1, .gradient_norm = 1, .feasible = true, .has_gradient = true};
-  const LinePoint b{
-      .alpha = 3, .value = 4, .slope = 4, .gradient_norm = 1, .feasible = true, .has_gradient = false};
+  const LinePoint b{.alpha = 3, .value = 4, .slope = 4, .gradient_norm = 1, .feasible = true, .has_gradient = false};
   EXPECT_NEAR(interpolated_minimum(a, b), 1, 1e-14);  // (x - 1)^2
   const auto cubic = [](double x) {
     return LinePoint{.alpha = x,
@@ -100,8 +99,7 @@ TEST(SearchLine, GradientBelongsToTheAcceptedPoint) {
   for (const int gradient_trials : {0, 1, 2, 40})
     for (const double first : {0.3, 3.0, 50.0, 1e5}) {
       auto f = parabola();
-      const auto s =
-          search(f, first, {.interpolation = Interpolation::halving, .gradient_trials = gradient_trials});
+      const auto s = search(f, first, {.interpolation = Interpolation::halving, .gradient_trials = gradient_trials});
       ASSERT_TRUE(s.result.success);
       EXPECT_EQ(s.x, s.result.point.alpha);
       EXPECT_EQ(s.gradient, f.derivative(s.x));

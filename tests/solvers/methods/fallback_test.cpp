@@ -41,7 +41,8 @@ TEST(Fallback, NewtonGivesWayToLbfgsByDefaultAndSaysSo) {
   ASSERT_EQ(s.fallbacks.size(), 1u);
   EXPECT_EQ(announced, s.fallbacks);
   EXPECT_NE(s.fallbacks[0].find("newton gave up after 0 iterations (library: the objective has no second derivative"),
-            std::string::npos) << s.fallbacks[0];
+            std::string::npos)
+      << s.fallbacks[0];
   EXPECT_NE(s.fallbacks[0].find("lbfgs goes on"), std::string::npos) << s.fallbacks[0];
   // One sequence of records: nothing is counted twice, the start stands there once.
   ASSERT_EQ(static_cast<int>(records.size()), s.iterations + 1);
@@ -142,7 +143,8 @@ TEST(Fallback, NamesTheLimitAsItWasGivenAndNotWhatWasLeftOfIt) {
     std::vector<double> last;  // the last point that could be evaluated
     std::size_t size() const override { return inner->size(); }
     bool evaluate(std::span<const double> x, double& value, std::span<double> gradient) override {
-      const bool is_free = --n_before > 0 || std::equal(x.begin(), x.end(), last.begin(), last.end()) || --n_blocked < 0;
+      const bool is_free =
+          --n_before > 0 || std::equal(x.begin(), x.end(), last.begin(), last.end()) || --n_blocked < 0;
       if (is_free) last.assign(x.begin(), x.end());
       return inner->evaluate(x, value, gradient) && is_free;
     }
@@ -178,11 +180,15 @@ TEST(Fallback, AWindowOfZeroIsThatOfTheMethod) {
     SolverOptions options;
     options.name = name;
     std::vector<double> x(problem.size(), 1.0);
-    return minimize_with_fallback(options, problem, x, {.max_iterations = 5000, .relative_decrease = 1, .decrease_window = window, .gradient_norm = 0});
+    return minimize_with_fallback(
+        options, problem, x,
+        {.max_iterations = 5000, .relative_decrease = 1, .decrease_window = window, .gradient_norm = 0});
   };
   for (const char* name : {"lbfgs", "fletcher_reeves", "ceres_ncg", "nlopt_lbfgs"}) {
-    EXPECT_NE(stopped(name, 0).message.find("over 50 iterations"), std::string::npos) << name << ": " << stopped(name, 0).message;
-    EXPECT_NE(stopped(name, 3).message.find("over 3 iterations"), std::string::npos) << name << ": " << stopped(name, 3).message;
+    EXPECT_NE(stopped(name, 0).message.find("over 50 iterations"), std::string::npos)
+        << name << ": " << stopped(name, 0).message;
+    EXPECT_NE(stopped(name, 3).message.find("over 3 iterations"), std::string::npos)
+        << name << ": " << stopped(name, 3).message;
   }
 }
 
@@ -194,7 +200,8 @@ TEST(Fallback, UnknownMethodsAreNamed) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("solver.fallback: there is no method 'lfbgs', did you mean 'lbfgs'?"),
-              std::string::npos) << error.what();
+              std::string::npos)
+        << error.what();
   }
 }
 

@@ -133,8 +133,7 @@ TEST(IllConditionedQuadratic, IsSolvedInAboutTheRootOfItsConditionSteps) {
     std::vector<double> z(300, 1.0);
     options.fletcher_reeves.restart_every = 1;  // the steepest descent
     options.name = "fletcher_reeves";
-    EXPECT_GT(make_minimizer(options)->minimize(quadratic, z, options.stop).iterations,
-              2 * summary.iterations);
+    EXPECT_GT(make_minimizer(options)->minimize(quadratic, z, options.stop).iterations, 2 * summary.iterations);
   }
 }
 

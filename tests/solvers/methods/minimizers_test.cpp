@@ -20,8 +20,7 @@ TEST_P(EveryMinimizer, SolvesThePublishedProblems) {
     const std::string expected = testing::expected_failure(GetParam(), problem->name());
     if (expected.empty())
       EXPECT_EQ(trial.wrong, "") << trial.summary.message << " after " << trial.summary.iterations << " iterations";
-    else
-      EXPECT_NE(trial.wrong, "") << "works now, though it was expected to fail: " << expected;
+    else EXPECT_NE(trial.wrong, "") << "works now, though it was expected to fail: " << expected;
   }
 }
 
@@ -29,11 +28,8 @@ TEST_P(EveryMinimizer, FindsItsWayAlongAnEdgeBeyondWhichNothingCanBeEvaluated) {
   SolverOptions options;
   options.name = GetParam();
   options.ceres = testing::without_tolerances();
-  options.stop = {.max_iterations = 20000,
-                  .relative_decrease = 0,
-                  .decrease_window = 10,
-                  .gradient_norm = 1e-9,
-                  .max_seconds = 20};
+  options.stop = {
+      .max_iterations = 20000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-9, .max_seconds = 20};
   for (const double mu : {0.1, 0.01}) {
     const auto problem = testing::log_barrier(10, mu);
     std::vector<double> x = problem->start();
@@ -45,11 +41,8 @@ TEST_P(EveryMinimizer, FindsItsWayAlongAnEdgeBeyondWhichNothingCanBeEvaluated) {
 TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
   SolverOptions options;
   options.name = GetParam();
-  options.stop = {.max_iterations = 15,
-                  .relative_decrease = 0,
-                  .decrease_window = 10,
-                  .gradient_norm = 0,
-                  .max_seconds = 0};
+  options.stop = {
+      .max_iterations = 15, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 0, .max_seconds = 0};
   // An objective that counts for itself what it is asked.
   struct Counting final : testing::UnitModel {
     std::unique_ptr<testing::TestProblem> inner = testing::weighted_bowl(60);
@@ -95,8 +88,7 @@ TEST_P(EveryMinimizer, KeepsAnHonestRecord) {
 }
 
 std::string method_of(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(minimizer_names()),
-                         method_of);
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMinimizer, ::testing::ValuesIn(minimizer_names()), method_of);
 
 // The variants of the paper's method that options reach, its letter among them.
 TEST(FletcherReevesVariants, AllSolveRosenbrock) {
@@ -121,8 +113,7 @@ TEST(FletcherReevesVariants, AllSolveRosenbrock) {
   paper.least_cosine = 0;
   EXPECT_TRUE(solve(paper, 1e-4));  // a step that only ever shrinks creeps in the end
   for (const auto interpolation : {Interpolation::halving, Interpolation::quadratic, Interpolation::cubic})
-    for (const auto initial :
-         {InitialStep::memory, InitialStep::slope, InitialStep::decrease, InitialStep::curvature})
+    for (const auto initial : {InitialStep::memory, InitialStep::slope, InitialStep::decrease, InitialStep::curvature})
       for (const double curvature : {0.0, 0.3}) {
         FletcherReevesOptions o;
         o.interpolation = interpolation;

@@ -101,7 +101,8 @@ Outcome minimised(double reuse_below, double start, double relative_decrease) {
   StopOptions stop;
   stop.relative_decrease = relative_decrease;
   stop.decrease_window = 1;
-  const MinimizerSummary summary = Newton({.max_forcing = 1e-9, .min_forcing = 1e-9, .reuse_below = reuse_below}).minimize(objective, x, stop);
+  const MinimizerSummary summary =
+      Newton({.max_forcing = 1e-9, .min_forcing = 1e-9, .reuse_below = reuse_below}).minimize(objective, x, stop);
   return {objective.n_models, summary.iterations, summary.final_value};
 }
 
@@ -189,7 +190,8 @@ TEST(Newton, GoesOnFromAStepThatWasRegularised) {
 // With so few iterations, found by trial, going on from the step as it was would lead upwards.
 TEST(Newton, DescendsAfterRegularisationThoughIterationsAreFew) {
   Stiffened objective(1e4);
-  const MinimizerSummary summary = one_step(objective, {.max_forcing = 1e-9, .min_forcing = 1e-9, .max_linear_iterations = 2});
+  const MinimizerSummary summary =
+      one_step(objective, {.max_forcing = 1e-9, .min_forcing = 1e-9, .max_linear_iterations = 2});
   double slope = 0;
   for (std::size_t i = 0; i < 3; ++i) slope += Stiffened::slope[i] * objective.regularised_step[i];
   EXPECT_LT(slope, 0);

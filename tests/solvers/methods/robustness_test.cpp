@@ -15,11 +15,8 @@
 namespace shellmatch {
 namespace {
 
-const StopOptions long_run{.max_iterations = 100000,
-                           .relative_decrease = 0,
-                           .decrease_window = 10,
-                           .gradient_norm = 1e-12,
-                           .max_seconds = 20};
+const StopOptions long_run{
+    .max_iterations = 100000, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 1e-12, .max_seconds = 20};
 
 class AnyMinimizer : public ::testing::TestWithParam<std::string> {
  protected:
@@ -62,7 +59,9 @@ struct FiniteAtItsStart final : testing::UnitModel {
     if (!only_gradient && !is_start(x)) value = nan;
     return true;
   }
-  std::string what_is_not_finite(std::span<const double> x) override { return is_start(x) ? "" : "the term wall is not finite there"; }
+  std::string what_is_not_finite(std::span<const double> x) override {
+    return is_start(x) ? "" : "the term wall is not finite there";
+  }
 };
 
 TEST(LineSearchMethods, SayWhatIsNotFiniteAlongTheLine) {
@@ -75,7 +74,9 @@ TEST(LineSearchMethods, SayWhatIsNotFiniteAlongTheLine) {
       std::vector<double> x{1, 1};
       const auto summary = make_minimizer(options)->minimize(objective, x, long_run);
       EXPECT_EQ(summary.reason, StopReason::no_descent) << name;
-      EXPECT_EQ(summary.message, "no lower value can be found along the steepest descent: the term wall is not finite there") << name;
+      EXPECT_EQ(summary.message,
+                "no lower value can be found along the steepest descent: the term wall is not finite there")
+          << name;
       EXPECT_EQ(x, (std::vector<double>{1, 1})) << name;
     }
 }
@@ -102,8 +103,8 @@ TEST_P(AnyMinimizer, StopsWhenTheCallerSaysSo) {
   const auto problem = testing::extended_rosenbrock(20);
   for (const int last : {0, 3}) {
     std::vector<double> x = problem->start();
-    const auto summary = minimizer()->minimize(*problem, x, long_run,
-                                               [&](const IterationRecord& r) { return r.iteration < last; });
+    const auto summary =
+        minimizer()->minimize(*problem, x, long_run, [&](const IterationRecord& r) { return r.iteration < last; });
     EXPECT_EQ(summary.reason, StopReason::interrupted);
     EXPECT_EQ(summary.iterations, last);
     double value = 0;
@@ -175,8 +176,7 @@ TEST_P(AnyMinimizer, TakesWhatIsNotFiniteForAPlaceThatCannotBeEvaluated) {
   EXPECT_NEAR(summary.final_value, 2, 1e-8) << summary.message;
   for (const double start : {-1.0, 0.1}) {  // the value is NaN, the gradient is infinite
     std::vector<double> outside{start, start};
-    EXPECT_EQ(minimizer()->minimize(careless, outside, stop).reason, StopReason::cannot_evaluate_start)
-        << start;
+    EXPECT_EQ(minimizer()->minimize(careless, outside, stop).reason, StopReason::cannot_evaluate_start) << start;
   }
 }
 
@@ -224,8 +224,7 @@ TEST_P(AnyMinimizer, GivesTheSameBitsWithOneThreadAndTwo) {
 }
 
 std::string name_of_method(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, AnyMinimizer, ::testing::ValuesIn(minimizer_names()),
-                         name_of_method);
+INSTANTIATE_TEST_SUITE_P(Methods, AnyMinimizer, ::testing::ValuesIn(minimizer_names()), name_of_method);
 
 // At most 1.6 evaluations and one gradient per step is what the step memory is for.
 TEST(Economy, OurMethodsEvaluateLittleMoreThanOncePerStep) {
@@ -250,7 +249,8 @@ TEST(Nlopt, EvaluatesAgainAfterAStall) {
     options.nlopt.max_stalled_evaluations = 10;
     options.nlopt.max_restarts = max_restarts;
     std::vector<double> x = problem->start();
-    return make_minimizer(options)->minimize(*problem, x, {.max_iterations = 100000, .relative_decrease = 0, .gradient_norm = 0});
+    return make_minimizer(options)->minimize(*problem, x,
+                                             {.max_iterations = 100000, .relative_decrease = 0, .gradient_norm = 0});
   };
   const MinimizerSummary first = run(0), second = run(1);
   EXPECT_EQ(first.message, "NLopt: no lower value in max_stalled_evaluations evaluations (0 restarts)");

@@ -10,8 +10,8 @@
 namespace shellmatch {
 namespace {
 
-/// |x|^2 / 2 - sum x_i in as many unknowns as regions, D_r = e_r e_r^T, and a model that is the second derivative. The step
-/// leads beyond the model in some of the regions, so many times; what it is damped by is kept.
+/// |x|^2 / 2 - sum x_i in as many unknowns as regions, D_r = e_r e_r^T, and a model that is the second derivative. The
+/// step leads beyond the model in some of the regions, so many times; what it is damped by is kept.
 class Regions final : public SecondOrderObjective {
  public:
   explicit Regions(std::size_t n) : added(n, 0.0) {}

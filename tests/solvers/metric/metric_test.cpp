@@ -56,11 +56,8 @@ TEST(Metric, SteepestDescentFollowsTheL2Gradient) {
   } equal;
   const auto run = [&](Metric metric) {
     SolverOptions options;
-    options.stop = {.max_iterations = 3,
-                    .relative_decrease = 0,
-                    .decrease_window = 10,
-                    .gradient_norm = 0,
-                    .max_seconds = 0};
+    options.stop = {
+        .max_iterations = 3, .relative_decrease = 0, .decrease_window = 10, .gradient_norm = 0, .max_seconds = 0};
     std::vector<double> x(3, 1.0);
     minimize_in_metric(*make_minimizer(options), metric, equal, x, options.stop);
     return x;
@@ -190,7 +187,8 @@ TEST(Metric, GradientNormIsThatOfTheMetricAndThatOfL2StandsBesideIt) {
       std::vector<double> at_end(12);
       ASSERT_TRUE(problem->evaluate(x, value, at_end));
       EXPECT_NEAR(records.back().l2_gradient_norm, problem->l2_gradient_norm(at_end),
-                  1e-7 * records[0].l2_gradient_norm) << name << metric_name;
+                  1e-7 * records[0].l2_gradient_norm)
+          << name << metric_name;
     }
 }
 
@@ -210,8 +208,8 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
     const auto problem = testing::weighted_bowl(18);
     std::vector<double> x = problem->start();
     const auto minimizer = make_minimizer(options);
-    const auto summary =
-        minimize_in_metric(*minimizer, minimizer->uses_metric() ? metric : Metric::euclidean, *problem, x, options.stop);
+    const auto summary = minimize_in_metric(*minimizer, minimizer->uses_metric() ? metric : Metric::euclidean, *problem,
+                                            x, options.stop);
     // The lightest unknowns weigh 8^-5: without the mass their coordinates are known less well. The chains of h1 know
     // nothing of the masses, and Ceres' methods without memory creep there.
     const bool creeps = (options.name == "ceres_steepest_descent" || options.name == "ceres_ncg") &&
@@ -224,8 +222,7 @@ TEST_P(InEveryMetric, TheSameMinimumIsReached) {
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Methods, InEveryMetric, ::testing::ValuesIn(minimizer_names()),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Methods, InEveryMetric, ::testing::ValuesIn(minimizer_names()), test_name);
 
 }  // namespace
 }  // namespace shellmatch

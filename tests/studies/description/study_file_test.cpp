@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 class StudyFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_studyfile_") +
-                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("shellmatch_studyfile_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -46,8 +46,7 @@ class StudyFile : public testing::Test {
   fs::path folder_;
 };
 
-const std::string pair =
-    "problems: {a: {set: {input: {reference: generate:circle, template: generate:ellipse}}}}\n";
+const std::string pair = "problems: {a: {set: {input: {reference: generate:circle, template: generate:ellipse}}}}\n";
 const std::string good = "version: 1\n" + pair + "solvers: [newton]\n";
 
 TEST_F(StudyFile, TheLeastThatRuns) {
@@ -67,8 +66,7 @@ TEST_F(StudyFile, LaterWins) {
       "{cascade: {nu: 0.25}}}}\n"
       "solvers: {x: {name: lbfgs, metric: l2, stop: {max_iterations: 7}}}\nmetrics: [euclidean]\n"
       "parameters: {cascade.nu_substeps: [1, 4]}\n";
-  const auto runs =
-      runs_of(read_study(write(text), {{"cascade.volume", "0.125", "--set"}, {"repeats", "2", "--set"}}));
+  const auto runs = runs_of(read_study(write(text), {{"cascade.volume", "0.125", "--set"}, {"repeats", "2", "--set"}}));
   ASSERT_EQ(runs.size(), 4u);
   const ExperimentOptions& o = runs[2].options;
   EXPECT_EQ(o.energy.delta, 2);                   // set over base
@@ -113,8 +111,7 @@ TEST_F(StudyFile, MistakesWithin) {
   expect_refused(good + "parameters: {energy.delta: []}\n", {"parameters.energy.delta", "empty list"});
   expect_refused("version: 1\n" + pair + "solvers: [newtn]\n",
                  {":3: solvers", "newton", "fletcher_reeves", "nlopt_slsqp"});
-  expect_refused("version: 1\n" + pair + "solvers: [lbfgs]\nmetrics: [l3]\n",
-                 {":4: metrics", "euclidean", "l2"});
+  expect_refused("version: 1\n" + pair + "solvers: [lbfgs]\nmetrics: [l3]\n", {":4: metrics", "euclidean", "l2"});
   expect_refused("version: 1\n" + pair + "solvers: {x: {name: lbfgs, metrc: l2}}\n",
                  {":3: solvers.x", "did you mean solver.metric?"});
   expect_refused("version: 1\n" + pair + "solvers: {bad-name: {name: lbfgs}}\n", {":3: solvers", "bad-name"});

@@ -19,9 +19,9 @@ const std::string head =
     " b: {set: {input: {reference: generate:star, template: generate:circle}}}}\n";
 
 std::vector<StudyRun> runs(const std::string& text, std::vector<Override> overrides = {}) {
-  const fs::path file = fs::path(testing::TempDir()) /
-                        (std::string("shellmatch_runs_") +
-                         testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
+  const fs::path file =
+      fs::path(testing::TempDir()) /
+      (std::string("shellmatch_runs_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
   std::ofstream(file) << text;
   const auto list = runs_of(read_study(file.string(), std::move(overrides)));
   fs::remove(file);

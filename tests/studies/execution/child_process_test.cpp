@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string log_file() {
-  return testing::TempDir() + "shellmatch_child_" +
-         testing::UnitTest::GetInstance()->current_test_info()->name() + ".txt";
+  return testing::TempDir() + "shellmatch_child_" + testing::UnitTest::GetInstance()->current_test_info()->name() +
+         ".txt";
 }
 
 std::string contents(const std::string& file) {
@@ -60,8 +60,7 @@ TEST(ChildProcess, IsAskedToStopBeforeItIsKilled) {
 
 // The memory of what it has started counts, too.
 TEST(ChildProcess, IsEndedForItsMemory) {
-  const ProcessResult result =
-      result_of("head -c 200000000 /dev/zero | tail | wc -c; sleep 5", {20, 0, 100000000});
+  const ProcessResult result = result_of("head -c 200000000 /dev/zero | tail | wc -c; sleep 5", {20, 0, 100000000});
   EXPECT_EQ(result.end, ProcessEnd::out_of_memory);
   EXPECT_GT(result.peak_memory_bytes, 100000000u);
 }
@@ -72,10 +71,8 @@ TEST(ChildProcess, LeavesNothingBehind) {
   for (const bool by_itself : {true, false}) {
     fs::remove(mark);
     const std::string script = "(sleep 0.5; echo x > " + mark + ") & " + (by_itself ? "exit 0" : "sleep 10");
-    if (by_itself)
-      result_of(script);
-    else
-      ChildProcess(std::vector<std::string>{"/bin/sh", "-c", script}, log_file(), ProcessLimits{});
+    if (by_itself) result_of(script);
+    else ChildProcess(std::vector<std::string>{"/bin/sh", "-c", script}, log_file(), ProcessLimits{});
     std::this_thread::sleep_for(std::chrono::milliseconds(900));
     EXPECT_FALSE(fs::exists(mark)) << by_itself;
   }

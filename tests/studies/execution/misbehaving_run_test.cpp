@@ -1,5 +1,5 @@
-// Runs that crash, hang or take all memory cost their own row of a study. Sanitizers catch their signals and have memory of their own,
-// so that this file is not built with them.
+// Runs that crash, hang or take all memory cost their own row of a study. Sanitizers catch their signals and have
+// memory of their own, so that this file is not built with them.
 
 #include <fmt/format.h>
 
@@ -59,8 +59,7 @@ solvers: [lbfgs, ceres_ncg, ceres_lbfgs, nlopt_lbfgs, nlopt_mma, newton]
   EXPECT_EQ(run_program({"study", study, "-o", path("out")}).err.find("-r1 ..."), std::string::npos);
   const ProgramResult again = run_program({"study", study, "-o", path("out"), "--retry", "-q"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  for (const auto& [run, columns] : read_table(folder_ / "out"))
-    EXPECT_EQ(columns.at("status"), "finished") << run;
+  for (const auto& [run, columns] : read_table(folder_ / "out")) EXPECT_EQ(columns.at("status"), "finished") << run;
 }
 
 // A full disk is no result: every further run would end likewise.

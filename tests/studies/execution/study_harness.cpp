@@ -36,12 +36,9 @@ CsvTable read_table(const fs::path& folder, const std::vector<std::string>& with
     std::vector<std::string> fields(1);
     bool quoted = false;
     for (const char c : line) {
-      if (c == '"')
-        quoted = !quoted;
-      else if (c == ',' && !quoted)
-        fields.emplace_back();
-      else
-        fields.back() += c;
+      if (c == '"') quoted = !quoted;
+      else if (c == ',' && !quoted) fields.emplace_back();
+      else fields.back() += c;
     }
     return fields;
   };
@@ -53,8 +50,7 @@ CsvTable read_table(const fs::path& folder, const std::vector<std::string>& with
     const std::vector<std::string> fields = split(line);
     EXPECT_EQ(fields.size(), head.size()) << line;
     for (std::size_t i = 0; i < std::min(head.size(), fields.size()); ++i)
-      if (std::find(without.begin(), without.end(), head[i]) == without.end())
-        table[fields[0]][head[i]] = fields[i];
+      if (std::find(without.begin(), without.end(), head[i]) == without.end()) table[fields[0]][head[i]] = fields[i];
   }
   return table;
 }
@@ -62,8 +58,8 @@ CsvTable read_table(const fs::path& folder, const std::vector<std::string>& with
 CsvTable lasting_table(const fs::path& folder) { return read_table(folder, study_timing_columns()); }
 
 void StudyProgram::SetUp() {
-  folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_study_") +
-                                            testing::UnitTest::GetInstance()->current_test_info()->name());
+  folder_ = fs::path(testing::TempDir()) /
+            (std::string("shellmatch_study_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }

@@ -95,8 +95,12 @@ solvers: [newton, lbfgs]
     write("out/.partial-0123456789abcdef.csv", "half");
     write("out/plots/.partial-0123456789abcdef.png", "half");
   };
-  const Names left{".partial-0123456789abcdef.csv", "plots/.partial-0123456789abcdef.png", "runs/.gone-r1.lock",
-                   "runs/.gone-r2.partial-1", "runs/.leaf-lbfgs-r1.lock", "runs/.leaf-lbfgs-r1.partial-1",
+  const Names left{".partial-0123456789abcdef.csv",
+                   "plots/.partial-0123456789abcdef.png",
+                   "runs/.gone-r1.lock",
+                   "runs/.gone-r2.partial-1",
+                   "runs/.leaf-lbfgs-r1.lock",
+                   "runs/.leaf-lbfgs-r1.partial-1",
                    "runs/.leaf-newton-r1.lock"};
   leave();
   ASSERT_EQ(hidden(), left);
@@ -162,8 +166,7 @@ TEST_F(StudyProgram, ARaisedLimitOrAnotherConfigurationRunsAgain) {
   EXPECT_EQ(first.at("leaf-ceres_ncg-r1").at("status"), "finished");
   run_program({"study", study, "-o", path("out"), "-q", "--set", "energy.delta=0.3"});
   const CsvTable second = read_table(folder_ / "out");
-  EXPECT_NE(second.at("leaf-ceres_ncg-r1").at("fingerprint"),
-            first.at("leaf-ceres_ncg-r1").at("fingerprint"));
+  EXPECT_NE(second.at("leaf-ceres_ncg-r1").at("fingerprint"), first.at("leaf-ceres_ncg-r1").at("fingerprint"));
   EXPECT_NE(second.at("leaf-ceres_ncg-r1").at("energy"), first.at("leaf-ceres_ncg-r1").at("energy"));
 }
 
@@ -204,8 +207,7 @@ TEST_F(StudyProgram, RunsOneByOneAndCollected) {
   EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 10);
   EXPECT_NE(list.out.find("leaf-paper-l2-energy.delta=0.5-r1\n"), std::string::npos) << list.out;
   EXPECT_FALSE(fs::exists(folder_ / "out"));
-  ASSERT_EQ(run_program({"study", study, "--only", "leaf-newton-energy.delta=1-r1", "-o", path("out"), "-q"})
-                .exit_code,
+  ASSERT_EQ(run_program({"study", study, "--only", "leaf-newton-energy.delta=1-r1", "-o", path("out"), "-q"}).exit_code,
             0);
   EXPECT_FALSE(fs::exists(folder_ / "out/table.csv"));
   ASSERT_EQ(run_program({"study", study, "--collect", "-o", path("out"), "-q"}).exit_code, 0);
@@ -218,27 +220,36 @@ TEST_F(StudyProgram, RunsOneByOneAndCollected) {
 // Shapes and base files are found from there, whatever form the file has.
 TEST_F(StudyProgram, TheCopyInTheOutputFolderRunsFromThere) {
   fs::create_directories(folder_ / "shapes");
-  for (const char* shape : {"circle", "ellipse"}) run_program({"generate", shape, "-o", path(fmt::format("shapes/{}.csv", shape))});
-  write("base.yaml", "input: {reference: shapes/circle.csv, template: shapes/ellipse.csv}\ncascade: {min_level: 3, max_level: 3}\n");
+  for (const char* shape : {"circle", "ellipse"})
+    run_program({"generate", shape, "-o", path(fmt::format("shapes/{}.csv", shape))});
+  write("base.yaml",
+        "input: {reference: shapes/circle.csv, template: shapes/ellipse.csv}\ncascade: {min_level: 3, max_level: 3}\n");
   int n = 0;
-  for (const char* text : {"# by hand\nversion: 1\nset: {threads: 1, pictures: none}\nproblems: {leaf: {base: base.yaml}}\nsolvers: [newton]",
-                           "{version: 1, set: {threads: 1, pictures: none}, problems: {leaf: {base: base.yaml}}, solvers: [newton]}\n",
-                           "  version: 1\n  problems: {leaf: {base: base.yaml}}\n  solvers: [newton]\n"}) {
+  for (const char* text :
+       {"# by hand\nversion: 1\nset: {threads: 1, pictures: none}\nproblems: {leaf: {base: base.yaml}}\nsolvers: "
+        "[newton]",
+        "{version: 1, set: {threads: 1, pictures: none}, problems: {leaf: {base: base.yaml}}, solvers: [newton]}\n",
+        "  version: 1\n  problems: {leaf: {base: base.yaml}}\n  solvers: [newton]\n"}) {
     SCOPED_TRACE(text);
-    const std::string study = write("study.yaml", text), out = path(fmt::format("out{}", ++n)), again = path(fmt::format("again{}", n));
+    const std::string study = write("study.yaml", text), out = path(fmt::format("out{}", ++n)),
+                      again = path(fmt::format("again{}", n));
     ASSERT_EQ(run_program({"study", study, "-o", out, "-q"}).exit_code, 0);
     const ProgramResult copy = run_program({"study", "study.yaml", "-o", again, "-q"}, out);
     EXPECT_EQ(copy.exit_code, 0) << copy.err;
     EXPECT_EQ(lasting_table(out), lasting_table(again));
-    EXPECT_EQ(run_program({"study", study, "-o", out}).err.find("finished after"), std::string::npos) << "the same study";
+    EXPECT_EQ(run_program({"study", study, "-o", out}).err.find("finished after"), std::string::npos)
+        << "the same study";
   }
   // A folder that the command line names stands in the copy, too.
   fs::create_directories(folder_ / "elsewhere");
-  const std::string moved = write("elsewhere/study.yaml", "version: 1\nproblems: {leaf: {base: base.yaml}}\nsolvers: [newton]\n");
-  ASSERT_EQ(run_program({"study", moved, "-o", path("out9"), "-q", "--set", "folder=" + folder_.string()}).exit_code, 0);
+  const std::string moved =
+      write("elsewhere/study.yaml", "version: 1\nproblems: {leaf: {base: base.yaml}}\nsolvers: [newton]\n");
+  ASSERT_EQ(run_program({"study", moved, "-o", path("out9"), "-q", "--set", "folder=" + folder_.string()}).exit_code,
+            0);
   const ProgramResult copied = run_program({"study", "study.yaml", "-o", path("again9"), "-q"}, path("out9"));
   EXPECT_EQ(copied.exit_code, 0) << copied.err;
-  const ProgramResult relative = run_program({"study", write("study.yaml", fmt::format("folder: here\n{}", small_study)), "-o", path("r")});
+  const ProgramResult relative =
+      run_program({"study", write("study.yaml", fmt::format("folder: here\n{}", small_study)), "-o", path("r")});
   EXPECT_EQ(relative.exit_code, 2);
   EXPECT_NE(relative.err.find("folder: here is no absolute path"), std::string::npos) << relative.err;
 }
@@ -252,8 +263,7 @@ TEST_F(StudyProgram, MistakesAreRefusedWithOneClearLine) {
   };
   const std::string study = write("study.yaml", small_study);
   refused({"study", "nowhere.yaml"}, "no such file");
-  refused({"study", study, "--only", "leaf-newtn-energy.delta=1-r1"},
-          "did you mean leaf-newton-energy.delta=1-r1?");
+  refused({"study", study, "--only", "leaf-newtn-energy.delta=1-r1"}, "did you mean leaf-newton-energy.delta=1-r1?");
   refused({"study", study, "--jobs", "0"}, "--jobs 0: expected a whole number from 1 to 1024");
   refused({"study", study, "--collect", "--only", "leaf-newton-energy.delta=1-r1"}, "--collect is for the whole study");
   refused({"study", study, "--set", "limits.memory_mb=1e30"}, "limits.memory_mb");

@@ -9,7 +9,6 @@
 namespace shellmatch {
 namespace {
 
-
 // Three problems, by hand: the best is 1, 2, 4.
 TEST(PerformanceProfile, ByHand) {
   const auto profiles = performance_profiles({{1, 2}, {6, 2}, {4, infinity}});
@@ -40,8 +39,7 @@ TEST(PerformanceProfile, HoldsWhatTheDefinitionPromises) {
     double at_best = 0;
     for (std::size_t s = 0; s < 4; ++s) {
       int n = 0;
-      for (const auto& row : costs)
-        n += row[s] <= tau * *std::min_element(row.begin(), row.end()) && row[s] < infinity;
+      for (const auto& row : costs) n += row[s] <= tau * *std::min_element(row.begin(), row.end()) && row[s] < infinity;
       EXPECT_DOUBLE_EQ(profiles[s].at(tau), n / 9.0);
       at_best += profiles[s].at(1);
     }

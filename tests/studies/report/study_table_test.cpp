@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 class StudyTableTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / (std::string("shellmatch_table_") +
-                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("shellmatch_table_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     std::ofstream(folder_ / "study.yaml")
@@ -67,9 +67,8 @@ TEST_F(StudyTableTest, OnlyEqualFunctionsAreCompared) {
   for (const StudyRun& run : runs_) add_result(out, run, energy *= 1.05);
   const StudyTable table = make_study_table(study_, runs_, out);
   EXPECT_EQ(instances_of(table), (std::vector<std::string>{"a energy.delta=1", "a energy.delta=0.5"}));
-  EXPECT_EQ(methods_of(table),
-            (std::vector<std::string>{"s (l2) cascade.nu_substeps=1", "s (l2) cascade.nu_substeps=2",
-                                      "t cascade.nu_substeps=1", "t cascade.nu_substeps=2"}));
+  EXPECT_EQ(methods_of(table), (std::vector<std::string>{"s (l2) cascade.nu_substeps=1", "s (l2) cascade.nu_substeps=2",
+                                                         "t cascade.nu_substeps=1", "t cascade.nu_substeps=2"}));
   // The first of each delta is the best: runs 0 and 2.
   for (const StudyRow& row : table.rows)
     EXPECT_DOUBLE_EQ(row.best, row.run.options.energy.delta == 1 ? 1.05 : std::pow(1.05, 3)) << row.run.name;
@@ -115,7 +114,8 @@ TEST_F(StudyTableTest, EveryLineHasEveryColumn) {
 
 TEST_F(StudyTableTest, NamesWithCommasStayInTheirColumn) {
   std::ofstream(folder_ / "lists.yaml")
-      << "version: 1\nproblems: {a: {set: {input: {reference: generate:circle, template: generate:ellipse}, cascade: {min_level: 3, max_level: 3}}}}\n"
+      << "version: 1\nproblems: {a: {set: {input: {reference: generate:circle, template: generate:ellipse}, cascade: "
+         "{min_level: 3, max_level: 3}}}}\n"
          "solvers: [newton]\nparameters: {solver.fallback: [[lbfgs], [lbfgs, nlopt_lbfgs]]}\n";
   const Study study = read_study((folder_ / "lists.yaml").string());
   const std::vector<StudyRun> runs = runs_of(study);

@@ -15,8 +15,8 @@ namespace shellmatch::autodiff {
 struct OperationCount {
   long additions = 0, multiplications = 0, divisions = 0, roots = 0, exponentials = 0;
   OperationCount operator-(const OperationCount& o) const {
-    return {additions - o.additions, multiplications - o.multiplications, divisions - o.divisions,
-            roots - o.roots, exponentials - o.exponentials};
+    return {additions - o.additions, multiplications - o.multiplications, divisions - o.divisions, roots - o.roots,
+            exponentials - o.exponentials};
   }
 };
 inline OperationCount counted;  // by one thread

@@ -28,8 +28,7 @@ class GeometryField {
   Values value(const Vec<Dim>& y, std::array<Values, Dim>& derivative) const {
     constexpr double step = 1e-5;
     for (int k = 0; k < Dim; ++k) {
-      const Values above = values_(y + step * Vec<Dim>::Unit(k)),
-                   below = values_(y - step * Vec<Dim>::Unit(k));
+      const Values above = values_(y + step * Vec<Dim>::Unit(k)), below = values_(y - step * Vec<Dim>::Unit(k));
       for (int i = 0; i < n_values; ++i) derivative[k][i] = (above[i] - below[i]) / (2 * step);
     }
     return values_(y);
@@ -41,8 +40,7 @@ class GeometryField {
     const Values v = values_(place(y));
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];
   }
-  void look_up(const Pack&, const LocatedPoints& y, Pack* values,
-               std::array<Packs, Dim>& derivative) const {
+  void look_up(const Pack&, const LocatedPoints& y, Pack* values, std::array<Packs, Dim>& derivative) const {
     std::array<Values, Dim> d;
     const Values v = value(place(y), d);
     for (int i = 0; i < n_values; ++i) values[i][0] = v[i];
