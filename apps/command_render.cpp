@@ -10,7 +10,7 @@
 #include "matching/output/output_folder.h"
 #include "matching/output/write_file.h"
 #include "matching/pictures/result_picture.h"
-#include "render/canvas/animation.h"
+#include "matching/render/canvas/animation.h"
 
 #include <fmt/ranges.h>
 

@@ -2,7 +2,7 @@
 
 #include "matching/progress/linked_libraries.h"
 #include "matching/progress/process_info.h"
-#include "studies/execution/revision.h"
+#include "apps/studies/execution/revision.h"
 
 #include <fmt/format.h>
 

@@ -46,7 +46,7 @@ find_package(CGAL 5.5 REQUIRED)
 # VTK's package configuration requires the C language through its dependency on MPI.
 enable_language(C)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOLegacy IOXML)
-# What the page of a result is made from (report/): JavaScript libraries, and the program that puts them into one file.
+# What the page of a result is made from (matching/page/): JavaScript libraries, and the program that puts them into one file.
 find_program(ESBUILD esbuild REQUIRED)
 find_file(THREE_MODULE three.module.js PATHS /usr/share/javascript/three /usr/share/nodejs/three/build REQUIRED)
 find_file(TRACKBALL_CONTROLS TrackballControls.js PATHS /usr/share/javascript/three/examples/jsm/controls REQUIRED)

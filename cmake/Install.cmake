@@ -15,8 +15,10 @@ install(TARGETS ${modules} EXPORT shellmatch ARCHIVE DESTINATION ${CMAKE_INSTALL
 install(EXPORT shellmatch NAMESPACE shellmatch:: FILE ShellmatchTargets.cmake
   DESTINATION ${shellmatch_package_dir})
 foreach(module ${modules})
-  string(REPLACE shellmatch_ "" folder ${module})
-  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch FILES_MATCHING
+  get_target_property(folder ${module} SOURCE_DIR)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+  cmake_path(GET folder PARENT_PATH parent)
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch/${parent} FILES_MATCHING
     PATTERN "*.h" PATTERN "cgal_*.h" EXCLUDE)
 endforeach()
 
@@ -26,9 +28,9 @@ if(TARGET shellmatch)
 endif()
 
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program USE_SOURCE_PERMISSIONS)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program USE_SOURCE_PERMISSIONS)
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch COMPONENT program)
-install(DIRECTORY studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies COMPONENT program)
+install(DIRECTORY apps/studies/workflow DESTINATION ${CMAKE_INSTALL_DATADIR}/shellmatch/studies COMPONENT program)
 
 configure_package_config_file(cmake/ShellmatchConfig.cmake.in ${PROJECT_BINARY_DIR}/shellmatchConfig.cmake
   INSTALL_DESTINATION ${shellmatch_package_dir})

@@ -41,7 +41,7 @@ shellmatch_linked_library("xxHash" "${XXHASH_VERSION}" "BSD-2-Clause" "no")
 shellmatch_linked_library("Cairo" "${CAIRO_VERSION}" "LGPL-2.1 or MPL-1.1" "LGPL or MPL")
 shellmatch_linked_library("Fontconfig" "${FONTCONFIG_VERSION}" "HPND and others like MIT" "notice")
 shellmatch_linked_library("libwebp" "${WEBP_libwebp_VERSION}" "BSD-3-Clause" "notice")
-# In the page of a result (report/).
+# In the page of a result (matching/page/).
 file(READ ${NODE_MODULES}/three/package.json package)
 string(JSON three_version GET "${package}" version)
 file(READ ${NODE_MODULES}/chart.js/package.json package)

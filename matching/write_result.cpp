@@ -11,7 +11,7 @@
 #include "matching/output/summary.h"
 #include "matching/output/write_file.h"
 #include "matching/report/report.h"
-#include "render/canvas/plot.h"
+#include "matching/render/canvas/plot.h"
 
 #include <filesystem>
 #include <fstream>

@@ -19,8 +19,8 @@ struct ClosedCurve {
   std::vector<Vec<2>> on_input;                ///< the points of the polygon itself that became `points`
   std::array<std::vector<double>, 3> turning;  ///< angle between the chords behind and ahead of a sample, of 2, 5 and
                                                ///< 10 % of the length, over pi: curvature at three scales, -1 to 1
-  double length = 0;     ///< of the smoothed curve
-  bool is_hole = false;  ///< runs clockwise
+  double length = 0;                           ///< of the smoothed curve
+  bool is_hole = false;                        ///< runs clockwise
 
   std::size_t size() const { return points.size(); }
 };

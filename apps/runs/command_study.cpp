@@ -10,7 +10,7 @@
 #include "base/stop.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
-#include "studies/report/collect.h"
+#include "apps/studies/report/collect.h"
 
 #include <filesystem>
 #include <iostream>

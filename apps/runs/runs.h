@@ -2,7 +2,7 @@
 /// \file
 /// What the commands share that perform many runs: their settings and their progress.
 
-#include "studies/execution/run_tasks.h"
+#include "apps/studies/execution/run_tasks.h"
 
 #include <chrono>
 #include <cstddef>

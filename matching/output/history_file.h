@@ -3,7 +3,7 @@
 /// history.csv: one line for each accepted step of a run.
 
 #include "matching/result/history.h"
-#include "render/canvas/plot.h"
+#include "matching/render/canvas/plot.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "matching/pictures/grid_picture.h"
 
-#include "render/canvas/contours.h"
-#include "render/canvas/panel.h"
+#include "matching/render/canvas/contours.h"
+#include "matching/render/canvas/panel.h"
 
 #include <fmt/core.h>
 

@@ -1,9 +1,9 @@
 #include "matching/pictures/level_picture.h"
 
 #include "base/error.h"
-#include "render/canvas/contours.h"
-#include "render/canvas/panel.h"
-#include "render/surfaces/surfaces.h"
+#include "matching/render/canvas/contours.h"
+#include "matching/render/canvas/panel.h"
+#include "matching/render/surfaces/surfaces.h"
 
 #include <algorithm>
 #include <cmath>

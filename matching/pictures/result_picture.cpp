@@ -1,9 +1,9 @@
 #include "matching/pictures/result_picture.h"
 
 #include "geometry/distance/surface_distance.h"
-#include "render/canvas/contours.h"
-#include "render/canvas/panel.h"
-#include "render/surfaces/surfaces.h"
+#include "matching/render/canvas/contours.h"
+#include "matching/render/canvas/panel.h"
+#include "matching/render/surfaces/surfaces.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>

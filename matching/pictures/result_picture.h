@@ -4,7 +4,7 @@
 
 #include "base/options.h"
 #include "matching/pictures/result_shapes.h"
-#include "render/canvas/canvas.h"
+#include "matching/render/canvas/canvas.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Arrays of numbers packed for a page: rounded to what can be seen, ordered so that they compress, compressed, and as
-/// text. report/data/arrays.js reads them.
+/// text. matching/page/data/arrays.js reads them.
 
 #include "base/types.h"
 

@@ -1,6 +1,6 @@
 #include "matching/report/page_view.h"
 
-#include "render/surfaces/camera.h"
+#include "matching/render/surfaces/camera.h"
 
 namespace shellmatch {
 

@@ -10,7 +10,7 @@
 namespace shellmatch {
 
 /// In the coordinates in which the shapes are shown: what to look at, where up is and where the eye, and half of the
-/// height that is seen there (render/surfaces/camera.h).
+/// height that is seen there (matching/render/surfaces/camera.h).
 struct PageView {
   std::array<double, 3> target, up, backward;
   double half_height;

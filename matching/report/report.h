@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// report.html: one page that shows a result, and opens without a network (docs/report.md). Its program and style stand
-/// in report/.
+/// in matching/page/.
 
 #include "matching/experiment/options.h"
 #include "matching/result/match_result.h"

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The page without its data, made from report/ when the program is built.
+/// The page without its data, made from matching/page/ when the program is built.
 
 #include <string_view>
 

@@ -1,9 +1,9 @@
 #include "geometry/io/write_shape.h"
 #include "matching/shape_report/curvature_report.h"
-#include "render/canvas/contours.h"
-#include "render/canvas/panel.h"
-#include "render/canvas/plot.h"
-#include "render/surfaces/surfaces.h"
+#include "matching/render/canvas/contours.h"
+#include "matching/render/canvas/panel.h"
+#include "matching/render/canvas/plot.h"
+#include "matching/render/surfaces/surfaces.h"
 
 #include <fmt/format.h>
 

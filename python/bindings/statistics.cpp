@@ -4,11 +4,11 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/computation.h"
-#include "statistics/group_difference.h"
-#include "statistics/model_curves.h"
-#include "statistics/procrustes.h"
-#include "statistics/products.h"
-#include "statistics/shape_model.h"
+#include "geometry/statistics/group_difference.h"
+#include "geometry/statistics/model_curves.h"
+#include "geometry/statistics/procrustes.h"
+#include "geometry/statistics/products.h"
+#include "geometry/statistics/shape_model.h"
 
 #include <pybind11/stl.h>
 

@@ -75,7 +75,7 @@ def add_notices(libraries, folder):
 
 
 def add_fonts(folder):
-    """The two fonts of our pictures (render/canvas/fontconfig_fonts.h)."""
+    """The two fonts of our pictures (matching/render/canvas/fontconfig_fonts.h)."""
     pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
     for name in ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf"):
         shutil.copyfile(f"/usr/share/fonts/truetype/dejavu/{name}", pathlib.Path(folder) / name)

@@ -41,7 +41,7 @@ def write_oscillations(path, program):
         series.append({"x": [apart * panel + x for x, _ in points], "y": [y for _, y in points], "color": 0})
         series.append({"x": [apart * panel + radius * math.cos(a) for a in angles], "y": [radius * math.sin(a) for a in angles],
                        "color": 1, "dashes": 1})
-    # The axes get 2 % and 5 % more than the values at each end (render/canvas/plot.cpp), and have the same scale.
+    # The axes get 2 % and 5 % more than the values at each end (matching/render/canvas/plot.cpp), and have the same scale.
     extent_x, extent_y = (1.04 * (max(max(s["x"]) for s in series) - min(min(s["x"]) for s in series)),
                           1.10 * (max(max(s["y"]) for s in series) - min(min(s["y"]) for s in series)))
     inner_width = 840

@@ -1,10 +1,10 @@
 // Draws a line plot for the scripts. Usage: plot_series FILE.svg|FILE.png < PLOT.json
 //
-// The keys of PLOT.json are the members of Plot and of its Series (render/canvas/plot.h); what is left out has its
-// default.
+// The keys of PLOT.json are the members of Plot and of its Series (matching/render/canvas/plot.h); what is left out has
+// its default.
 
 #include "base/error.h"
-#include "render/canvas/plot.h"
+#include "matching/render/canvas/plot.h"
 
 #include <nlohmann/json.hpp>
 

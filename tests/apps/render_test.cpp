@@ -1,9 +1,9 @@
 // `shellmatch render`: what is asked for is drawn, and what cannot be is refused.
 
-#include "render/canvas/image.h"
+#include "matching/render/canvas/image.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
-#include "tests/render/decoded_animation.h"
+#include "tests/matching/render/decoded_animation.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

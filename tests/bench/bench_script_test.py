@@ -19,7 +19,7 @@ import xml.etree.ElementTree
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(root / "bench"), str(root / "tests/support")]
+sys.path[:0] = [str(root / "tests/bench"), str(root / "tests/support")]
 
 import comparison  # noqa: E402
 import machine  # noqa: E402
@@ -254,11 +254,11 @@ for i, line in enumerate(sys.stdin):
 
     def make_repository(self, with_kernels=True, cmake="message(FATAL_ERROR broken-on-purpose)"):
         """A repository with scripts/bench whose programs are what `cmake` makes of them."""
-        shutil.copytree(root / "bench", self.folder / "bench", ignore=shutil.ignore_patterns("*.cpp", "__pycache__"))
+        shutil.copytree(root / "tests/bench", self.folder / "tests/bench", ignore=shutil.ignore_patterns("*.cpp", "__pycache__"))
         (self.folder / "scripts").mkdir()
         shutil.copy(root / "scripts/bench", self.folder / "scripts/bench")
         if with_kernels:
-            (self.folder / "bench/level_kernels.cpp").write_text("\n")
+            (self.folder / "tests/bench/level_kernels.cpp").write_text("\n")
         (self.folder / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.25)\nproject(p NONE)\n{cmake}\n")
         git = ["git", "-C", self.folder, "-c", "user.name=n", "-c", "user.email=e"]
         for words in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "first"]):
@@ -290,8 +290,8 @@ for i, line in enumerate(sys.stdin):
 class Kernels(Folder):
     def setUp(self):
         super().setUp()
-        if not os.access(build / "bench/level_kernels", os.X_OK):
-            self.skipTest("bench/level_kernels is not built: SHELLMATCH_BENCH is OFF, or Google Benchmark is not there")
+        if not os.access(build / "tests/bench/level_kernels", os.X_OK):
+            self.skipTest("tests/bench/level_kernels is not built: SHELLMATCH_BENCH is OFF, or Google Benchmark is not there")
 
     def test_kernels_are_recorded(self):
         history = self.folder / "history.jsonl"
@@ -305,21 +305,21 @@ class Kernels(Folder):
         self.assertGreater(kernels["ceiling_fma"]["gflops"], 0)
 
     def test_kernels_wait_for_calls(self):
-        program = types.SimpleNamespace(level_kernels=build / "bench/level_kernels")
+        program = types.SimpleNamespace(level_kernels=build / "tests/bench/level_kernels")
         found = paired.measure((program, program), "ellipsoid/round,ellipsoid/long", 4, 3)
         self.assertEqual(list(found), paired.calls)
         for calls in found.values():
             self.assertEqual([len(side) for side in calls], [3, 3])
             self.assertTrue(all(cpu > 0 and wall > 0 for side in calls for cpu, wall in side))
-        words = subprocess.run([build / "bench/level_kernels", "--level=4", "--serve"], input="no_kernel 1\n", text=True,
+        words = subprocess.run([build / "tests/bench/level_kernels", "--level=4", "--serve"], input="no_kernel 1\n", text=True,
                                capture_output=True)
         self.assertEqual(words.returncode, 2)
         self.assertIn("no_kernel", words.stderr)
 
     def test_flops_are_counted(self):
-        if not os.access(build / "bench/count_flops", os.X_OK):
-            self.skipTest("bench/count_flops is not built")
-        counts = roofline.count_flops(build / "bench/count_flops")
+        if not os.access(build / "tests/bench/count_flops", os.X_OK):
+            self.skipTest("tests/bench/count_flops is not built")
+        counts = roofline.count_flops(build / "tests/bench/count_flops")
         for value, gradient in (("band_value_by_point", "band_gradient_by_point"),
                                 ("volume_value_by_element", "volume_gradient_by_element")):
             # Reverse mode costs at most four times the value, and some look-up.

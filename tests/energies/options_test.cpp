@@ -3,7 +3,7 @@
 #include "energies/compiled/compile_term.h"
 #include "energies/compiled/energy_terms.h"
 #include "energies/terms/term_names.h"
-#include "examples/normal_alignment.h"
+#include "docs/examples/normal_alignment.h"
 #include "tests/support/expect_input_error.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "base/error.h"
 #include "base/text.h"
-#include "cohorts/cohort.h"
-#include "cohorts/subjects/subject_table.h"
+#include "apps/cohorts/cohort.h"
+#include "apps/cohorts/subjects/subject_table.h"
 #include "matching/experiment/yaml_document.h"
 #include "matching/experiment/yaml_options.h"
-#include "studies/description/study.h"
+#include "apps/studies/description/study.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/target.h"
 

@@ -10,7 +10,7 @@
 #include "matching/pairs/point_formats.h"
 #include "matching/pairs/slicer_points.h"
 #include "matching/result/correspondence.h"
-#include "studies/execution/run_result.h"
+#include "apps/studies/execution/run_result.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/target.h"
 

@@ -30,7 +30,7 @@ run(${CMAKE_COMMAND} -S ${CONSUMER_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -DC
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
 
-run(${CMAKE_COMMAND} -S ${WORK_DIR}/prefix/share/doc/shellmatch/examples -B ${WORK_DIR}/build-examples -G ${GENERATOR}
+run(${CMAKE_COMMAND} -S ${WORK_DIR}/prefix/share/doc/shellmatch/docs/examples -B ${WORK_DIR}/build-examples -G ${GENERATOR}
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix ${flags})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build-examples)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK_DIR}/build-examples --output-on-failure)

@@ -33,18 +33,18 @@ const std::vector<Adapter>& adapter_table() {
        {"matching/derivative_check/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},
-      {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "bench/own_code/cgal_*.cpp"}},
+      {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "tests/bench/own_code/cgal_*.cpp"}},
       {"Boost", {"boost/"}, {"grid/inverse/boost_*.cpp"}},
-      {"VTK", {"vtk"}, {"*/*/vtk_*.cpp"}},
+      {"VTK", {"vtk"}, {"*/*/vtk_*.cpp", "tests/bench/own_code/vtk_*.cpp"}},
       {"ITK", {"itk"}, {}},
       {"pybind11", {"pybind11/"}, {"python/bindings/*"}},
       {"NLopt", {"nlopt"}, {"solvers/libraries/nlopt_*.cpp"}},
       {"yaml-cpp", {"yaml-cpp/"}, {"matching/experiment/yaml_*.cpp"}},
       {"nlohmann json",
        {"nlohmann/"},
-       {"geometry/outline/json_*.cpp", "matching/*/*json*.cpp", "matching/*/json_*.h", "studies/*/json_*.cpp",
-        "cohorts/*/json_*.cpp"}},
-      {"Embree", {"embree"}, {"render/surfaces/*.cpp", "bench/own_code/embree_*.cpp"}},
+       {"geometry/outline/json_*.cpp", "matching/*/*json*.cpp", "matching/*/json_*.h", "apps/studies/*/json_*.cpp",
+        "apps/cohorts/*/json_*.cpp"}},
+      {"Embree", {"embree"}, {"matching/render/surfaces/*.cpp", "tests/bench/own_code/embree_*.cpp"}},
       {"libpng", {"png.h"}, {"geometry/picture/png_*.cpp"}},
       {"libtiff", {"tiff"}, {"geometry/picture/tiff_*.cpp"}},
       {"libjpeg-turbo", {"turbojpeg", "jpeglib"}, {"geometry/picture/jpeg_*.cpp"}},
@@ -54,26 +54,26 @@ const std::vector<Adapter>& adapter_table() {
       {"tinygltf", {"tiny_gltf.h"}, {"geometry/scene/tinygltf_*.cpp"}},
       {"pugixml", {"pugixml"}, {"geometry/scene/pugixml_*", "geometry/outline/pugixml_*"}},
       {"xxHash", {"xxhash"}, {"matching/output/xxhash_*.cpp"}},
-      {"Cairo", {"cairo"}, {"render/canvas/*.cpp"}},
-      {"Fontconfig", {"fontconfig/"}, {"render/canvas/fontconfig_*.cpp"}},
-      {"libwebp", {"webp/"}, {"render/canvas/webp_*.cpp"}},
+      {"Cairo", {"cairo"}, {"matching/render/canvas/*.cpp"}},
+      {"Fontconfig", {"fontconfig/"}, {"matching/render/canvas/fontconfig_*.cpp"}},
+      {"libwebp", {"webp/"}, {"matching/render/canvas/webp_*.cpp"}},
       {"oneTBB", {"tbb/", "oneapi/"}, {"base/parallel.cpp"}},
       {"CLI11", {"CLI/"}, {"apps/command_line/*.cpp"}},
       {"nanoflann", {"nanoflann"}, {"grid/fits/nanoflann_*.cpp"}},
-      {"fmt", {"fmt/"}, {"base/error.h", "*/*.cpp", "*/*/*.cpp"}},
-      {"Google Benchmark", {"benchmark/"}, {"bench/*.cpp"}},
+      {"fmt", {"fmt/"}, {"base/error.h", "*/*.cpp", "*/*/*.cpp", "*/*/*/*.cpp"}},
+      {"Google Benchmark", {"benchmark/"}, {"tests/bench/*.cpp"}},
       {"GoogleTest", {"gtest/", "gmock/"}, {}},
       {"Spectra", {"Spectra/"}, {"alignment/spectrum/spectra_*.cpp"}},
-      {"Eigen", {"Eigen/"}, {"*/*.h", "*/*.cpp", "*/*/*.h", "*/*/*.cpp"}},
-      {"the operating system", {"sys/"}, {"*/*.cpp", "*/*/*.cpp"}}};
+      {"Eigen", {"Eigen/"}, {"*/*.h", "*/*.cpp", "*/*/*.h", "*/*/*.cpp", "*/*/*/*.h", "*/*/*/*.cpp"}},
+      {"the operating system", {"sys/"}, {"*/*.cpp", "*/*/*.cpp", "*/*/*/*.cpp"}}};
   return table;
 }
 
 // Headers that the sources of one adapter share among themselves. They do show the library's types.
 bool is_private_header(std::string_view file) {
   return matches(file, "geometry/*/cgal_*.h") || matches(file, "geometry/*/pugixml_*.h") ||
-         matches(file, "matching/*/json_*.h") || matches(file, "studies/*/json_*.h") ||
-         matches(file, "cohorts/*/json_*.h");
+         matches(file, "matching/*/json_*.h") || matches(file, "apps/studies/*/json_*.h") ||
+         matches(file, "apps/cohorts/*/json_*.h");
 }
 
 std::string file_as_header(std::string_view file) { return std::string(file.substr(0, file.rfind('.'))) + ".h"; }
@@ -105,7 +105,7 @@ std::vector<Finding> check_adapters(const SourceTree& tree) {
     const std::string &file = include.file, &path = include.path;
     const int line = include.line;
     const std::string_view folder = top_folder(file);
-    if (folder == "tests" || folder == "examples" || !folder_table().contains(folder)) continue;
+    if (folder == "tests" || folder == "docs/examples" || !folder_table().contains(folder)) continue;
     if (include.quoted) {
       if (is_private_header(path) && !is_private_header(file) && !is_private_header(file_as_header(file)) &&
           !matches(file, "matching/*/*json*.cpp"))

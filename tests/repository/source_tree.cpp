@@ -49,6 +49,10 @@ SourceTree read_tree(const fs::path& root) {
 bool is_source(std::string_view file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
 std::string_view top_folder(std::string_view file) {
+  for (const std::string_view library : {"geometry/statistics", "matching/render", "matching/page", "apps/studies",
+                                         "apps/cohorts", "docs/examples", "tests/bench"})
+    if (file.starts_with(library) && file.size() > library.size() && file[library.size()] == '/')
+      return file.substr(0, library.size());
   const std::size_t slash = file.find('/');
   return slash == std::string_view::npos ? std::string_view{} : file.substr(0, slash);
 }

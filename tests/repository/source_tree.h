@@ -32,7 +32,8 @@ SourceTree read_tree(const std::filesystem::path& root);
 /// Is it a file of C++?
 bool is_source(std::string_view file);
 
-/// First folder of a path, "" for a file at the root.
+/// First folder of a path, "" for a file at the root; of folders within folders that are libraries of their own
+/// (matching/render, apps/cohorts) the whole path.
 std::string_view top_folder(std::string_view file);
 
 /// Does the path match the pattern, where '*' stands for any characters but '/'?

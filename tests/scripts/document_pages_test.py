@@ -66,7 +66,7 @@ class Excerpts(unittest.TestCase):
         page = (root / "docs/adding-an-energy.md").read_text()
         blocks = re.findall(r"(?:^    .*\n|^\n(?=    ))+", page, re.M)
         excerpt = next(block for block in blocks if "operator()" in block)
-        self.assertIn(without_blanks(excerpt), without_blanks((root / "examples/normal_alignment.h").read_text()))
+        self.assertIn(without_blanks(excerpt), without_blanks((root / "docs/examples/normal_alignment.h").read_text()))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // The example of docs/adding-a-solver.md: gradient steps of Barzilai and Borwein's length.
-#include "examples/barzilai_borwein.h"
+#include "docs/examples/barzilai_borwein.h"
 #include "solvers/metric/metric.h"
 #include "tests/support/test_problems.h"
 

@@ -1,4 +1,4 @@
-#include "examples/normal_alignment.h"
+#include "docs/examples/normal_alignment.h"
 #include "tests/energies/autodiff/recorded_terms.h"
 
 namespace shellmatch {

@@ -1,6 +1,6 @@
 // The examples of docs/autodiff.md and docs/adding-an-energy.md.
 
-#include "examples/normal_alignment.h"
+#include "docs/examples/normal_alignment.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
 #include "tests/energies/cost/element_sums.h"
 #include "tests/energies/exact_shapes.h"

@@ -4,7 +4,7 @@
 #include "energies/assembly/ceres_evaluator.h"
 #include "energies/compiled/compile_term.h"
 #include "energies/hessian/energy_hessian.h"
-#include "examples/own_fields.h"
+#include "docs/examples/own_fields.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"
 #include "tests/energies/terms/term_types.h"

@@ -5,7 +5,7 @@
 #include "energies/assembly/ceres_evaluator.h"
 #include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
-#include "examples/normal_alignment.h"
+#include "docs/examples/normal_alignment.h"
 #include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/exact_shapes.h"
 #include "tests/energies/matching_problem.h"

@@ -187,14 +187,9 @@ OriginalShape<3> coloured_cube() {
   OriginalShape<3> shape = cube();
   for (Vec<3>& x : shape.vertices) x.x() += 1.0 / 3;
   shape.space = Space::ras;
-  for (const auto& [name, type] : {std::pair{"v_0", "float"},
-                                   {"v_1", "float"},
-                                   {"label", "short"},
-                                   {"red", "uchar"},
-                                   {"green", "uchar"},
-                                   {"blue", "uchar"},
-                                   {"w_0", "double"},
-                                   {"ids", "int64"}}) {
+  const char* types[][2] = {{"v_0", "float"},   {"v_1", "float"},  {"label", "short"}, {"red", "uchar"},
+                            {"green", "uchar"}, {"blue", "uchar"}, {"w_0", "double"},  {"ids", "int64"}};
+  for (const auto& [name, type] : types) {
     VertexAttribute column{name, type, {}};
     for (int i = 0; i < 8; ++i) column.values.push_back(10 * i + static_cast<double>(shape.attributes.size()));
     shape.attributes.push_back(column);

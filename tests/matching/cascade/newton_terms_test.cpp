@@ -3,7 +3,7 @@
 
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
-#include "examples/normal_alignment.h"
+#include "docs/examples/normal_alignment.h"
 #include "grid/fields/mass.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"

@@ -1,8 +1,8 @@
 #include "matching/pictures/grid_picture.h"
-#include "render/canvas/image.h"
+#include "matching/render/canvas/image.h"
 #include "tests/grid/test_grids.h"
 #include "tests/matching/output/temporary_folder.h"
-#include "tests/render/test_shapes.h"
+#include "tests/matching/render/test_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "matching/pictures/level_picture.h"
-#include "render/canvas/image.h"
+#include "matching/render/canvas/image.h"
 #include "tests/matching/output/temporary_folder.h"
-#include "tests/render/test_shapes.h"
+#include "tests/matching/render/test_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The page of a result, as far as it can be judged without a browser (tests/report/browser_test.py has one).
+// The page of a result, as far as it can be judged without a browser (tests/matching/page/browser_test.py has one).
 
 #include "matching/report/report.h"
 

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// Shading of a point of a surface.
+
+#include "matching/render/surfaces/camera.h"
+#include "matching/render/surfaces/render_surface.h"
+
+#include <array>
+#include <vector>
+
+namespace shellmatch {
+
+class RayScene;
+
+/// A surface with the data for its shading.
+class PaintedSurface {
+ public:
+  explicit PaintedSurface(const RenderSurface& surface);
+
+  /// Computes ambient occlusion: the share of the sky that is visible from each vertex among the opaque
+  /// surfaces in `scene`, of which those within the distance `reach` count. Smoothed once over the facets.
+  void compute_openness(const RayScene& scene, double reach);
+
+  /// Linear light from the point with barycentric coordinates (u, v) of the facet towards the eye.
+  Vec<3> light(const Camera& camera, const Ray& ray, Index facet, double u, double v) const;
+
+  /// Opacity at this point. For transparent surfaces it increases towards the silhouette, as for glass.
+  double opacity(const Ray& ray, Index facet, double u, double v) const;
+
+ private:
+  Vec<3> albedo(Index facet, double u, double v) const;
+  Vec<3> normal(const Ray& ray, Index facet, double u, double v) const;
+
+  RenderSurface look_;
+  std::vector<std::array<Vec<3>, 3>> normals_;
+  std::vector<float> openness_;
+  std::vector<Vec<3>> palette_;  ///< linear light: by scalar in equal steps, by vertex for position and checker, or one
+  Vec<3> origin_centre_ = Vec<3>::Zero();
+  double origin_scale_ = 1;  ///< scales the longest half side of the box to 1
+  double checker_scale_ = 1;
+};
+
+}  // namespace shellmatch

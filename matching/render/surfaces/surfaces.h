@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Pictures of surfaces in space by ray casting, without a display.
+
+#include "matching/render/canvas/image.h"
+#include "matching/render/surfaces/camera.h"
+#include "matching/render/surfaces/render_surface.h"
+
+#include <span>
+
+namespace shellmatch {
+
+struct RenderOptions {
+  int width = 640, height = 640;  ///< pixels
+  int samples = 4;                ///< along each side of a pixel
+  bool ambient_occlusion = true;  ///< darkens concave parts
+  Color background = white;
+};
+
+/// Renders the surfaces as seen by the camera: smooth shading, key light from the upper left, fill light, no
+/// cast shadows. The result does not depend on the number of threads.
+/// \pre scalars and origins are empty or have one entry for each vertex.
+Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options = {});
+
+}  // namespace shellmatch

@@ -1,0 +1,10 @@
+# scripts/bench with the programs of this build tree; the kernels only where the benchmarks are built.
+set(script ${CMAKE_CURRENT_LIST_DIR}/bench_script_test.py)
+set(parts Script)
+if(SHELLMATCH_BENCH)
+  list(APPEND parts Kernels)
+endif()
+foreach(part ${parts})
+  add_test(NAME Bench.${part} COMMAND ${script} --build ${PROJECT_BINARY_DIR} ${part})
+  set_tests_properties(Bench.${part} PROPERTIES LABELS fast TIMEOUT 900)
+endforeach()
