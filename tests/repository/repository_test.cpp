@@ -2,7 +2,6 @@
 
 #include "tests/repository/include_rules.h"
 #include "tests/repository/structure_rules.h"
-#include "tests/repository/text_rules.h"
 #include "tests/support/folders.h"
 
 // The rules held against this repository. That each rule can be broken is shown in rules_test.cpp.
@@ -31,9 +30,6 @@ TEST(Repository, RoomsAreSmall) { expect_none(check_room_sizes(this_repository()
 TEST(Repository, RoomsDoNotIncludeEachOther) { expect_none(check_room_cycles(this_repository(), {})); }
 TEST(Repository, TestsMirrorTheFolders) { expect_none(check_test_folders(this_repository())); }
 TEST(Repository, FilesAreShort) { expect_none(check_lengths(this_repository())); }
-TEST(Repository, NamesNoMachine) { expect_none(check_machine_paths(this_repository())); }
-TEST(Repository, DocumentsPointToWhatIsThere) { expect_none(check_links(this_repository())); }
-TEST(Repository, InstalledPackageFindsAllDependencies) { expect_none(check_dependencies(this_repository())); }
 
 }  // namespace
 }  // namespace shellmatch::repository

@@ -5,7 +5,6 @@
 
 #include "tests/repository/include_rules.h"
 #include "tests/repository/structure_rules.h"
-#include "tests/repository/text_rules.h"
 
 // Every rule of the repository against planted faults, each beside a near miss that is allowed.
 
@@ -41,7 +40,7 @@ void expect_one(const std::vector<Finding>& findings, const std::string& file, i
 
 TEST_F(Rules, PatternsStayWithinAFolder) {
   EXPECT_TRUE(matches("geometry/cgal_read.cpp", "geometry/cgal_*.cpp"));
-  EXPECT_TRUE(matches("render/vtk_image.cpp", "*/vtk_*.cpp"));
+  EXPECT_TRUE(matches("grid/vtk_image.cpp", "*/vtk_*.cpp"));
   EXPECT_FALSE(matches("geometry/detail/cgal_read.cpp", "geometry/*.cpp"));
   EXPECT_FALSE(matches("geometry/cgal_read.h", "geometry/cgal_*.cpp"));
 }
@@ -64,6 +63,14 @@ TEST_F(Rules, BaseIncludesNothingAbove) {
   plant("matching/experiment/options.h", "");
   plant("base/error.cpp", "#include \"matching/experiment/options.h\"\n");
   expect_one(check_include_direction(tree()), "base/error.cpp", 1);
+}
+
+// Libraries within a folder have rules of their own.
+TEST_F(Rules, RenderingDoesNotSeeMatching) {
+  plant("matching/render/canvas/canvas.h", "");
+  plant("matching/level.h", "#include \"matching/render/canvas/canvas.h\"\n");
+  plant("matching/render/canvas/plot.cpp", "#include \"matching/level.h\"\n");
+  expect_one(check_include_direction(tree()), "matching/render/canvas/plot.cpp", 1);
 }
 
 TEST_F(Rules, IncludesAreWrittenFromTheRoot) {
@@ -114,55 +121,6 @@ TEST_F(Rules, LongFilesAreFound) {
   plant("docs/long.md", lines + lines);
   plant("grid/long.cpp", lines + "//\n");
   expect_one(check_lengths(tree()), "grid/long.cpp", 401);
-}
-
-TEST_F(Rules, PathsOfOneMachineAreFound) {
-  plant("docs/near.md",
-        "see docs/ho"
-        "me/page, ${root}/t"
-        "mp/x and /usr/share/doc\n");
-  plant("scripts/run",
-        "#!/bin/sh\ncd /ho"
-        "me/somebody\n");
-  expect_one(check_machine_paths(tree()), "scripts/run", 2);
-}
-
-TEST_F(Rules, BuildFoldersAreNotLookedAt) {
-  plant("build/release/cache.cmake",
-        "/ho"
-        "me/somebody\n");
-  plant("build-x/cache.cmake",
-        "/ho"
-        "me/somebody\n");
-  EXPECT_TRUE(tree().files.empty());
-}
-
-TEST_F(Rules, DeadLinksAreFound) {
-  plant("docs/theory.md", "# Theory\n\n## The band\n");
-  plant("README.md",
-        "[theory](docs/theory.md) [band](docs/theory.md#the-band) [site](https://example.com/x)\n"
-        "```\n[in code](nowhere.md)\n```\n"
-        "[gone](docs/gone.md)\n");
-  expect_one(check_links(tree()), "README.md", 5);
-}
-
-TEST_F(Rules, DeadHeadingsAreFound) {
-  plant("docs/theory.md", "# Theory\n[up](#theory) [down](#practice)\n");
-  expect_one(check_links(tree()), "docs/theory.md", 2);
-}
-
-TEST_F(Rules, FilesNamedInDocumentsExist) {
-  plant("grid/octree/octree.cpp", "");
-  plant("docs/theory.md",
-        "`grid/octree/octree.cpp`, `grid/octree/oct*.cpp` and `out/deformed.ply`\n\n`grid/quadtree.cpp`\n");
-  expect_one(check_links(tree()), "docs/theory.md", 3);
-}
-
-TEST_F(Rules, AForgottenDependencyIsFound) {
-  plant("cmake/Dependencies.cmake",
-        "find_package(Eigen3 3.4 REQUIRED)\nfind_package(NLopt REQUIRED)\nfind_package(GTest)\n");
-  plant("cmake/ShellmatchConfig.cmake.in", "find_dependency(Eigen3 3.4)\n");
-  expect_one(check_dependencies(tree()), "cmake/ShellmatchConfig.cmake.in", 0);
 }
 
 // a includes b in its source, b includes c, and c's header leads back to a; d only looks at them.

@@ -102,6 +102,17 @@ std::vector<Finding> check_room_sizes(const SourceTree& tree, std::size_t most) 
   return findings;
 }
 
+std::vector<Finding> check_lengths(const SourceTree& tree, std::size_t most) {
+  std::vector<Finding> findings;
+  for (const auto& [file, lines] : tree.files) {
+    const bool counts = is_source(file) || file.ends_with("CMakeLists.txt") || file.ends_with(".cmake") ||
+                        top_folder(file) == "scripts";
+    if (counts && lines.size() > most)
+      findings.push_back({file, static_cast<int>(lines.size()), fmt::format("more than {} lines: split it", most)});
+  }
+  return findings;
+}
+
 std::vector<Finding> check_room_cycles(const SourceTree& tree, const std::vector<std::string_view>& exceptions) {
   return cycles_of(include_graph(tree, folder_of, [&](const Include& include) {
     const std::string_view top = top_folder(include.file);

@@ -21,6 +21,9 @@ std::vector<Finding> check_unit_cycles(const SourceTree& tree);
 /// Rooms with more than `most` sources.
 std::vector<Finding> check_room_sizes(const SourceTree& tree, std::size_t most = max_room_files);
 
+/// Sources, scripts and CMake files of more than `most` lines.
+std::vector<Finding> check_lengths(const SourceTree& tree, std::size_t most = 400);
+
 /// Rooms of one top folder that include each other, directly or through others. The rooms of `exceptions` (top
 /// folders) and of tests/ are not looked at.
 std::vector<Finding> check_room_cycles(const SourceTree& tree, const std::vector<std::string_view>& exceptions = {});
