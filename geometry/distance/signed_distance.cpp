@@ -81,6 +81,17 @@ ClosestPoint<Dim> SignedDistance<Dim>::closest_on(Index facet, const Vec<Dim>& x
   return {distance, point, take_pseudonormal ? pseudonormal : Vec<Dim>(difference / distance), facet};
 }
 
+template <int Dim>
+const Vec<Dim>& SignedDistance<Dim>::pseudonormal(const ClosestPoint<Dim>& found) const {
+  const Surface<Dim>& surface = tree_->surface;
+  const FacetPoint<Dim> on_facet = closest_point_on_facet(surface, found.facet, found.point);
+  const std::array<double, Dim> weights = barycentric_coordinates(surface, found.facet, on_facet);
+  FeatureMask feature = on_facet.feature;
+  for (int k = 0; k < Dim; ++k)
+    if (weights[k] < 1e-6) feature &= ~(1u << k);
+  return tree_->normals(surface, found.facet, feature);
+}
+
 template class SignedDistance<2>;
 template class SignedDistance<3>;
 

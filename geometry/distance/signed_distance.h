@@ -43,6 +43,10 @@ class SignedDistance {
   /// The closest points of many, in the same way. \param found one entry for each point
   void closest(std::span<const Vec<Dim>> x, std::span<ClosestPoint<Dim>> found) const;
 
+  /// Unit pseudonormal of the surface at a point that was found: that of the corner or edge where the point lies on
+  /// one, or so near that rounding could have chosen either side. Zero where the normals around it cancel.
+  const Vec<Dim>& pseudonormal(const ClosestPoint<Dim>& found) const;
+
   const Surface<Dim>& surface() const;
 
  private:

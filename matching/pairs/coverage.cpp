@@ -15,13 +15,13 @@ namespace shellmatch {
 
 namespace {
 
-/// The point of the undeformed facet with the barycentric coordinates that x has in the deformed one.
+/// What the corners of facet f have, at the point with these barycentric coordinates.
 template <int Dim>
-Vec<Dim> preimage(const Surface<Dim>& reference, const Surface<Dim>& deformed, Index f, const FacetPoint<Dim>& x) {
-  const std::array<double, Dim> b = barycentric_coordinates(deformed, f, x);
-  Vec<Dim> p = Vec<Dim>::Zero();
-  for (int k = 0; k < Dim; ++k) p += b[k] * reference.vertices[reference.facets[f][k]];
-  return p;
+Vec<Dim> interpolated(const Surface<Dim>& surface, Index f, const std::array<double, Dim>& b,
+                      const std::vector<Vec<Dim>>& at_vertices) {
+  Vec<Dim> value = Vec<Dim>::Zero();
+  for (int k = 0; k < Dim; ++k) value += b[k] * at_vertices[surface.facets[f][k]];
+  return value;
 }
 
 /// Facets that are larger than samples are apart have samples within, and bend with phi.
@@ -58,8 +58,9 @@ Coverage<Dim>::Coverage(const Surface<Dim>& reference, const SignedDistance<Dim>
 }
 
 template <int Dim>
-void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid,
-                                      const std::vector<Vec<Dim>>& phi, std::vector<PointPair<Dim>>& found) const {
+void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const std::vector<Vec<Dim>>& normals,
+                                      const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
+                                      std::vector<PointPair<Dim>>& found) const {
   const double far = options_.point_distance * grid.finest_side();
   const FacetTree<Dim> tree(deformed);
   append_pairs<Dim>(
@@ -68,8 +69,12 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree
         const SurfaceSample<Dim>& sample = on_template_[i];
         PointPair<Dim> pair{Vec<Dim>::Zero(), sample.x, 0, sample.normal};
         const Index f = tree.nearest(pair.y);
-        if (f == no_index || facet_normal(deformed, f).dot(sample.normal) <= 0) return pair;
-        pair.p = preimage(reference_, deformed, f, closest_point_on_facet(deformed, f, pair.y));
+        if (f == no_index) return pair;
+        // On an edge rounding chooses the facet: what is asked of the point must not depend on it.
+        const std::array<double, Dim> b =
+            barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, pair.y));
+        if (interpolated<Dim>(deformed, f, b, normals).dot(sample.normal) <= 0) return pair;
+        pair.p = interpolated<Dim>(deformed, f, b, reference_.vertices);
         // Planes along a thin part have no component towards its tip: beyond this distance the point itself pulls. The
         // distance is that of phi(p), which lies beside the facet through the moved vertices where phi bends it.
         if ((evaluate(grid, phi, pair.p) - pair.y).norm() > far) pair.normal.setZero();
@@ -80,8 +85,8 @@ void Coverage<Dim>::add_from_template(const Surface<Dim>& deformed, const Octree
 }
 
 template <int Dim>
-void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const {
-  const std::vector<Vec<Dim>> normals = vertex_normals(deformed);
+void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, const std::vector<Vec<Dim>>& normals,
+                                       std::vector<PointPair<Dim>>& found) const {
   append_pairs<Dim>(
       on_reference_.size(),
       [&](std::size_t i) {
@@ -89,9 +94,8 @@ void Coverage<Dim>::add_from_reference(const Surface<Dim>& deformed, std::vector
         PointPair<Dim> pair{sample.x, Vec<Dim>::Zero(), 0};
         const ClosestPoint<Dim> nearest = template_->closest(deformed.vertices[sample.vertex]);
         pair.y = nearest.point;
-        pair.normal = facet_normal(template_->surface(), nearest.facet);
+        pair.normal = template_->pseudonormal(nearest);
         if (pair.normal.dot(normals[sample.vertex]) <= 0) return pair;
-        pair.normal.normalize();
         pair.weight = sample.area;
         return pair;
       },
@@ -103,8 +107,9 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
                                      const BandMask<Dim>* mask) const {
   const Surface<Dim> deformed = deformed_surface(reference_, grid, phi);
   PointPairs<Dim> result;
-  add_from_template(deformed, grid, phi, result.pairs);
-  add_from_reference(deformed, result.pairs);
+  const std::vector<Vec<Dim>> normals = vertex_normals(deformed);
+  add_from_template(deformed, normals, grid, phi, result.pairs);
+  add_from_reference(deformed, normals, result.pairs);
   if (mask) {
     parallel_for(result.pairs.size(),
                  [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });

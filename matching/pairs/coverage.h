@@ -39,9 +39,11 @@ class Coverage {
                         const BandMask<Dim>* mask = nullptr) const;
 
  private:
-  void add_from_template(const Surface<Dim>& deformed, const Octree<Dim>& grid, const std::vector<Vec<Dim>>& phi,
-                         std::vector<PointPair<Dim>>& found) const;
-  void add_from_reference(const Surface<Dim>& deformed, std::vector<PointPair<Dim>>& found) const;
+  /// \param normals at the vertices of the deformed reference
+  void add_from_template(const Surface<Dim>& deformed, const std::vector<Vec<Dim>>& normals, const Octree<Dim>& grid,
+                         const std::vector<Vec<Dim>>& phi, std::vector<PointPair<Dim>>& found) const;
+  void add_from_reference(const Surface<Dim>& deformed, const std::vector<Vec<Dim>>& normals,
+                          std::vector<PointPair<Dim>>& found) const;
 
   const SignedDistance<Dim>* template_;
   CoverageOptions options_;

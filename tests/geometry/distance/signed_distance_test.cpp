@@ -163,6 +163,19 @@ TEST(SignedDistance, NormalOnTheSurfaceIsThePseudonormalOfTheFeature) {
   EXPECT_LT((square.closest({1, 0}).normal - Vec<2>(1, 0)).norm(), 1e-15);
 }
 
+TEST(SignedDistance, PseudonormalIsThatOfTheFeatureWithinRounding) {
+  const SignedDistance<3> distance(box({0, 0, 0}, {1, 1, 1}));
+  for (const double off : {-1e-15, 0.0, 1e-15}) {
+    EXPECT_LT((distance.pseudonormal(distance.closest({1.5, 1 + off, 0.4})) - Vec<3>(1, 1, 0).normalized()).norm(),
+              1e-14);
+    EXPECT_LT((distance.pseudonormal(distance.closest({1.5, 1 + off, 1 - off})) - Vec<3>(1, 1, 1).normalized()).norm(),
+              1e-14);
+  }
+  EXPECT_LT((distance.pseudonormal(distance.closest({1.5, 0.7, 0.4})) - Vec<3>(1, 0, 0)).norm(), 1e-15);
+  const SignedDistance<2> square(polygon(4, [](double) { return 1.0; }));
+  EXPECT_LT((square.pseudonormal(square.closest({1, 1e-15})) - Vec<2>(1, 0)).norm(), 1e-14);
+}
+
 TEST(SignedDistance, TakesTheFirstOfEquallyNearFacets) {
   Surface<3> cube = box({0, 0, 0}, {1, 1, 1});
   for (int turn = 0; turn < 12; ++turn) {

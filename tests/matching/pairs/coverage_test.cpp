@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace shellmatch {
 namespace {
 
@@ -80,6 +82,40 @@ void check_pairs(const std::string& name) {
 TEST(Coverage, PairsSamplesOfBothShapesWithTheirNearestPoints) {
   check_pairs<2>("star/mild");
   check_pairs<3>("ellipsoid/long");
+}
+
+/// The same shape with its facets in the opposite order.
+template <int Dim>
+Surface<Dim> with_facets_reversed(Surface<Dim> surface) {
+  std::reverse(surface.facets.begin(), surface.facets.end());
+  return surface;
+}
+
+// Nearest points on an edge are as near to one of its facets as to the other, so that rounding or the order of facets
+// decides.
+template <int Dim>
+void check_ties(const std::string& name) {
+  const Surface<Dim> surface = built_in<Dim>(name), reversed = with_facets_reversed(surface);
+  const SignedDistance<Dim> distance(surface), distance_of_reversed(reversed);
+  const Octree<Dim> grid(5);
+  auto moved = identity_map(grid);
+  for (auto& x : moved) x += 0.01 * Vec<Dim>::LinSpaced(1.1, 2.3);
+  CoverageOptions options;
+  options.point_distance = 10;
+  const auto one = Coverage<Dim>(surface, distance, 1, options).pairs(grid, moved).pairs;
+  const auto other = Coverage<Dim>(reversed, distance_of_reversed, 1, options).pairs(grid, moved).pairs;
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_LT((one[i].p - other[i].p).norm(), 1e-12);
+    EXPECT_LT((one[i].y - other[i].y).norm(), 1e-12);
+    EXPECT_LT((one[i].normal - other[i].normal).norm(), 1e-9)
+        << one[i].normal.transpose() << " or " << other[i].normal.transpose();
+  }
+}
+
+TEST(Coverage, PairsDoNotDependOnTheOrderOfFacets) {
+  check_ties<2>("star/mild");
+  check_ties<3>("ellipsoid/long");
 }
 
 TEST(Coverage, LargeFacetsHaveSamplesWithin) {
