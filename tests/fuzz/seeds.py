@@ -98,6 +98,15 @@ def surface_seeds():
             '[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},'
             '{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":48},'
             '{"buffer":0,"byteOffset":48,"byteLength":24}],"buffers":[{"byteLength":72%s}]}')
+    with_data = (gltf % (',"uri":"data:application/octet-stream;base64,' + base64.b64encode(data).decode() + '"')).encode()
+    sparse = (b'"componentType":5126,"count":4,"type":"VEC3"', b'"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,"indices":'
+              b'{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}')
+    scenes = [with_data.replace(old, new) for old, new in (
+        (b'"translation":[1,2,3]', b'"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]'),
+        (b'"translation":[1,2,3]', b'"rotation":[0,0,0.7,0.7],"scale":[1,2,3]'), sparse, (sparse[0], sparse[1].replace(b'"bufferView":1', b'"bufferView":0')),
+        (b'"indices":1}', b'"indices":1,"mode":0},{"attributes":{"POSITION":0},"mode":5}'), (b'"indices":1}', b'"indices":1,"mode":6}'),
+        (b'"asset"', b'"extensionsRequired":["KHR_draco_mesh_compression"],"asset"'), (b'"scene":0,"scenes":[{"nodes":[0]}],', b""),
+        (b"data:application/octet-stream;base64,", b"beside.bin"), (b'"nodes":[{', b'"nodes":[{"skin":0,'))]
     head = (gltf % "").encode()
     head += b" " * (-len(head) % 4)
     glb = b"glTF" + struct.pack("<III", 2, 28 + len(head) + len(data), len(head)) + b"JSON" + head + struct.pack("<I", len(data)) + b"BIN\0" + data
@@ -106,7 +115,7 @@ def surface_seeds():
     lists = lambda rows: "".join("<p>" + " ".join(map(str, row)) + "</p>" for row in rows)
     return {"gifti": [gifti(plain), gifti(packed), gifti(binary, ">", True), gifti(plain, matrix="0 2 0 5 -1 1 0 6 0 0 1 7 0 0 0 1"), gifti(plain, matrix="1")],
             "freesurfer": [brain + frame, brain, brain + b"\0\0\0\2\0\0\0\1" + frame, brain[:60], quads(b"\xff\xff\xff", ">h", 100), quads(b"\xff\xff\xfd", ">f", 1)],
-            "gltf": [glb, (gltf % (',"uri":"data:application/octet-stream;base64,' + base64.b64encode(data).decode() + '"')).encode()],
+            "gltf": [glb, with_data, *scenes],
             "collada": [collada("<triangles>" + corners + "<p>" + text(faces) + "</p></triangles>"),
                         collada("<polylist>" + corners + "<vcount>3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
                         collada("<polygons>" + corners + lists(faces) + "</polygons>"), collada("<tristrips>" + corners + "<p>0 1 2 3 0 1</p></tristrips>"),

@@ -35,9 +35,12 @@ def volume_seeds():
             "endian: little\nencoding: {}\nspace origin: (1,2,3)\n\n")
     meta = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n{}TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
             "Offset = 1 2 3\nCenterOfRotation = 0 0 0\nElementSpacing = 1 1 2\nDimSize = 6 5 5\nElementType = {}\nElementDataFile = LOCAL\n")
-    def layered(sizes, kinds, directions):
-        return (f"NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: {sizes}\nspace directions: {directions}\nkinds: {kinds}\n"
-                "encoding: raw\nspace units: \"um\" \"um\" \"um\"\nSegment0_Name:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\nSegment7_Name:=b\n\n").encode()
+    kinds = [(nrrd.format(name, "scanner-xyz", "raw") + "").encode() + struct.pack(f"<150{form}", *voxels)
+             for name, form in (("int8", "b"), ("uint16", "H"), ("uint", "I"), ("int", "i"), ("uint64", "Q"), ("int64", "q"), ("double", "d"))]
+
+    def layered(sizes, axes, directions, second="b"):
+        return (f"NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: {sizes}\nspace directions: {directions}\nkinds: {axes}\n"
+                "encoding: raw\nspace units: \"um\" \"um\" \"um\"\nSegment0_Name:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\nSegment7_Name:={second}\n\n").encode()
     floats = struct.pack("<150f", *voxels)
     packed = zlib.compress(voxels)
     return {"nifti": [plain, nifti(16, 32, floats), nifti(4, 16, struct.pack(">150h", *voxels), ">"), plain[:400], plain[:200],
@@ -50,7 +53,8 @@ def volume_seeds():
                      nrrd.format("uchar", "scanner-xyz", "ascii").encode() + " ".join(map(str, voxels)).encode(),
                      b"NRRD0001\ntype: short\ndimension: 3\nsizes: 6 5 5\nspacings: 1 1 2\nendian: big\nencoding: raw\n\n" + struct.pack(">150h", *voxels),
                      layered("2 6 5 5", "list domain domain domain", "none (1,0,0) (0,1,0) (0,0,2)") + bytes(v for voxel in voxels for v in (voxel, 2 * voxel)),
-                     layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none") + voxels + voxels],
+                     layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none") + voxels + voxels,
+                     layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none", "a") + voxels + voxels, *kinds],
             "meta_image": [meta.format("False", "", "MET_UCHAR").encode() + voxels, meta.format("False", "", "MET_FLOAT").encode() + floats,
                            meta.format("True", f"CompressedDataSize = {len(packed)}\n", "MET_UCHAR").encode() + packed,
                            meta.format("False", "", "MET_UCHAR").replace("LOCAL", "none.raw").encode()]}

@@ -37,6 +37,16 @@ class NamedFile {
   std::string path_;
 };
 
+// What the name chooses, or the words why it cannot.
+void read_choice(const std::string& path, const VoxelChoice& choice) {
+  try {
+    const VolumePart part = read_volume_part({path, choice});
+    demand(part.choice.labels.size() == 1 && part.volume.values.size() == part.volume.grid.n_voxels(),
+           "a segment is one label of one layer");
+  } catch (const InputError&) {  // of a layer that is not there, named twice, or not at all
+  }
+}
+
 void read_as(std::string_view bytes, const char* ending) {
   const NamedFile file(bytes, ending);
   const Volume volume = canonical(read_volume_part({file.path(), {}}).volume);
@@ -60,13 +70,10 @@ void read_nrrd_bytes(std::string_view bytes) {
   const NamedFile file(bytes, ".nrrd");
   for (const Segment& segment : read_volume_header(file.path()).segments) {
     demand(segment.label && segment.layer, "a segment has a label and a layer");
-    try {
-      const VolumePart part = read_volume_part({file.path(), {{}, 0, segment.name}});
-      demand(part.choice.labels.size() == 1 && part.volume.values.size() == part.volume.grid.n_voxels(),
-             "a segment is one label of one layer");
-    } catch (const InputError&) {  // of a layer that is not there, or named twice
-    }
+    read_choice(file.path(), {{}, 0, segment.name});
   }
+  read_choice(file.path(), {{}, 0, "of no file"});
+  read_choice(file.path(), {{1}, 0, {}});
 }
 void read_meta_image_bytes(std::string_view bytes) { read_as(bytes, ".mha"); }
 void read_vti_bytes(std::string_view bytes) { read_as(bytes, ".vti"); }
