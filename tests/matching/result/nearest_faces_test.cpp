@@ -108,7 +108,7 @@ TEST(NearestFaces, TheTemplateKnowsItsDistance) {
     const OriginalShape<3> covered = template_with_distance(template_shape, frame, SignedDistance<3>(deformed));
     EXPECT_EQ(covered.vertices, template_shape.vertices);
     EXPECT_EQ(covered.polygons, template_shape.polygons);
-    const VertexAttribute& distance = column(covered, "distance_to_deformed");
+    const VertexAttribute distance = column(covered, "distance_to_deformed");
     for (const double d : distance.values) EXPECT_NEAR(d, 1, 0.03);
   }
 }
