@@ -20,6 +20,12 @@ struct Similarity {
   bool is_identity() const { return scale == 1 && offset.isZero(0) && rotation == Mat<Dim>::Identity(); }
 };
 
+template <int Dim>
+Similarity<Dim> inverse(const Similarity<Dim>& map) {
+  if (map.is_identity()) return map;
+  return {1 / map.scale, map.inverse(Vec<Dim>::Zero()), map.rotation.transpose()};
+}
+
 /// The similarity that centres both shapes together in [margin, 1 - margin]^Dim.
 /// \pre both are not empty; 0 <= margin < 1/2. \throws InputError if they have no extent.
 template <int Dim>

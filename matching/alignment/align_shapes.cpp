@@ -90,7 +90,7 @@ std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& 
 
 template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                      const AlignOptions& options, Trials<Dim> trials, Observer& observer, std::string_view moved) {
+                      const AlignOptions& options, Trials<Dim> trials, Observer& observer) {
   Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials);
   for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
@@ -126,7 +126,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
         "turned over? "
         "--set align.search.mirror=true mirrors it");
   std::string why;
-  if (choice.n_tried > 0) why += fmt::format(", chosen among {} by score and energy reached", choice.n_tried);
+  if (choice.n_tried > 1)
+    why += fmt::format(", chosen among {} by {}", choice.n_tried,
+                       Dim == 2 ? "score and energy reached" : "the likeness of what corresponds after a trial");
   if (best.landmark_distance)
     why += fmt::format(", {} landmarks {:.3f} roots of the area from where these take them", outcome.search.n_landmarks,
                        *best.landmark_distance);
@@ -138,18 +140,17 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   // Score and margin tell something where they are bad; the summary always has them.
   if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
-  const std::string use = !is_used        ? "they are not used, and "
+  const std::string use = !is_used        ? "; they are not used"
                           : stays.empty() ? ""
-                                          : fmt::format("{} of them are used, and ", result.pairs.size());
-  observer.note(fmt::format("alignment: {}{} pairs{}; {}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why,
-                            use, pose_text(result.pose, moved)));
+                                          : fmt::format("; {} of them are used", result.pairs.size());
+  observer.note(
+      fmt::format("alignment: {}{} pairs{}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, use));
   return result;
 }
 
 template <int Dim>
-Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::string_view moved) {
-  observer.note(fmt::format("alignment: not searched, as {}; {}. Landmarks can tell a pose (--align landmarks)", why,
-                            pose_text(Similarity<Dim>{}, moved)));
+Alignment<Dim> as_it_lies(const std::string& why, Observer& observer) {
+  observer.note(fmt::format("alignment: not searched, as {}. Landmarks can tell a pose (--align landmarks)", why));
   Alignment<Dim> result;
   result.summary.emplace().as_it_lies = true;
   return result;
@@ -158,17 +159,17 @@ Alignment<Dim> as_it_lies(const std::string& why, Observer& observer, std::strin
 // With align.mode auto: a shape for which no pairs can be searched is matched without.
 template <int Dim>
 Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                                  const ExperimentOptions& options, Observer& observer, std::string_view moved) {
+                                  const ExperimentOptions& options, Observer& observer) {
   try {
-    return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
+    return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
   } catch (const InputError& error) {
-    return as_it_lies<Dim>(error.what(), observer, moved);
+    return as_it_lies<Dim>(error.what(), observer);
   }
 }
 
 template <int Dim>
 Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options,
-                            Observer& observer, std::string_view moved) {
+                            Observer& observer) {
   if (landmarks.empty())
     throw_input_error("align.mode: landmarks: there are none; expected a file of them (landmarks.file)");
   if (landmarks.size() < Dim)
@@ -180,7 +181,7 @@ Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const A
   result.pose = choose_pose<Dim>(pairs, options, options.search.mirror ? Mirroring::allowed : Mirroring::never);
   result.summary = summary_of(result.pose);
   result.summary->n_pairs = static_cast<int>(landmarks.size());
-  observer.note(fmt::format("alignment by {} landmarks; {}", landmarks.size(), pose_text(result.pose, moved)));
+  observer.note(fmt::format("alignment by {} landmarks", landmarks.size()));
   return result;
 }
 
@@ -193,22 +194,22 @@ AlignMode align_mode(const ExperimentOptions& options) {
 
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer, std::string_view moved) {
+                            const ExperimentOptions& options, Observer& observer) {
   const AlignMode mode = align_mode(options);
   if (mode == AlignMode::none) return {};
   observer.stage("alignment");
-  Alignment<Dim> result = mode == AlignMode::automatic ? search_if_possible(shapes, landmarks, options, observer, moved)
-                          : mode == AlignMode::landmarks
-                              ? by_landmarks(landmarks, options.align, observer, moved)
-                              : search(shapes, landmarks, options.align,
-                                       Trials<Dim>(shapes, landmarks, options, observer), observer, moved);
+  Alignment<Dim> result =
+      mode == AlignMode::automatic ? search_if_possible(shapes, landmarks, options, observer)
+      : mode == AlignMode::landmarks
+          ? by_landmarks(landmarks, options.align, observer)
+          : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
   result.summary->mode = enum_name(mode);
   return result;
 }
 
 template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&,
-                                      Observer&, std::string_view);
+                                      Observer&);
 template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&,
-                                      Observer&, std::string_view);
+                                      Observer&);
 
 }  // namespace shellmatch

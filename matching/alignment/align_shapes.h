@@ -7,7 +7,6 @@
 #include "matching/input/shape_pair.h"
 #include "matching/progress/observer.h"
 
-#include <string_view>
 #include <vector>
 
 namespace shellmatch {
@@ -19,12 +18,12 @@ AlignMode align_mode(const ExperimentOptions& options);
 /// Aligns shapes as `options.align` asks for and tells the observer in one line what was chosen, and why.
 /// \param shapes in the user's coordinates \param landmarks determine the pose with the mode `landmarks`, and take part
 /// in search and
-///   trials with the others \param moved what the user calls the first shape, for messages
+///   trials with the others
 /// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a
 /// line (in one
 ///   point)
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer, std::string_view moved = "reference");
+                            const ExperimentOptions& options, Observer& observer);
 
 }  // namespace shellmatch

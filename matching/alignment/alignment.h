@@ -21,4 +21,14 @@ struct Alignment {
   std::optional<AlignmentSummary> summary;  ///< none with align.mode none
 };
 
+/// The same alignment seen from the template, which its pose moves then: what was found does not depend on which of
+/// both is deformed.
+template <int Dim>
+Alignment<Dim> inverse(Alignment<Dim> alignment) {
+  alignment.pose = inverse(alignment.pose);
+  alignment.pairs = exchanged(std::move(alignment.pairs));
+  if (alignment.summary) alignment.summary->scale = alignment.pose.scale;
+  return alignment;
+}
+
 }  // namespace shellmatch

@@ -44,6 +44,10 @@ class Choosing {
     choice.index = usable_.front();
     if constexpr (Dim == 2)
       if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
+    if constexpr (Dim == 3)
+      if (options_.mode == AlignMode::automatic && margin < clear_margin && !is_ambiguous_ && !is_of_part_ &&
+          !landmarks_confirm(starts_[choice.index]))
+        by_likeness(choice);
     if (is_ambiguous_) choice.margin = 1;
     const Start<Dim>& best = starts_[choice.index];
     choice.is_doubtful = is_doubtful(best, choice.margin);
@@ -105,6 +109,25 @@ class Choosing {
       if (i != best && starts_[i].is_mirrored == starts_[best].is_mirrored)
         choice.margin =
             std::min(choice.margin, trials_[i] ? merit[i] / merit[best] : starts_[i].score / starts_[best].score);
+  }
+
+  // Where descriptors on the surfaces leave it open, the likeness of what corresponds after a trial decides.
+  void by_likeness(StartChoice& choice) {
+    const double most = clear_margin * starts_[choice.index].order;
+    const auto difference = [&](std::size_t i) {
+      return trial(i).spin_difference.value_or(std::numeric_limits<double>::infinity());
+    };
+    double least = difference(choice.index) / clearly_more_alike;
+    choice.n_tried = 1;
+    for (const std::size_t i : usable_) {
+      if (i == usable_.front() || starts_[i].order >= most ||
+          starts_[i].is_mirrored != starts_[usable_.front()].is_mirrored)
+        continue;
+      ++choice.n_tried;
+      if (difference(i) >= least) continue;
+      least = difference(i);
+      choice.index = i;
+    }
   }
 
   static bool is_clearly_better(const Trial& chosen, const Trial& none) {

@@ -21,10 +21,6 @@ struct PreparedPair {
   MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward(), space}; }
 };
 
-/// Landmarks of the shapes in the other order.
-template <int Dim>
-std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks);
-
 /// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and
 /// moves both surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
 /// \throws InputError as check_landmarks, align_shapes and ShapePair::place

@@ -29,7 +29,7 @@ struct EnumNames<MatchDirection> {
 
 struct AlignOptions {
   AlignMode mode = AlignMode::automatic;
-  MatchDirection direction = MatchDirection::forward;
+  MatchDirection direction = MatchDirection::automatic;
   double weight = 10;
   double tolerance = 0.01;
   double coarse_sigma_cells = 1;
@@ -47,8 +47,8 @@ struct AlignOptions {
                       "similarity between the landmarks is taken out, nothing is searched"});
     visit("direction", self.direction,
           {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of "
-                      "that map; auto: both are tried on coarse levels, and backward is taken where it ends clearly "
-                      "better (docs/alignment.md)"});
+                      "that map; auto: where pairs are used both are tried on coarse levels, and backward is taken "
+                      "where it ends clearly better (docs/alignment.md)"});
     visit(
         "weight", self.weight,
         {.min = 0,

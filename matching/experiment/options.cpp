@@ -41,6 +41,7 @@ ExperimentOptions profile_defaults(Profile profile) {
     // All of the shapes counts; they begin as they lie, and nothing but the match pulls.
     options.input.buried = Burial::kept;
     options.align.mode = AlignMode::none;
+    options.align.direction = MatchDirection::forward;
     options.coverage.levels = 0;
     // Section 3.1: W as it stands there.
     options.energy.terms.model("bending"_term) = "thin_shell";

@@ -93,7 +93,7 @@ static void describe(S& s, Member&& member) {
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, DirectionSummary>
 static void describe(S& s, Member&& member) {
-  member("backward", s.backward), member("reference_gaps", s.reference_gaps), member("template_gaps", s.template_gaps);
+  member("backward", s.backward);
   member("forward_distance", s.forward_distance), member("backward_distance", s.backward_distance);
   member("forward_energy", s.forward_energy), member("backward_energy", s.backward_energy);
 }

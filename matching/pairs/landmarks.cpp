@@ -60,6 +60,16 @@ Vec<Dim> placed(const Marked<Dim>& marked, const Vec<Dim>& x, const Similarity<D
 }  // namespace
 
 template <int Dim>
+std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks) {
+  for (Landmark<Dim>& l : landmarks) {
+    std::swap(l.on_reference, l.on_template);
+    std::swap(l.reference_origin, l.template_origin);
+    std::swap(l.reference_name, l.template_name);
+  }
+  return landmarks;
+}
+
+template <int Dim>
 void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const LandmarkOptions& options,
                      const Surface<Dim>& reference, const Surface<Dim>& template_surface) {
   const double diagonal = bounding_box(template_surface.vertices).diagonal();
@@ -102,6 +112,7 @@ PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                  \
+  template std::vector<Landmark<Dim>> exchanged<Dim>(std::vector<Landmark<Dim>>);                                    \
   template void check_landmarks<Dim>(const std::vector<Landmark<Dim>>&, const LandmarkOptions&, const Surface<Dim>&, \
                                      const Surface<Dim>&);                                                           \
   template PairSet<Dim> landmark_pairs<Dim>(const std::string&, const std::vector<Landmark<Dim>>&,                   \

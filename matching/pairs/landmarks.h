@@ -25,6 +25,10 @@ struct Landmark {
   std::string_view reference_name = "reference", template_name = "template";
 };
 
+/// Landmarks of the shapes in the other order.
+template <int Dim>
+std::vector<Landmark<Dim>> exchanged(std::vector<Landmark<Dim>> landmarks);
+
 /// Checks landmarks before the shapes are placed, so that nothing is searched with wrong ones.
 /// \param reference, template_surface in the user's coordinates
 /// \throws InputError that names the landmark whose point is not finite, or farther from its shape than

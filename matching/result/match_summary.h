@@ -90,7 +90,7 @@ struct AlignmentSummary {
   /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor
   /// on their weight.
   std::optional<double> landmark_distance = {}, landmark_trust = {};
-  int n_tried = 0;          ///< maps among which the energy reached chose; 0 where the score alone did
+  int n_tried = 0;          ///< maps among which trials chose; 0 where the score alone did
   int n_pairs = 0;          ///< used in the energy or for the pose
   bool doubtful = false;    ///< not clearly the best map, or far from isometric
   bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
@@ -98,11 +98,9 @@ struct AlignmentSummary {
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
 };
 
-/// Which shape was deformed, and the shares of the shapes' areas (lengths) with another part close above
-/// (matching/alignment/narrow_gaps.h), none where these were not asked for.
+/// Which shape was deformed.
 struct DirectionSummary {
   bool backward = false;
-  std::optional<double> reference_gaps = {}, template_gaps = {};
   /// With align.direction auto: sum of the mean distances both ways after a trial of each direction, in diagonals; none
   /// where it failed.
   std::optional<double> forward_distance = {}, backward_distance = {};

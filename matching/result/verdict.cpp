@@ -179,8 +179,7 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
                     {}});
   if (summary.alignment && summary.alignment->doubtful)
     reasons.look({"the alignment has found no pose that is clearly the best",
-                  "compare with landmarks, or with the better of both directions (--set align.direction=auto; "
-                  "docs/alignment.md)",
+                  "compare with landmarks (docs/landmarks.md)",
                   "",
                   {}});
   if (summary.alignment && summary.alignment->fits_mirrored)

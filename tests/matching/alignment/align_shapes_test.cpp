@@ -64,7 +64,7 @@ TEST_F(AlignShapes, PairsThatContradictThoseAroundThemAreNotUsed) {
     least = std::min(least, start.n_contradicting);
   ASSERT_GT(least, 0u) << "whichever is chosen has some";
   Notes notes;
-  const Alignment<3> found = align_shapes<3>(unlike, {}, options, notes, "the reference");
+  const Alignment<3> found = align_shapes<3>(unlike, {}, options, notes);
   EXPECT_EQ(found.pairs.size(), static_cast<std::size_t>(found.summary->n_pairs));
 }
 

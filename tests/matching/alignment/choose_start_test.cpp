@@ -87,6 +87,18 @@ TEST(ChooseStart, OfSurfacesTheFirstIsChosenWithoutTrials) {
   EXPECT_TRUE(choice_of<3>(hands, {wrong, right}, 1.1, quick()).as_it_lies);
 }
 
+TEST(ChooseStart, WhereDescriptorsLeaveItOpenTheLikenessAfterATrialDecides) {
+  const ShapePair<3> hands = generated<3>("hand", "hand/bent");
+  Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33), right = hand_start(hands, {}, 0.33);
+  wrong.order = 0.2;
+  right.order = 0.21;
+  EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).index, 1u);
+  EXPECT_EQ(choice_of<3>(hands, {right, wrong}, 1.05, quick()).index, 0u);
+  EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).n_tried, 2u);
+  right.order = 0.24;  // not among the close ones
+  EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).index, 0u);
+}
+
 TEST(ChooseStart, DoubtfulPairsAreUsedWhereTheyAreBetterThanNone) {
   const ShapePair<3> dolphins = generated<3>("dolphin", "dolphin/reversed");
   Start<3> turned;

@@ -59,7 +59,7 @@ TEST(Coincidence, OneBoneCutAtTwoLengthsStaysWhereItLies) {
   const ShapePair<3> bones{bone(24), bone(30)};
   EXPECT_GT(Coincidence<3>(bones).share(), 0.95);
   Told notes;
-  const Alignment<3> found = align_shapes<3>(bones, {}, profile_defaults(Profile::standard), notes, "reference");
+  const Alignment<3> found = align_shapes<3>(bones, {}, profile_defaults(Profile::standard), notes);
   EXPECT_TRUE(found.pose.is_identity()) << notes.all;
   EXPECT_TRUE(found.pairs.empty()) << notes.all;
   EXPECT_NE(notes.all.find("coincide"), std::string::npos) << notes.all;

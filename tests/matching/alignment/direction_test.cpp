@@ -165,9 +165,7 @@ TEST(MatchBackward, DerivativesAreCheckedWhereTheMatchingEnded) {
 TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
   const auto direction_of = [](const Shape<2>& reference, const Shape<2>& target, MatchDirection wanted, Words& notes) {
     ShapePair<2> pair{reference, target};
-    ExperimentOptions o = options_to(4, wanted);
-    o.align.mode = AlignMode::none;
-    const PreparedPair<2> prepared = prepare_pair(pair, {}, o, notes);
+    const PreparedPair<2> prepared = prepare_pair(pair, {}, options_to(4, wanted), notes);
     EXPECT_EQ(pair.reference.original.vertices.size(), reference.original.vertices.size());
     EXPECT_EQ(pair.reference.original.vertices[60], reference.original.vertices[60]);  // in the order given
     if (wanted == MatchDirection::automatic) {
@@ -190,6 +188,28 @@ TEST(ChooseDirection, TakesTheOneThatBringsTheShapesCloser) {
   EXPECT_FALSE(direction_of(letter(0.04), letter(0.4), MatchDirection::forward, notes));
 }
 
+TEST(ChooseDirection, IsForwardWhereNothingLeadsLimbs) {
+  ShapePair<2> pair{letter(0.04), letter(0.4)};
+  ExperimentOptions o = options_to(4, MatchDirection::automatic);
+  o.align.mode = AlignMode::none;
+  Words notes;
+  EXPECT_FALSE(prepare_pair(pair, {}, o, notes).is_backward());
+  EXPECT_EQ(notes.all, "");
+}
+
+TEST(ChooseDirection, TheInverseAlignmentIsThatOfTheShapesInTheOtherOrder) {
+  Alignment<2> found;
+  found.pose = {20, Vec<2>(3, -7), Eigen::Rotation2Dd(1.2).toRotationMatrix()};
+  found.pairs.push_back({"a", Vec<2>(1, 2), Vec<2>(-3, 4)});
+  found.summary.emplace().scale = 20;
+  const Alignment<2> other = inverse(found);
+  EXPECT_LT((other.pose(found.pose(Vec<2>(1, 2))) - Vec<2>(1, 2)).norm(), 1e-13);
+  EXPECT_EQ(other.pairs[0].on_reference, Vec<2>(-3, 4));
+  EXPECT_EQ(other.pairs[0].on_template, Vec<2>(1, 2));
+  EXPECT_NEAR(other.summary->scale, 0.05, 1e-15);
+  EXPECT_TRUE(inverse(Similarity<2>{}).is_identity());
+}
+
 TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
   const Similarity<2> by{20, Vec<2>(3, -7), Eigen::Rotation2Dd(1.2).toRotationMatrix()};
   for (const bool first : {false, true}) {
@@ -207,7 +227,7 @@ TEST(ChooseDirection, TheAlignmentIsThatOfTheDirectionTaken) {
     // In diagonals of the shape that is not carried, whatever its unit.
     const DirectionSummary& d = *chosen.direction;
     EXPECT_LT(std::max(*d.forward_distance, *d.backward_distance), 0.1);
-    // Nothing is said of the other direction's alignment.
+    // What was found is said once, and of the shape that moves.
     EXPECT_EQ(notes.all.find("alignment: "), notes.all.rfind("alignment: ")) << notes.all;
     EXPECT_NE(notes.all.find(backward ? "the template is turned" : "the reference is turned"), std::string::npos)
         << notes.all;
