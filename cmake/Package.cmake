@@ -20,12 +20,13 @@ set(link_options -s -Wl,--as-needed -Wl,-z,relro,-z,now)
 target_link_options(shellmatch_program PRIVATE ${link_options} -Wl,-z,defs -Wl,--version-script=${exports})
 target_link_options(shellmatch PRIVATE ${link_options} -Wl,-z,defs)
 set_target_properties(shellmatch_program PROPERTIES LINK_DEPENDS ${exports} OUTPUT_NAME shellmatch SOVERSION ${PROJECT_VERSION})
+# Not right below lib/, for whose folders CPack adds scripts that call ldconfig.
+set(folder lib/${CMAKE_LIBRARY_ARCHITECTURE}/shellmatch)
 # In the build tree, too, the library is found relative to the executable: installing replaces the path but not the space that it takes.
-set_target_properties(shellmatch PROPERTIES BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../lib/shellmatch")
+set_target_properties(shellmatch PROPERTIES BUILD_RPATH_USE_ORIGIN ON INSTALL_RPATH "$ORIGIN/../${folder}")
 
-set(folder lib/shellmatch)
 if(SHELLMATCH_ARCHITECTURE MATCHES "^x86-64-v[234]$")
-  set(folder lib/shellmatch/glibc-hwcaps/${SHELLMATCH_ARCHITECTURE})
+  string(APPEND folder /glibc-hwcaps/${SHELLMATCH_ARCHITECTURE})
 endif()
 if(SHELLMATCH_PYTHON)
   target_link_options(shellmatch_core PRIVATE ${link_options})  # functions of Python are those of the process

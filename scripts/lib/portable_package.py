@@ -35,7 +35,7 @@ def archive(output, version, trees):
         for tree in trees:
             for component in ["vector_code"] + ["program"] * (tree == trees[0]):
                 bundle.run("cmake", "--install", tree, "--component", component, "--prefix", folder)
-        libraries = folder / "lib/shellmatch"
+        (libraries,) = (folder / "lib").glob("*/shellmatch")
         copied = bundle.bundle([folder / "bin/shellmatch", *libraries.rglob("libshellmatch.so*")], libraries)
         bundle.add_fonts(libraries / "fonts")
         bundle.add_notices(copied, folder / "share/doc/shellmatch/licences")
