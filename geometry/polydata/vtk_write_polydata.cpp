@@ -1,6 +1,7 @@
 #include "geometry/polydata/write_polydata.h"
 
 #include "base/error.h"
+#include "geometry/polydata/vtk_one_thread.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -108,6 +109,7 @@ vtkSmartPointer<vtkPolyData> polydata_of(const OriginalShape<3>& shape) {
 }  // namespace
 
 std::string polydata_bytes(const OriginalShape<3>& shape, PolyDataFormat format) {
+  keep_vtk_in_one_thread();
   const vtkSmartPointer<vtkPolyData> data = polydata_of(shape);
   const std::string space(space_name(shape.space));
   if (format == PolyDataFormat::legacy) {

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "geometry/polydata/vtk_one_thread.h"
 #include "matching/map_file/deflate.h"
 #include "matching/map_file/deformation_file.h"
 #include "matching/map_file/vtk_messages.h"
@@ -124,6 +125,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
                        const std::vector<CellField>& cell_fields) {
   const Index n = grid.n_nodes();
   SHELLMATCH_CHECK(phi.size() == static_cast<std::size_t>(n), "phi has a value for each node");
+  keep_vtk_in_one_thread();
   vtkNew<vtkUnstructuredGrid> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
