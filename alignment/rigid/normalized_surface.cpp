@@ -60,7 +60,10 @@ std::vector<SurfacePoint> NormalizedSurface::samples(std::size_t n) const {
     // Kronecker's sequence of the golden ratio's kind spreads the points over the facets' interiors.
     double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(k), 1.0),
            v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(k), 1.0);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
     const auto& [a, b, c] = surface_.facets[f];
     samples.push_back(
         {(1 - u - v) * surface_.vertices[a] + u * surface_.vertices[b] + v * surface_.vertices[c], normals_[f]});

@@ -54,7 +54,10 @@ struct FacetTree<Dim>::Builder {
   std::array<Range, 2> split(Range facets) const {
     std::array<float, Dim> low = facets.front().centre, high = low;
     for (const Entry& e : facets)
-      for (int k = 0; k < Dim; ++k) low[k] = std::min(low[k], e.centre[k]), high[k] = std::max(high[k], e.centre[k]);
+      for (int k = 0; k < Dim; ++k) {
+        low[k] = std::min(low[k], e.centre[k]);
+        high[k] = std::max(high[k], e.centre[k]);
+      }
     int axis = 0;
     for (int k = 1; k < Dim; ++k)
       if (high[k] - low[k] > high[axis] - low[axis]) axis = k;

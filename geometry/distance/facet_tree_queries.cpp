@@ -119,8 +119,10 @@ Index FacetTree<Dim>::nearer(const Vec<Dim>& x, double best, Index facet) const 
     for (int k = 0; k < Dim; ++k) w[k] = x[k] - leaf.corner[k];
     const Lanes distances = to_facet(w, leaf.edge, leaf.inverse_length2, leaf.inverse_normal2);
     for (int i = 0; i < width; ++i)
-      if (distances[i] < best || (distances[i] == best && leaf.facet[i] < facet))
-        best = distances[i], facet = leaf.facet[i];
+      if (distances[i] < best || (distances[i] == best && leaf.facet[i] < facet)) {
+        best = distances[i];
+        facet = leaf.facet[i];
+      }
   };
   Stack stack(nodes_);
   stack.add_children(0, x, best);
@@ -196,8 +198,10 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
   while (!stack.is_empty() && n_leaves < most_leaves) {
     const auto [distance2, child, place] = stack.pop();
     if (distance2 > most2 || !may_be_nearer(nodes_[place / width], place % width)) continue;
-    if (child < 0) visit(leaves_[~child]), ++n_leaves;
-    else stack.add_children(child, centre, most2);
+    if (child < 0) {
+      visit(leaves_[~child]);
+      ++n_leaves;
+    } else stack.add_children(child, centre, most2);
   }
   const bool is_complete = stack.is_empty();
   for (std::size_t i = 0; i < points.size(); ++i) {

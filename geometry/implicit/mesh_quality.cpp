@@ -76,7 +76,10 @@ void swap_to_delaunay(Surface<3>& s) {
         for (const Index h : {f, g})
           for (int q = 0; q < 3; ++q)
             is_delaunay[facet_of.at(edge_key(s.facets[h][(q + 1) % 3], s.facets[h][q]))] = false;
-        --valence[a], --valence[b], ++valence[c], ++valence[d];
+        --valence[a];
+        --valence[b];
+        ++valence[c];
+        ++valence[d];
         ++n_swaps;
         break;
       }

@@ -103,9 +103,12 @@ class RoiReader {
       }
       const auto put = [&](std::uint32_t bits, std::uint32_t mark) { name.push_back(static_cast<char>(mark | bits)); };
       if (c < 0x80) put(c, 0);
-      else if (c < 0x800) put(c >> 6, 0xc0), put(c & 0x3f, 0x80);
-      else if (c < 0x10000) put(c >> 12, 0xe0), put(c >> 6 & 0x3f, 0x80), put(c & 0x3f, 0x80);
-      else put(c >> 18, 0xf0), put(c >> 12 & 0x3f, 0x80), put(c >> 6 & 0x3f, 0x80), put(c & 0x3f, 0x80);
+      else if (c < 0x800) put(c >> 6, 0xc0);
+      else if (c < 0x10000) put(c >> 12, 0xe0);
+      else put(c >> 18, 0xf0);
+      if (c >= 0x10000) put(c >> 12 & 0x3f, 0x80);
+      if (c >= 0x800) put(c >> 6 & 0x3f, 0x80);
+      if (c >= 0x80) put(c & 0x3f, 0x80);
     }
     return name;
   }

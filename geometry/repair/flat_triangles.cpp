@@ -25,8 +25,14 @@ Profile profile_of(const std::vector<Vec<3>>& x, const Facet& facet) {
   Profile p;
   for (int k = 0; k < 3; ++k) {
     const double length = (x[facet[(k + 1) % 3]] - x[facet[k]]).norm();
-    if (k == 0 || length > p.longest) p.longest = length, p.begin = k;
-    if (k == 0 || length <= p.shortest) p.shortest = length, p.shortest_begin = k;
+    if (k == 0 || length > p.longest) {
+      p.longest = length;
+      p.begin = k;
+    }
+    if (k == 0 || length <= p.shortest) {
+      p.shortest = length;
+      p.shortest_begin = k;
+    }
   }
   if (!(p.longest > 0)) return p;
   // By the shortest edge, which is another one than the longest: equal ones are the first and the last.
@@ -105,7 +111,10 @@ class Dissolver {
       const auto at = std::ranges::find(facets_[g], c);
       const Index after_c = facets_[g][static_cast<std::size_t>(at - facets_[g].begin() + 1) % 3];
       const int score = (after_c == a ? 2 : 0) + (is_flat(profile_of(x_, facets_[g]), height_) ? 0 : 1);
-      if (score > best_score) best_score = score, best = g;
+      if (score > best_score) {
+        best_score = score;
+        best = g;
+      }
     }
     return best;
   }

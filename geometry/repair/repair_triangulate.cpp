@@ -126,7 +126,10 @@ constexpr std::size_t max_tests = 100'000'000;
 bool clip_ears(const std::vector<Vec<2>>& x, const std::vector<Index>& corners, Triangles& triangles) {
   const std::size_t n = corners.size();
   std::vector<std::size_t> before(n), after(n), reflex;
-  for (std::size_t k = 0; k < n; ++k) before[k] = (k + n - 1) % n, after[k] = (k + 1) % n;
+  for (std::size_t k = 0; k < n; ++k) {
+    before[k] = (k + n - 1) % n;
+    after[k] = (k + 1) % n;
+  }
   const auto is_convex_corner = [&](std::size_t k) { return turn(x[before[k]], x[k], x[after[k]]) > 0; };
   for (std::size_t k = 0; k < n; ++k)
     if (!is_convex_corner(k)) reflex.push_back(k);

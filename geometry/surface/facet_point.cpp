@@ -31,7 +31,10 @@ FacetPoint<3> closest_on(const std::array<Vec<3>, 3>& corners, const Vec<3>& x) 
   double best_distance2 = (best.point - x).squaredNorm();
   const auto compare = [&](const FacetPoint<3>& other) {
     const double distance2 = (other.point - x).squaredNorm();
-    if (distance2 < best_distance2) best = other, best_distance2 = distance2;
+    if (distance2 < best_distance2) {
+      best = other;
+      best_distance2 = distance2;
+    }
   };
   compare(closest_on_edge(b, c, 1, 2, x));
   compare(closest_on_edge(a, c, 0, 2, x));

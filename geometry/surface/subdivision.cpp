@@ -56,7 +56,8 @@ class Bisection {
     if (n_long == 3) return add(a, m[0], m[2]), add(m[0], b, m[1]), add(m[2], m[1], c), add(m[0], m[1], m[2]);
     add(m[0], b, m[1]);
     if (squared_distance(a, m[1]) < squared_distance(m[0], c)) return add(a, m[0], m[1]), add(a, m[1], c);
-    add(a, m[0], c), add(m[0], m[1], c);
+    add(a, m[0], c);
+    add(m[0], m[1], c);
   }
 
   Surface<3>& surface_;

@@ -96,7 +96,8 @@ class XmlValues {
       if (++n_in_group < 4) continue;
       if (n_fill > 2) damaged("no base64");
       for (int k = 0; k < 3 - n_fill; ++k) bytes.push_back(static_cast<char>(group >> (16 - 8 * k) & 0xff));
-      group = 0, n_in_group = n_fill = 0;
+      group = 0;
+      n_in_group = n_fill = 0;
     }
     return bytes;
   }

@@ -8,8 +8,12 @@ namespace shellmatch {
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, CheckpointManifest>
 static void describe(S& s, Member&& member) {
-  member("format", s.format), member("level", s.level), member("program", s.program);
-  member("reference", s.reference), member("template", s.template_shape), member("landmarks", s.landmarks);
+  member("format", s.format);
+  member("level", s.level);
+  member("program", s.program);
+  member("reference", s.reference);
+  member("template", s.template_shape);
+  member("landmarks", s.landmarks);
 }
 
 std::string manifest_json(const CheckpointManifest& manifest) { return json_text(json_of(manifest)); }

@@ -13,12 +13,17 @@ struct FileList {
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, WrittenFile>
 static void describe(S& s, Member&& member) {
-  member("name", s.name), member("bytes", s.bytes), member("checksum", s.checksum);
+  member("name", s.name);
+  member("bytes", s.bytes);
+  member("checksum", s.checksum);
 }
 
 template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, FileList>
-static void describe(S& s, Member&& member) { member("format", s.format), member("files", s.files); }
+static void describe(S& s, Member&& member) {
+  member("format", s.format);
+  member("files", s.files);
+}
 
 std::string file_list_json(const std::vector<WrittenFile>& files) {
   return json_text(json_of(FileList{.files = files}));

@@ -64,7 +64,10 @@ Image draw_shapes(const ResultShapes<3>& shapes, const std::vector<const Drawn<3
   std::vector<RenderSurface> surfaces;
   for (const Drawn<3>* d : drawn) {
     RenderSurface s{.surface = &d->surface, .color = d->color};
-    if (d->origins != nullptr) s.paint = Paint::checker, s.origins = *d->origins;
+    if (d->origins != nullptr) {
+      s.paint = Paint::checker;
+      s.origins = *d->origins;
+    }
     if (!d->values.empty() && bar)
       s.paint = Paint::scalar, s.scalars = d->values, s.color_map = bar->map, s.scalar_min = bar->min,
       s.scalar_max = bar->max;
@@ -84,7 +87,10 @@ Image draw_shapes(const ResultShapes<2>& shapes, const std::vector<const Drawn<2
     if (!d->values.empty() && bar)
       for (const double v : d->values)
         c.vertex_colors.push_back(map_color(bar->map, (v - bar->min) / (bar->max - bar->min)));
-    if (d != drawn.front()) c.fill = d->color, c.fill_alpha = 0.35;
+    if (d != drawn.front()) {
+      c.fill = d->color;
+      c.fill_alpha = 0.35;
+    }
     if (drawn.size() > 1 && d == drawn.front()) c.line_width /= 2;  // over the other one's line
     contours.insert(contours.begin(), std::move(c));
   }
@@ -97,8 +103,10 @@ template <int Dim>
 Canvas draw_result(const ResultShapes<Dim>& shapes, const ResultView& view, CanvasKind kind) {
   const bool by_values = view.colors == ShownColors::distance || view.colors == ShownColors::distortion;
   std::vector<double> values, template_values;
-  if (view.colors == ShownColors::distance)
-    values = shapes.distance_to_template, template_values = shapes.distance_to_deformed;
+  if (view.colors == ShownColors::distance) {
+    values = shapes.distance_to_template;
+    template_values = shapes.distance_to_deformed;
+  }
   if (view.colors == ShownColors::distortion)
     for (const double ratio : shapes.measure_ratio) values.push_back(std::log2(ratio));
   const auto* pattern = view.colors == ShownColors::checker ? &shapes.reference.vertices : nullptr;

@@ -25,7 +25,10 @@ void spread(const Surface<3>& surface, std::vector<double>& values) {
       for (const Index given : facet) {
         if (std::isnan(before[given])) continue;
         for (const Index v : facet)
-          if (std::isnan(values[v])) values[v] = before[given], is_found = true;
+          if (std::isnan(values[v])) {
+            values[v] = before[given];
+            is_found = true;
+          }
       }
   }
 }
@@ -46,7 +49,10 @@ Index nearest_corner(const Surface<Dim>& surface, const ClosestPoint<Dim>& close
   Index best = no_index;
   double least = std::numeric_limits<double>::infinity();
   for (const Index v : surface.facets[closest.facet])
-    if (const double d = (surface.vertices[v] - closest.point).squaredNorm(); d < least) best = v, least = d;
+    if (const double d = (surface.vertices[v] - closest.point).squaredNorm(); d < least) {
+      best = v;
+      least = d;
+    }
   return best;
 }
 
@@ -57,7 +63,10 @@ std::vector<double> at_vertices(const Surface<Dim>& surface, const std::vector<d
   for (std::size_t f = 0; f < of_facets.size(); ++f) {
     if (!std::isfinite(of_facets[f])) continue;
     const double measure = facet_measure(surface, static_cast<Index>(f));
-    for (const Index v : surface.facets[f]) sum[v] += measure * of_facets[f], weight[v] += measure;
+    for (const Index v : surface.facets[f]) {
+      sum[v] += measure * of_facets[f];
+      weight[v] += measure;
+    }
   }
   for (std::size_t v = 0; v < sum.size(); ++v)
     sum[v] = weight[v] > 0 ? sum[v] / weight[v] : std::numeric_limits<double>::quiet_NaN();

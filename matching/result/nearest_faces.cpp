@@ -51,7 +51,10 @@ void add_correspondence(OriginalShape<Dim>& deformed, const OriginalShape<Dim>& 
   const FacetTree<Dim> tree(facets.surface);
   const std::size_t n = deformed.vertices.size();
   std::vector<double> face(n), corner[Dim], weight[Dim];
-  for (int k = 0; k < Dim; ++k) corner[k].resize(n), weight[k].resize(n);
+  for (int k = 0; k < Dim; ++k) {
+    corner[k].resize(n);
+    weight[k].resize(n);
+  }
   parallel_chunks(n, 256, [&](const Chunk& chunk) {
     std::vector<Vec<Dim>> points;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) points.push_back(placement(deformed.vertices[i]));

@@ -63,10 +63,14 @@ OriginalShape<Dim> coloured_shape(const CurvatureComparison<Dim>& c) {
   const double end = size_quantile(mean, 0.95);
   for (const double h : mean) {
     const Color color = map_color(ColorMap::diverging, 0.5 + 0.5 * h / end);
-    rgb[0].push_back(255 * color.r), rgb[1].push_back(255 * color.g), rgb[2].push_back(255 * color.b);
+    rgb[0].push_back(255 * color.r);
+    rgb[1].push_back(255 * color.g);
+    rgb[2].push_back(255 * color.b);
   }
   if constexpr (Dim == 3) {
-    add("red", "uchar", rgb[0]), add("green", "uchar", rgb[1]), add("blue", "uchar", rgb[2]);
+    add("red", "uchar", rgb[0]);
+    add("green", "uchar", rgb[1]);
+    add("blue", "uchar", rgb[2]);
     add("quality", "float", mean);
   }
   const auto add_curvatures = [&](const Curvatures<Dim>& all, const std::string& suffix) {
@@ -132,7 +136,10 @@ void write_curvature_scatter(const CurvatureComparison<Dim>& c, const std::strin
   if (Dim == 3) plot.series.push_back(points("k2", &PrincipalCurvature<Dim>::k2));
   double low = end, high = -end;
   for (const Series& s : plot.series)
-    for (const double v : s.x) low = std::min(low, v), high = std::max(high, v);
+    for (const double v : s.x) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
   if (low < high) plot.series.push_back({.name = "equal", .x = {low, high}, .y = {low, high}, .dashed = true});
   write_plot(plot, path);
 }

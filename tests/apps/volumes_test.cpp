@@ -253,8 +253,14 @@ TEST_F(Volumes, DeterminantsSayHowVolumesChange) {
   double n_from = 0, n_to = 0, forward = 0, backward = 0;
   for (std::size_t v = 0; v < j.values.size(); ++v) {
     EXPECT_NEAR(log.values[v], std::log(j.values[v]), 1e-5);
-    if (from.values[v] > 0) ++n_from, forward += j.values[v];
-    if (to.values[v] > 0) ++n_to, backward += back.values[v];
+    if (from.values[v] > 0) {
+      ++n_from;
+      forward += j.values[v];
+    }
+    if (to.values[v] > 0) {
+      ++n_to;
+      backward += back.values[v];
+    }
   }
   EXPECT_NEAR(forward / n_to, 1, 0.03);
   EXPECT_NEAR(backward / n_from, 1, 0.03);

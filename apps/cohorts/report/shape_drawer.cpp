@@ -14,7 +14,11 @@ ShapeDrawer<2>::ShapeDrawer(std::span<const Surface<2>* const> all, int size) : 
 template <>
 Image ShapeDrawer<3>::draw(const Surface<3>& shape, const std::vector<double>& values, double scale_end) const {
   RenderSurface look{.surface = &shape};
-  if (scale_end > 0) look.paint = Paint::scalar, look.scalars = values, look.scalar_max = scale_end;
+  if (scale_end > 0) {
+    look.paint = Paint::scalar;
+    look.scalars = values;
+    look.scalar_max = scale_end;
+  }
   return render_surfaces({&look, 1}, view_,
                          {.width = size_, .height = size_, .samples = 3, .ambient_occlusion = false});
 }

@@ -117,8 +117,14 @@ void draw_plot(const Plot& plot, Canvas& canvas) {
   }
   x.finish(0.02);
   y.finish(0.05);
-  if (!plot.rows.empty()) y.min = -0.6, y.max = static_cast<double>(plot.rows.size()) - 0.4;
-  x.from = left, x.to = right, y.from = bottom, y.to = top;
+  if (!plot.rows.empty()) {
+    y.min = -0.6;
+    y.max = static_cast<double>(plot.rows.size()) - 0.4;
+  }
+  x.from = left;
+  x.to = right;
+  y.from = bottom;
+  y.to = top;
   std::vector<Tick> y_ticks;
   if (plot.rows.empty()) {
     y_ticks = y.ticks(6);

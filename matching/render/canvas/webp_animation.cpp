@@ -61,7 +61,10 @@ Animation::Animation(int quality) : state_(std::make_unique<State>()) {
   SHELLMATCH_CHECK(WebPConfigInit(&config), same_library);
   config.quality = static_cast<float>(quality);
   config.use_sharp_yuv = 1;  // colours are kept at half of the resolution: edges of checks and letters stay clear
-  if (quality == 100) config.lossless = 1, config.quality = 75;  // which then is the effort
+  if (quality == 100) {
+    config.lossless = 1;
+    config.quality = 75;
+  }  // which then is the effort
 }
 Animation::~Animation() = default;
 Animation::Animation(Animation&&) noexcept = default;
@@ -77,8 +80,12 @@ void Animation::add(const Image& picture, double seconds) {
     SHELLMATCH_CHECK(WebPAnimEncoderOptionsInit(&options), same_library);
     // Pictures that are coded as differences keep, of the one before, what is similar: remains of it stay visible as
     // blocks. Each by itself is hardly longer.
-    if (!s.config.lossless) options.kmax = 1, options.kmin = 0;
-    s.width = picture.width, s.height = picture.height;
+    if (!s.config.lossless) {
+      options.kmax = 1;
+      options.kmin = 0;
+    }
+    s.width = picture.width;
+    s.height = picture.height;
     s.encoder = WebPAnimEncoderNew(s.width, s.height, &options);
     if (s.encoder == nullptr) throw std::bad_alloc();
   }
@@ -86,7 +93,8 @@ void Animation::add(const Image& picture, double seconds) {
                    "pictures of an animation must have one size");
   OwnPicture frame;
   frame.picture.use_argb = 1;
-  frame.picture.width = s.width, frame.picture.height = s.height;
+  frame.picture.width = s.width;
+  frame.picture.height = s.height;
   if (!WebPPictureImportRGB(&frame.picture, picture.pixels.data(), 3 * s.width)) throw std::bad_alloc();
   if (!WebPAnimEncoderAdd(s.encoder, &frame.picture, s.end, &s.config)) fail_to_encode(s.encoder);
   s.seconds += seconds;

@@ -68,7 +68,9 @@ Distance embree_distance(const Surface<3>& surface) {
   rtcCommitScene(s->scene);
   return [s](const Vec<3>& x) {
     RTCPointQuery query{};
-    query.x = static_cast<float>(x.x()), query.y = static_cast<float>(x.y()), query.z = static_cast<float>(x.z());
+    query.x = static_cast<float>(x.x());
+    query.y = static_cast<float>(x.y());
+    query.z = static_cast<float>(x.z());
     query.radius = std::numeric_limits<float>::infinity();
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);

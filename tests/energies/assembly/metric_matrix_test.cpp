@@ -31,7 +31,10 @@ TYPED_TEST(MetricMatrix, IntegratesGradientsOfLinearFunctionsExactly) {
   const Problem<Dim> p(grid, linear_fields(grid), linear_fields(grid));
   const auto matrix = [&](const MetricWeights& w) { return metric_matrix<Dim>(grid, p.unknowns, p.energy, w); };
   Vec<Dim> a, b;
-  for (int k = 0; k < Dim; ++k) a[k] = 1 + k, b[k] = 2 - 0.7 * k;
+  for (int k = 0; k < Dim; ++k) {
+    a[k] = 1 + k;
+    b[k] = 2 - 0.7 * k;
+  }
   const Vector u = at_unknowns<Dim>(grid, p.unknowns, a), v = at_unknowns<Dim>(grid, p.unknowns, b);
   const Vector one = Vector::Ones(u.size());
 
@@ -74,7 +77,10 @@ TYPED_TEST(MetricMatrix, LeavesFixedNodesOut) {
   // The matrix is the submatrix of the unknowns that are not fixed.
   std::vector<Index> kept;
   for (Index i = 0, j = 0; j < static_cast<Index>(fixed.unknowns.nodes().size()); ++i)
-    if (free.unknowns.nodes()[i] == fixed.unknowns.nodes()[j]) kept.push_back(i), ++j;
+    if (free.unknowns.nodes()[i] == fixed.unknowns.nodes()[j]) {
+      kept.push_back(i);
+      ++j;
+    }
   for (Index j = 0; j < part.cols(); ++j)
     for (Index i = 0; i < part.rows(); ++i) ASSERT_NEAR(part.coeff(i, j), all.coeff(kept[i], kept[j]), 1e-14);
 }

@@ -35,7 +35,10 @@ TEST_F(RoiFile, PolygonsFreehandAndTracedOnesHaveTheirVerticesWithYUpward) {
 
 TEST_F(RoiFile, CoordinatesBetweenPixelsAreReadWhereTheVersionHasThem) {
   Roi roi = polygon();
-  for (auto& [x, y] : roi.points) x += 0.25, y += 0.5;
+  for (auto& [x, y] : roi.points) {
+    x += 0.25;
+    y += 0.5;
+  }
   roi.options = 128;
   EXPECT_EQ(ring(read(roi.bytes()))[2], Vec<2>(40.25, -60.5));
   roi.version = 221;
@@ -47,7 +50,8 @@ TEST_F(RoiFile, RectanglesAndOvalsHaveTheirArea) {
   EXPECT_EQ(ring(read(box.bytes())), (Points{{2, -5}, {10, -5}, {10, -11}, {2, -11}}));
   box.arc = 4;
   EXPECT_NEAR(area(read(box.bytes()).surface), 48 - (4 - pi) * 4, 1e-2);
-  box.type = 2, box.arc = 0;
+  box.type = 2;
+  box.arc = 0;
   const Shape<2> oval = read(box.bytes());
   EXPECT_NEAR(area(oval.surface), pi * 4 * 3, 2e-3 * pi * 12);
   EXPECT_TRUE(has_note(oval, "curves flattened to 0.0001 diagonals"));
@@ -62,7 +66,8 @@ TEST_F(RoiFile, EllipsesAndRectanglesThatAreTurned) {
   const Shape<2> ellipse = read(roi.bytes());
   EXPECT_NEAR(area(ellipse.surface), pi * 5 * 2.5, 0.1);
   EXPECT_NEAR((ring(ellipse)[0] - Vec<2>(6, -8)).norm(), 0, 1e-6);
-  roi.subtype = 5, roi.parameter = 2;
+  roi.subtype = 5;
+  roi.parameter = 2;
   const Shape<2> box = read(roi.bytes());
   EXPECT_NEAR(area(box.surface), 20, 1e-5);
   EXPECT_NEAR((ring(box)[0] - Vec<2>(0 - 0.8, -0.6)).norm(), 0, 1e-6);
@@ -101,8 +106,12 @@ TEST_F(RoiFile, SetsAreTakenTogetherOrByName) {
 
 TEST_F(RoiFile, AreasThatCrossAreToBeChosen) {
   Roi shifted = polygon();
-  for (auto& [x, y] : shifted.points) x += 5, y += 5;
-  shifted.left += 5, shifted.top += 5;
+  for (auto& [x, y] : shifted.points) {
+    x += 5;
+    y += 5;
+  }
+  shifted.left += 5;
+  shifted.top += 5;
   const std::string path =
       folder_.write("set.zip", zip_bytes({{"a.roi", polygon().bytes()}, {"b.roi", shifted.bytes()}}));
   const std::string text = input_error_of([&] { read_outline(path); });

@@ -74,7 +74,8 @@ TEST(ShapeModel, PositiveScoresAreLargerShapes) {
     // Wider: the entries of greatest magnitude are -1 and 1, as equal as rounding leaves them.
     for (const double rounding : {0.0, 1e-12, -1e-12}) {
       Eigen::VectorXd wider = Eigen::VectorXd::Zero(8);
-      wider[0] = sign * (1 + rounding), wider[2] = -sign;
+      wider[0] = sign * (1 + rounding);
+      wider[2] = -sign;
       const ShapeModel model = cross_model(wider);
       ASSERT_EQ(model.variances.size(), 1);
       EXPECT_GT(model.modes(0, 0), 0);

@@ -130,7 +130,8 @@ std::map<std::string, std::string> levels_of_page(const std::string& folder) {
 ExperimentOptions experiment(const std::string& template_name = "generate:ellipse/long") {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.align.mode = AlignMode::none;
-  o.input.reference = "generate:circle", o.input.template_file = template_name;
+  o.input.reference = "generate:circle";
+  o.input.template_file = template_name;
   o.cascade.max_level = 5;
   o.pictures = Pictures::none;
   o.resume.min_seconds = 0;

@@ -37,7 +37,8 @@ ExperimentOptions experiment(Pictures pictures = Pictures::none) {
   o.input.reference = "generate:circle";
   o.input.template_file = "generate:ellipse/long";
   o.cascade.max_level = 5;
-  o.pictures = pictures, o.report = false;  // which has times
+  o.pictures = pictures;
+  o.report = false;  // which has times
   o.resume.min_seconds = 0;
   return o;
 }

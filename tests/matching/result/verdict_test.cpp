@@ -215,7 +215,8 @@ TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
     return judge(s, places).outcome;
   };
   const auto unreached = [](MatchSummary& s) {
-    s.distance->uncovered = 0.4, s.distance->template_to_deformed.max = 0.5;
+    s.distance->uncovered = 0.4;
+    s.distance->template_to_deformed.max = 0.5;
   };
   const auto beyond = [](MatchSummary& s) { s.distance->deformed_to_template.max = 0.5; };
   EXPECT_EQ(outcome(unreached), "not-matched");

@@ -131,7 +131,10 @@ TEST_P(AnyMinimizer, LetsExceptionsOfCallerAndObjectiveThrough) {
     bool evaluate(std::span<const double> y, double& value, std::span<double> gradient) override {
       if (++calls == 3) throw std::length_error("objective");
       value = y[0] * y[0] + 100 * y[1] * y[1];
-      if (!gradient.empty()) gradient[0] = 2 * y[0], gradient[1] = 200 * y[1];
+      if (!gradient.empty()) {
+        gradient[0] = 2 * y[0];
+        gradient[1] = 200 * y[1];
+      }
       return true;
     }
   } throwing;

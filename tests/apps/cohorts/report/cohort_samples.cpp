@@ -50,7 +50,8 @@ Eigen::VectorXd subject_shape(const Surface<Dim>& unit, int i, int n) {
   const double angle = 2 * pi * i / n;
   Eigen::VectorXd shape(Dim * static_cast<Eigen::Index>(unit.vertices.size()));
   Vec<Dim> axes = Vec<Dim>::Constant(20);
-  axes[0] = 40, axes[1] = 26;
+  axes[0] = 40;
+  axes[1] = 26;
   for (std::size_t v = 0; v < unit.vertices.size(); ++v) {
     const Vec<Dim>& d = unit.vertices[v];
     Vec<Dim> x = axes.cwiseProduct(d);
@@ -86,9 +87,12 @@ ModelCurves curves_of(const ShapeModel& model) {
   for (Eigen::Index m = 0; m < model.variances.size(); ++m) {
     curves.compactness.push_back((sum += model.variances[m]) / model.total_variance);
     const double rest = std::sqrt(std::max(model.total_variance - sum, 0.0)), kept = std::sqrt(sum);
-    if (m + 1 < model.variances.size())
-      curves.generalisation.push_back(0.3 + rest), curves.generalisation_error.push_back(0.1 + 0.1 * rest);
-    curves.specificity.push_back(0.4 * kept), curves.specificity_error.push_back(0.02 * kept);
+    if (m + 1 < model.variances.size()) {
+      curves.generalisation.push_back(0.3 + rest);
+      curves.generalisation_error.push_back(0.1 + 0.1 * rest);
+    }
+    curves.specificity.push_back(0.4 * kept);
+    curves.specificity_error.push_back(0.02 * kept);
   }
   return curves;
 }
@@ -102,7 +106,8 @@ GroupDifference difference_of(const CohortResult<Dim>& result) {
     (is_b ? b : a) += result.aligned.coordinates.col(static_cast<Eigen::Index>(c));
     ++(is_b ? d.n_b : d.n_a);
   }
-  d.n_permutations = 1000, d.all_permutations = true;
+  d.n_permutations = 1000;
+  d.all_permutations = true;
   d.difference = b / d.n_b - a / d.n_a;
   const Eigen::VectorXd lengths = d.difference.reshaped(Dim, d.difference.size() / Dim).colwise().norm();
   d.statistic = lengths.cwiseAbs2();
@@ -117,10 +122,12 @@ GroupDifference difference_of(const CohortResult<Dim>& result) {
 SubjectResult finished_subject(int i) {
   SubjectResult s;
   s.id = fmt::format("subject-{:02}", i + 1);
-  s.status = "finished", s.outcome = "matched";
+  s.status = "finished";
+  s.outcome = "matched";
   const double worst = 0.004 + 0.0005 * ((7 * i) % 12);
   s.distance = TwoSidedDistance{{0.1 * worst, 0.5 * worst, worst}, {0.1 * worst, 0.4 * worst, 0.8 * worst}, 0.001};
-  s.diagonal = 100 + i, s.seconds = 20 + i;
+  s.diagonal = 100 + i;
+  s.seconds = 20 + i;
   s.folder = fmt::format("runs/{}/output", s.id);
   s.in_model = true;
   return s;
@@ -136,7 +143,8 @@ void spoil(std::vector<SubjectResult>& subjects) {
                       "look whether it has parts that the reference lacks",
                       "template",
                       {1, 2, 3}}};
-  wrong.outcome = "not-matched", wrong.in_model = false;
+  wrong.outcome = "not-matched";
+  wrong.in_model = false;
   wrong.distance = TwoSidedDistance{{0.02, 0.08, 0.21}, {0.03, 0.1, 0.26}, 0.31};
   wrong.reasons = {
       {"31 % of the template is not reached", "check that the shapes are of the same kind", "template", {1, 2, 3}},
@@ -147,14 +155,17 @@ void spoil(std::vector<SubjectResult>& subjects) {
 
 SubjectResult unfinished_subject(const std::string& id, const std::string& status, const std::string& message) {
   SubjectResult s;
-  s.id = id, s.status = status, s.message = message;
+  s.id = id;
+  s.status = status;
+  s.message = message;
   return s;
 }
 
 template <int Dim>
 CohortResult<Dim> sample_cohort(const SampleOptions& options) {
   CohortResult<Dim> result;
-  result.title = "Ellipsoids of two modes", result.unit = "mm";
+  result.title = "Ellipsoids of two modes";
+  result.unit = "mm";
   const Surface<Dim> unit = unit_shape(options.n_points, std::integral_constant<int, Dim>());
   result.surface.facets = unit.facets;
   for (const auto& d : unit.vertices) result.surface.vertices.push_back(20 * d);
@@ -175,7 +186,8 @@ CohortResult<Dim> sample_cohort(const SampleOptions& options) {
   if (result.rows.size() >= 2) result.model = model_of(result.aligned);
   if (result.rows.size() >= 3) result.curves = curves_of(*result.model);
   if (result.rows.size() >= 6) {
-    result.group_a = "a", result.group_b = "b";
+    result.group_a = "a";
+    result.group_b = "b";
     result.difference = difference_of(result);
   }
   result.rounds = {{1, result.rows.size(), 0.031, 0.05},

@@ -13,7 +13,8 @@ namespace {
 
 SubjectResult subject(const std::string& status, const std::string& outcome, double there, double back) {
   SubjectResult s;
-  s.status = status, s.outcome = outcome;
+  s.status = status;
+  s.outcome = outcome;
   s.distance = TwoSidedDistance{{0, 0, there}, {0, 0, back}};
   return s;
 }

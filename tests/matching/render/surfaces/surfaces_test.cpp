@@ -62,7 +62,10 @@ TEST(SurfacesTest, FittedCameraSeesAllAndFillsThePicture) {
     for (int y = 0; y < 200; ++y)
       for (int x = 0; x < 300; ++x)
         if (brightness(image, x, y) < 600) {
-          left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+          left = std::min(left, x);
+          right = std::max(right, x);
+          top = std::min(top, y);
+          bottom = std::max(bottom, y);
         }
     EXPECT_GE(left, 10);
     EXPECT_LE(right, 289);
