@@ -149,14 +149,14 @@ for i, line in enumerate(sys.stdin):
         for series in dotted:
             self.assertAlmostEqual(scaling.exponent(series["x"], series["y"])[0], 1)
         picture = self.folder / "plot.svg"
-        plotting.draw(plot, picture, build / "scripts/plot/plot_series")
+        plotting.draw(plot, picture, build / "tests/studies/plot/plot_series")
         drawn = xml.etree.ElementTree.parse(picture).getroot()
         self.assertEqual(drawn.get("viewBox").split()[2:], ["960", "520"])
         self.assertGreater(len(list(drawn.iter("{http://www.w3.org/2000/svg}path"))), len(plot["series"]))
         self.assertIn("**1.00**", scaling.table(rows))
 
     def test_what_cannot_be_drawn_is_told(self):
-        program = build / "scripts/plot/plot_series"
+        program = build / "tests/studies/plot/plot_series"
         for plot, words in (({"titel": "a"}, "there is no 'titel'"), ({"series": [{"colour": 1}]}, "there is no 'colour'"),
                             ({"series": [{"name": "a", "x": [1], "y": []}]}, "series 'a' has 1 x and 0 y")):
             with self.assertRaisesRegex(RuntimeError, words):

@@ -41,7 +41,7 @@ class Programs:
         bench = "tests/bench" if (self.source / "tests/bench").is_dir() and not (self.source / "bench").is_dir() else "bench"
         self.level_kernels = self.folder / bench / "level_kernels"
         self.count_flops = self.folder / bench / "count_flops"
-        self.plot_series = self.folder / "scripts/plot/plot_series"
+        self.plot_series = self.folder / "tests/studies/plot/plot_series"
 
     def build(self, name, jobs, kernels=True, more=()):
         cached = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []

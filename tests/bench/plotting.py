@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
-default_program = root / "build/release/scripts/plot/plot_series"
+default_program = root / "build/release/tests/studies/plot/plot_series"
 
 
 def draw(plot, path, program=default_program):

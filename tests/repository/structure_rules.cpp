@@ -122,8 +122,8 @@ std::vector<Finding> check_room_cycles(const SourceTree& tree, const std::vector
 }
 
 std::vector<Finding> check_test_folders(const SourceTree& tree) {
-  static const std::set<std::string_view> mirror_nothing = {"bench",   "faults",     "fuzz",
-                                                            "install", "repository", "support"};
+  static const std::set<std::string_view> mirror_nothing = {"bench",      "faults",  "fuzz",   "install",
+                                                            "repository", "studies", "support"};
   std::set<std::string> folders;
   for (const auto& [file, lines] : tree.files)
     for (std::string f = folder_of(file); !f.empty(); f = folder_of(f)) folders.insert(f);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of scripts/benchmark-correspondence: what it measures, keeps and refuses, with real programs and small shapes.
+"""Tests of scripts/study benchmark-correspondence: what it measures, keeps and refuses, with real programs and small shapes.
 
 usage: benchmark_correspondence_test.py --build BUILD_TREE [TEST]
 """
@@ -17,7 +17,7 @@ import unittest
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(root / "scripts"), str(root / "bench"), str(root / "tests/support")]
+sys.path[:0] = [str(root / "scripts"), str(root / "tests/studies"), str(root / "tests/bench"), str(root / "tests/support")]
 
 from correspondence import tables  # noqa: E402
 from correspondence.pairs import draw, read_pairs  # noqa: E402
@@ -67,9 +67,9 @@ class Benchmark(ScriptTest):
         self.tool.chmod(0o755)
 
     def command(self, *words):
-        return [str(root / "scripts/benchmark-correspondence"), *map(str, words[:1]), "-o", str(self.folder / "out"),
-                "--program", str(build / "apps/shellmatch"), "--measure", str(build / "scripts/correspondence/correspondence_error"),
-                "--plots", str(build / "scripts/plot/plot_series"), *map(str, words[1:])]
+        return [str(root / "tests/studies/benchmark-correspondence"), *map(str, words[:1]), "-o", str(self.folder / "out"),
+                "--program", str(build / "apps/shellmatch"), "--measure", str(build / "tests/studies/correspondence/correspondence_error"),
+                "--plots", str(build / "tests/studies/plot/plot_series"), *map(str, words[1:])]
 
     def run_script(self, *words, data=""):
         return subprocess.run(self.command(*words), capture_output=True, text=True, timeout=300, env={**os.environ, "SHELLMATCH_DATA": data})
@@ -252,7 +252,7 @@ class Benchmark(ScriptTest):
     def test_results_go_between_the_marks_of_a_page(self):
         shapes = self.squares()
         page = self.folder / "page.md"
-        marks = "<!-- results of shapes: made by scripts/benchmark-correspondence -->", "<!-- end of shapes -->"
+        marks = "<!-- results of shapes: made by scripts/study benchmark-correspondence -->", "<!-- end of shapes -->"
         page.write_text(f"before\n\n{marks[0]}\nold\n{marks[1]}\n\nafter\n")
         for _ in range(2):
             self.call(shapes, *self.other("shift"), "--page", page)
@@ -261,7 +261,7 @@ class Benchmark(ScriptTest):
             self.assertNotIn("old", text)
             self.assertEqual(text.count("| a0-a1 | tool | 0.00 | 20.00 | 25.00 | 25.00 | 80.0 % |"), 1, text)
             self.assertEqual(text.count("**mean of 2**"), 1)
-            command = next(line for line in text.splitlines() if line.startswith("    scripts/benchmark-correspondence "))
+            command = next(line for line in text.splitlines() if line.startswith("    scripts/study benchmark-correspondence "))
             self.assertTrue(command.endswith(" -o out/shapes"), command)
             for own in (str(self.folder / "out"), "--program", "--measure", "--plots", "--page"):
                 self.assertNotIn(own, command)
@@ -327,7 +327,7 @@ class Benchmark(ScriptTest):
                             ((a, b, "identity", "--speed"), "no option --speed"),
                             ((a, b, "identity", "--first-index", "2"), "expected 0 or 1")):
             wrong.write_text("1 26")
-            program = build / "scripts/correspondence/correspondence_error"
+            program = build / "tests/studies/correspondence/correspondence_error"
             result = subprocess.run([program, *map(str, words)], capture_output=True, text=True)
             self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
             self.assertIn(part, result.stderr)

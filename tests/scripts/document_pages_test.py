@@ -14,7 +14,7 @@ endings = {".png", ".svg", ".webp", ".gif", ".jpg"}
 
 def table():
     """Pattern to script."""
-    rows = re.findall(r"^\| `([^`]+)` \| `(scripts/[^`]+)` \|", (root / "docs/gallery.md").read_text(), re.M)
+    rows = re.findall(r"^\| `([^`]+)` \| `((?:scripts|tests/studies)/[^`]+)` \|", (root / "docs/gallery.md").read_text(), re.M)
     return {"docs/" + pattern: script for pattern, script in rows}
 
 

@@ -35,10 +35,10 @@ def notices():
 
 class Package(ScriptTest):
     def run_script(self, name, *arguments):
-        return subprocess.run([root / "scripts" / name, *arguments], capture_output=True, text=True, cwd=self.folder)
+        return subprocess.run([next(p for p in (root / "scripts" / name, root / "tests/studies" / name) if p.exists()), *arguments], capture_output=True, text=True, cwd=self.folder)
 
     def test_shell_scripts_can_be_read(self):
-        scripts = [p for p in [*root.glob("scripts/*"), *root.glob("scripts/lib/*.sh")]
+        scripts = [p for p in [*root.glob("scripts/*"), *root.glob("tests/studies/*"), *root.glob("scripts/lib/*.sh")]
                    if p.suffix == ".sh" or p.is_file() and p.read_bytes().startswith(b"#!/bin/sh")]
         self.assertGreaterEqual(len(scripts), 7)
         for script in scripts:
@@ -48,7 +48,7 @@ class Package(ScriptTest):
     def test_help_and_unknown_arguments(self):
         for name, option in (("package", "--check"), ("debootstrap-check", "--keep")):
             self.assertIn(option, self.run_script(name, "--help").stdout)
-            self.assert_refused(self.run_script(name, "--nothing"), name, 3, ["'--nothing'", f"scripts/{name} --help"])
+            self.assert_refused(self.run_script(name, "--nothing"), name, 3, ["'--nothing'", f"{name} --help"])
             self.assert_refused(self.run_script(name, "--root"), name, 3, ["--root", "folder"])
         self.assert_refused(self.run_script("debootstrap-check", "--suite", "woody"), "debootstrap-check", 3, ["'woody'", "trixie"])
         self.assert_refused(self.run_script("debootstrap-check", "--package", "none.deb"), "debootstrap-check", 3, ["--package", "file"])

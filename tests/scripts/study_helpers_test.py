@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the studies of documents share (scripts/lib), and the counts of scripts/alignment-study."""
+"""What the studies of documents share (scripts/lib), and the counts of scripts/study alignment-study."""
 import math
 import pathlib
 import random
@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root / "scripts"))
+sys.path[:0] = [str(root / "scripts"), str(root / "tests/studies")]
 
 from alignments import cases, tables, wrong_landmarks  # noqa: E402
 from closing import tables as closing  # noqa: E402

@@ -2,7 +2,7 @@
 
 import pathlib
 
-root = pathlib.Path(__file__).resolve().parents[2]
+root = pathlib.Path(__file__).resolve().parents[3]
 
 # Experiments in the order of the page: name of configs/paper/NAME.yaml, dimension, pictures of which levels.
 experiments = [

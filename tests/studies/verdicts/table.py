@@ -1,5 +1,5 @@
 """What was said of each run, as Markdown."""
-BEGIN, END = "<!-- table of scripts/verdict-study -->", "<!-- end of the table of scripts/verdict-study -->"
+BEGIN, END = "<!-- table of scripts/study verdict-study -->", "<!-- end of the table of scripts/study verdict-study -->"
 OUTCOMES = ("matched", "look-here", "not-matched")
 
 

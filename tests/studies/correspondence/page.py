@@ -7,7 +7,7 @@ from correspondence.tables import write_whole
 
 
 def marks(name):
-    return f"<!-- results of {name}: made by scripts/benchmark-correspondence -->", f"<!-- end of {name} -->"
+    return f"<!-- results of {name}: made by scripts/study benchmark-correspondence -->", f"<!-- end of {name} -->"
 
 
 def check_page(path, name):

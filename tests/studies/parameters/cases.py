@@ -1,4 +1,4 @@
-"""What scripts/parameter-pictures runs and draws: for each parameter the runs, and pictures of some of them."""
+"""What scripts/study parameter-pictures runs and draws: for each parameter the runs, and pictures of some of them."""
 
 import dataclasses
 import math

@@ -61,7 +61,7 @@ class Page:
                 picture.unlink()
 
     def introduction(self):
-        self.add("# The paper's experiments", "Made by `scripts/paper-results`; do not edit.")
+        self.add("# The paper's experiments", "Made by `scripts/study paper-results`; do not edit.")
         threads = sorted({summary["run"]["threads"] for summary in self.results.summaries.values()})
         builds = f", by {len(self.results.programs)} builds of the program" if len(self.results.programs) > 1 else ""
         self.add("The scans of the paper are not public. Built-in shapes stand in their place, with the weights,",
@@ -69,7 +69,7 @@ class Page:
                  "the default profile without coverage. Distances are means over the diagonal of the bounding box",
                  "of the template. *Correspondence* is the mean distance of vertices from where they are known to",
                  "belong. Times are those of the minimisation on one busy machine: ratios say more than seconds.",
-                 "`scripts/paper-results` runs all experiments; those on this page took",
+                 "`scripts/study paper-results` runs all experiments; those on this page took",
                  f"{self.results.seconds / 3600:.1f} hours with {' or '.join(map(str, threads))} thread{'' if threads == [1] else 's'}{builds}.")
         lower = [f"{name} ({summary['levels'][-1]['level']})" for name, _, _ in experiments for summary in [self.results.get(name)]
                  if summary and summary["levels"][-1]["level"] < papers_level(name)]
