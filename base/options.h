@@ -14,6 +14,8 @@
 ///       }
 ///     };
 ///
+/// A member that `describe` leaves out is a constant of the method: programs and tests may vary it, files may not.
+///
 /// `Self` is const for visitors that print and not const for visitors that assign. A visitor is a template
 /// over the member's type: bool, int, double, std::string, an enum with EnumNames or a Choice (below),
 /// std::vector of the first five, or another option struct, which becomes a YAML section. YAML, `shellmatch config`,

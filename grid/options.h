@@ -60,30 +60,11 @@ struct CoefficientOptions {
     visit("distance", self.distance,
           {.meaning = "signed distances at the nodes: exact, from the closest point of the surface, or fast_marching, "
                       "as the paper: exact next to the surface, and of first order from there"});
-    visit("normal_mass", self.normal_mass,
-          {.meaning = "mass matrix of the L2 projection of grad d onto the nodes: consistent, as the paper: of higher "
-                      "order on uniform grids, or lumped: ten times faster, and as accurate where levels change"});
-    visit("neighbours", self.neighbours,
-          {.unit = "nodes",
-           .min = 0,
-           .max = 200,
-           .meaning = "r, the nearest free nodes that the local quadratic is fitted to; 0 chooses 12 in the plane and "
-                      "32 in space"});
-    visit("fit_weight", self.fit_weight,
-          {.min = 0,
-           .max = 10,
-           .meaning = "exponent p of the fit's weights (distance/radius of the neighbourhood)^-p; 0 weighs all nodes "
-                      "alike, as the paper"});
-    visit("classification", self.classification,
-          {.meaning = "C: max(|curvature|, tau), or curvature + shift with the shift found from the data"});
     visit("tau", self.tau,
           {.unit = "1/length",
            .min = 0,
            .min_excluded = true,
            .meaning = "smallest curvature that the classification lets through"});
-    visit("root", self.root,
-          {.meaning = "roots of the classified shape operators: eigen, by their eigendecomposition, or franca, by the "
-                      "closed form of L. P. Franca (1989), as the paper; equal to rounding"});
     visit("max_curvature_times_h", self.max_curvature_times_h,
           {.min = 0,
            .meaning = "curvatures are capped at this over the finest cell's side, as the grid cannot carry more; 0 "
@@ -95,18 +76,6 @@ struct CoefficientOptions {
           {.meaning =
                "distances, normals and roots between the nodes: smooth, by quadratic splines that are C1 throughout, "
                "each shape on a grid of its own; multilinear, as the paper, both shapes on the grid of phi"});
-    visit("reach", self.reach,
-          {.unit = "cells",
-           .min = 1,
-           .max = 16,
-           .meaning = "a shape's own grid is refined where a corner of a cell is nearer to the shape than so many of "
-                      "the cell's sides"});
-    visit("levels_ahead", self.levels_ahead,
-          {.unit = "levels",
-           .min = 0,
-           .max = 12,
-           .meaning = "a shape's own grid is finer than that of phi by so many levels, up to cascade.max_level: coarse "
-                      "levels then know where they are going, and the last ones share their fields"});
   }
 };
 

@@ -60,37 +60,6 @@ struct CeresOptions {
           {.meaning = "beta of ceres_ncg"});
     visit("max_lbfgs_rank", self.max_lbfgs_rank,
           {.unit = "pairs of vectors", .min = 1, .max = 1000, .meaning = "memory of ceres_lbfgs"});
-    visit("use_approximate_eigenvalue_bfgs_scaling", self.use_approximate_eigenvalue_bfgs_scaling,
-          {.meaning = "scale the first inverse Hessian of ceres_bfgs and ceres_lbfgs by an estimated eigenvalue"});
-    visit("line_search_interpolation_type", self.line_search_interpolation_type,
-          {.meaning = "model from which the next trial step is taken"});
-    visit("min_line_search_step_size", self.min_line_search_step_size,
-          {.unit = "direction's length",
-           .min = 0,
-           .min_excluded = true,
-           .meaning = "a search ends where its step is shorter"});
-    visit(
-        "line_search_sufficient_function_decrease", self.line_search_sufficient_function_decrease,
-        {.min = 0, .max = 0.5, .min_excluded = true, .meaning = "share of the linear decrease that a step must reach"});
-    visit("max_line_search_step_contraction", self.max_line_search_step_contraction,
-          {.min = 0,
-           .max = 0.99,
-           .min_excluded = true,
-           .meaning = "a trial is at least this share of the one before; less than min_line_search_step_contraction"});
-    visit("min_line_search_step_contraction", self.min_line_search_step_contraction,
-          {.min = 0, .max = 0.999, .min_excluded = true, .meaning = "a trial is at most this share of the one before"});
-    visit("max_num_line_search_step_size_iterations", self.max_num_line_search_step_size_iterations,
-          {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
-    visit("max_num_line_search_direction_restarts", self.max_num_line_search_direction_restarts,
-          {.unit = "restarts", .min = 0, .max = 1000000, .meaning = "most restarts for want of a descent direction"});
-    visit("line_search_sufficient_curvature_decrease", self.line_search_sufficient_curvature_decrease,
-          {.min = 0,
-           .max = 0.999,
-           .min_excluded = true,
-           .meaning = "share of its first size that the slope must fall below (wolfe); greater than "
-                      "line_search_sufficient_function_decrease"});
-    visit("max_line_search_step_expansion", self.max_line_search_step_expansion,
-          {.min = 1, .max = 1000, .min_excluded = true, .meaning = "most factor by which a bracket grows (wolfe)"});
     visit("function_tolerance", self.function_tolerance,
           {.min = 0,
            .meaning = "a method ends where a step changes the value by at most this share of it; 0 in a study that "
@@ -119,25 +88,11 @@ struct NloptOptions {
   int max_restarts = 20;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("vector_storage", self.vector_storage,
-          {.unit = "vectors",
-           .min = 0,
-           .max = 1000,
-           .meaning = "memory of nlopt_lbfgs, nlopt_tnewton, nlopt_var1 and nlopt_var2; 0 leaves the choice to NLopt"});
     visit("max_slsqp_size", self.max_slsqp_size,
           {.unit = "unknowns",
            .min = 1,
            .max = 5000,
            .meaning = "most unknowns for nlopt_slsqp, whose memory grows with their square and time with their cube"});
-    visit("max_stalled_evaluations", self.max_stalled_evaluations,
-          {.unit = "evaluations",
-           .min = 10,
-           .meaning = "a library run ends after so many evaluations without a lower value"});
-    visit("max_restarts", self.max_restarts,
-          {.unit = "restarts",
-           .min = 0,
-           .max = 1000,
-           .meaning = "NLopt is started again from the best point so often, as long as that gains something"});
   }
 };
 

@@ -33,12 +33,6 @@ struct StopOptions {
            .meaning =
                "number of iterations over which `relative_decrease` is measured; 0: 1 for Newton's method, 50 for the "
                "others, whose steps cost about a fiftieth (minimize_with_fallback; Minimizer::minimize takes 0 as 1)"});
-    visit("restrained_factor", self.restrained_factor,
-          {.min = 1,
-           .max = 1000,
-           .meaning = "factor on `relative_decrease` where the last step was restrained, that is, led beyond the model "
-                      "in all regularised systems that Newton's method may solve for one step: such steps gain little "
-                      "less than the one before, for long; in matching it acts in the last minimisation of all"});
     visit("gradient_norm", self.gradient_norm,
           {.min = 0,
            .meaning = "stop when the gradient's norm in the chosen metric is at most this share of its first value"});

@@ -59,23 +59,9 @@ struct FletcherReevesOptions {
   int gradient_trials = 2;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("armijo", self.armijo,
-          {.min = 0,
-           .max = 0.5,
-           .min_excluded = true,
-           .meaning = "c1: share of the linear decrease that a step must reach"});
-    visit("curvature", self.curvature,
-          {.min = 0,
-           .max = 0.999,
-           .meaning = "c2: steps are lengthened until the slope has risen to this share of its start (weak Wolfe); 0 "
-                      "asks for the Armijo condition alone, as the paper does"});
     visit("interpolation", self.interpolation,
           {.meaning = "how a step that was too long is shortened: by `contraction` (halving, the paper's), or to the "
                       "minimum of a parabola or a cubic, kept within 0.1 to 0.8 of it"});
-    visit("contraction", self.contraction,
-          {.min = 0.01,
-           .max = 0.95,
-           .meaning = "factor on a step that is halved, or that leads to where the function cannot be evaluated"});
     visit(
         "initial_step", self.initial_step,
         {.meaning = "first trial alpha of a line search: memory, the last one accepted times `step_growth`; slope, the "
@@ -87,36 +73,14 @@ struct FletcherReevesOptions {
            .max = 100,
            .meaning = "factor of initial_step = memory and slope, and of curvature where the function has not bent "
                       "upwards; 1 lets the step only shrink, as the paper's words can be read"});
-    visit("first_step", self.first_step,
-          {.unit = "length in the metric",
-           .min = 0,
-           .min_excluded = true,
-           .meaning = "norm of the very first trial step"});
     visit("update", self.update,
           {.meaning =
                "beta: the paper's, or Polak and Ribiere's kept within plus and minus Fletcher and Reeves' (5.48)"});
-    visit("restart_every", self.restart_every,
-          {.unit = "iterations",
-           .min = 0,
-           .meaning = "restart with the steepest descent after so many iterations; 0 means never"});
-    visit("orthogonality", self.orthogonality,
-          {.min = 0,
-           .max = 10,
-           .meaning = "restart where successive gradients have |g_k.g_k-1| >= this share of |g_k|^2 (5.52; 0.1 is "
-                      "usual); 0 means never"});
     visit("least_cosine", self.least_cosine,
           {.min = 0,
            .max = 0.9,
            .meaning = "restart where the cosine of the angle between direction and steepest descent is smaller (the "
                       "method jams there); 0 restarts only where the direction does not go down"});
-    visit("max_trials", self.max_trials,
-          {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
-    visit("gradient_trials", self.gradient_trials,
-          {.unit = "evaluations",
-           .min = 0,
-           .max = 1000,
-           .meaning = "so many trials of a line search are evaluated with their gradient at once, later ones by value "
-                      "first; 0: always value first"});
   }
 };
 
@@ -137,34 +101,6 @@ struct LbfgsOptions {
            .min = 1,
            .max = 200,
            .meaning = "steps from which second derivatives are estimated; each costs two vectors of memory"});
-    visit("armijo", self.armijo,
-          {.min = 0,
-           .max = 0.5,
-           .min_excluded = true,
-           .meaning = "c1: share of the linear decrease that a step must reach"});
-    visit(
-        "curvature", self.curvature,
-        {.min = 0,
-         .max = 0.999,
-         .meaning =
-             "c2: the slope must rise to this share of its start (weak Wolfe); 0 asks for the Armijo condition alone"});
-    visit("interpolation", self.interpolation, {.meaning = "how a step that was too long is shortened"});
-    visit("contraction", self.contraction,
-          {.min = 0.01,
-           .max = 0.95,
-           .meaning = "factor on a step that is halved, or that leads to where the function cannot be evaluated"});
-    visit("first_step", self.first_step,
-          {.unit = "length in the metric",
-           .min = 0,
-           .min_excluded = true,
-           .meaning = "norm of the very first trial step"});
-    visit("least_cosine", self.least_cosine,
-          {.min = 0,
-           .max = 1,
-           .meaning = "a pair is kept only where s.y is greater than this share of |s||y|, so that the estimate stays "
-                      "positive definite"});
-    visit("max_trials", self.max_trials,
-          {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
   }
 };
 
@@ -179,54 +115,12 @@ struct NewtonOptions {
   int max_trials = 30;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit("armijo", self.armijo,
-          {.min = 0,
-           .max = 0.5,
-           .min_excluded = true,
-           .meaning = "c1: share of the linear decrease that a step must reach"});
     visit("max_forcing", self.max_forcing,
           {.min = 0,
            .max = 0.9,
            .min_excluded = true,
            .meaning = "the linear system is solved to this share of its residual where the model predicts badly, and "
                       "to the root of the relative gradient norm where that is smaller"});
-    visit("min_forcing", self.min_forcing,
-          {.min = 0,
-           .max = 0.9,
-           .min_excluded = true,
-           .meaning = "the same where the model predicts well: in between, 0.9 of the square of the last step's ratio "
-                      "of gradient norms (Eisenstat and Walker 1996, choice 2)"});
-    visit("max_linear_iterations", self.max_linear_iterations,
-          {.unit = "iterations",
-           .min = 1,
-           .max = 10000,
-           .meaning = "most iterations of conjugate gradients for one step"});
-    visit("reuse_below", self.reuse_below,
-          {.min = 0,
-           .max = 1,
-           .meaning = "a step that is expected to gain less than this share of the decrease that ends the minimisation "
-                      "(stop.relative_decrease) keeps the model of the step before it; 0: every step has its own"});
-    visit("max_regularisations", self.max_regularisations,
-          {.unit = "systems",
-           .min = 0,
-           .max = 100,
-           .meaning =
-               "a step that would fold cells, or carry pairs of points out of the tolerance within which they rest, is "
-               "computed again with these cells damped and these pairs in the model, so many times at most"});
-    visit(
-        "max_contractions", self.max_contractions,
-        {.unit = "times",
-         .min = 0,
-         .max = 1000,
-         .meaning =
-             "where single cells would fold in the last of these systems' step, too, their nodes' motion against each "
-             "other is halved, so many times at most, before the step of all cells is; 0: that is halved at once"});
-    visit("regularisation_growth", self.regularisation_growth,
-          {.min = 1, .max = 1000, .min_excluded = true, .meaning = "factor on a cell's damping that was not enough"});
-    visit("regularisation_decay", self.regularisation_decay,
-          {.min = 0, .max = 1, .meaning = "factor on all damping from one step to the next"});
-    visit("max_trials", self.max_trials,
-          {.unit = "evaluations", .min = 1, .max = 1000, .meaning = "most trials of one line search"});
   }
 };
 

@@ -20,7 +20,7 @@ class InverseOperator {
   InverseOperator(const SurfaceLaplacian& laplacian, double shift) : root_(laplacian.mass.cwiseSqrt()) {
     if (!laplacian.stiffness.coeffs().allFinite() || !root_.allFinite())
       throw_input_error(
-          "the Laplacian of the surface is not finite; a facet without area needs align.search.mollification above 0");
+          "the Laplacian of the surface is not finite; a facet without area needs a mollification above 0");
     Eigen::SparseMatrix<double> matrix = laplacian.stiffness;
     matrix.diagonal() += shift * laplacian.mass;
     factor_.compute(matrix);

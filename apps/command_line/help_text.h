@@ -99,7 +99,7 @@ curvature.ply (the finest level; curvature.csv for contours), pictures/ and conf
 
 Examples:
   shellmatch curvature shape.ply -o curvature --levels 4:7
-  shellmatch curvature generate:torus -o torus --set coefficients.neighbours=60
+  shellmatch curvature generate:torus -o torus --set coefficients.tau=2
   shellmatch curvature generate:ellipsoid/long -o marched --set coefficients.distance=fast_marching)";
 
 inline constexpr const char* check_gradient =

@@ -54,34 +54,6 @@ struct AlignOptions {
         {.min = 0,
          .meaning =
              "factor on the term of the pairs found, which weighs as landmarks do; 0: the pairs serve the pose alone"});
-    visit("tolerance", self.tolerance,
-          {.unit = "diagonal of the template",
-           .min = 0,
-           .meaning = "a pair that is reached so closely does not pull, because it is no more exact; more where the "
-                      "shapes are far from isometric, twice as much for outlines"});
-    visit("coarse_sigma_cells", self.coarse_sigma_cells,
-          {.unit = "finest cells",
-           .min = 1,
-           .max = 16,
-           .meaning = "cascade.coarse_sigma_cells for surfaces whose pairs are found and used: limbs that pairs lead "
-                      "need no wide band, in which space between them is crushed on coarse levels"});
-    visit("pose_gain", self.pose_gain,
-          {.min = 1,
-           .meaning = "with auto a pose is taken out only where it brings the pairs nearer by this factor, so that "
-                      "shapes which lie as they belong stay where they are"});
-    visit(
-        "clear_margin", self.clear_margin,
-        {.min = 1,
-         .meaning = "outlines: maps whose scores are larger than the best by less than this factor are tried on the "
-                    "coarsest two levels, and score and energy reached choose among them; 1: the score alone chooses"});
-    visit("doubtful_score", self.doubtful_score,
-          {.min = 0,
-           .meaning = "a map with a larger score is doubtful; 0 would be an isometry; of no meaning where four "
-                      "landmarks or more all over the shape judge"});
-    visit("doubtful_margin", self.doubtful_margin,
-          {.min = 1,
-           .meaning = "a map is doubtful, too, if another one is worse by less than this factor; of no meaning where "
-                      "landmarks judge"});
     visit("search", self.search, {.meaning = "the search for pairs (docs/alignment.md)"});
   }
 };

@@ -16,11 +16,6 @@ struct CheckGradientOptions {
            .min = 0,
            .meaning = "check every term's gradient at the start of each minimisation and at every n-th iteration, and "
                       "say in the summary what came of it; 0 checks nothing and costs nothing"});
-    visit("directions", self.directions,
-          {.unit = "directions",
-           .min = 1,
-           .max = 100,
-           .meaning = "random directions for the order of the Taylor remainder, at each check"});
   }
 };
 

@@ -99,11 +99,6 @@ struct InputOptions {
           {.meaning =
                "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as "
                "no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
-    visit("margin", self.margin,
-          {.unit = "side of the domain",
-           .min = 0.02,
-           .max = 0.45,
-           .meaning = "free space around the shapes for placement fit"});
     visit("space", self.space,
           {.meaning = "frame of shapes out of volumes, and of meshes that name none: ras or lps; auto: that of the "
                       "other shape, where it is a mesh that names one as 3D Slicer's do; for meshes then that in which "
@@ -151,26 +146,6 @@ struct CascadeOptions {
            .max = 20,
            .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to "
                       "win; 1 is the paper's"});
-    visit("negligible_start_rise", self.negligible_start_rise,
-          {.min = 0,
-           .max = 10,
-           .meaning = "a level begins with its last nu where that, in place of its first one, raises the energy of the "
-                      "map that it begins with, coverage aside, by less than this share; 0 asks for all steps"});
-    visit("negligible_rise", self.negligible_rise,
-          {.min = 0,
-           .max = 1,
-           .meaning = "steps of nu between are left out where the last nu raises the energy by less than this share of "
-                      "it; 0 leaves out none"});
-    visit("intermediate_decrease", self.intermediate_decrease,
-          {.min = 0,
-           .max = 0.1,
-           .meaning = "relative decrease at which the last minimisation of each level but the finest stops, instead of "
-                      "solver.stop.relative_decrease; 0 asks for the same of all"});
-    visit("substep_decrease", self.substep_decrease,
-          {.min = 0,
-           .max = 0.1,
-           .meaning = "the same within a level, where the next nu, or pairs that are made anew, follow, if it is more; "
-                      "with methods other than Newton's a tenth of it"});
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
     visit("volume_factor", self.volume_factor,
           {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
@@ -181,7 +156,7 @@ struct CascadeOptions {
            .min = 1,
            .max = 16,
            .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the "
-                      "limb's tip; surfaces with pairs have align.coarse_sigma_cells instead"});
+                      "limb's tip; surfaces with pairs have 1 instead"});
     visit(
         "refine", self.refine,
         {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads "

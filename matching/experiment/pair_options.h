@@ -42,11 +42,6 @@ struct LandmarkOptions {
     visit("loss", self.loss,
           {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so "
                       "that wrong landmarks do little harm"});
-    visit("scale", self.scale,
-          {.unit = "diagonal of the template",
-           .min = 0,
-           .min_excluded = true,
-           .meaning = "distance from which on a landmark counts less, for the losses huber and cauchy"});
     visit("max_distance", self.max_distance,
           {.unit = "diagonal of the template",
            .min = 0,
@@ -78,17 +73,6 @@ struct CoverageOptions {
           {.min = 0,
            .min_excluded = true,
            .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
-    visit(
-        "loss_scale", self.loss_scale,
-        {.unit = "sides of the finest cells",
-         .min = 0,
-         .min_excluded = true,
-         .meaning = "distance of a pair beyond which its cost grows linearly instead of quadratically (Huber's loss)"});
-    visit("point_distance", self.point_distance,
-          {.unit = "sides of the finest cells",
-           .min = 0,
-           .meaning = "a sample of the template that is farther from the deformed reference pulls it towards itself, a "
-                      "nearer one along its normal only"});
     visit("tolerance", self.tolerance,
           {.unit = "diagonal of the template",
            .min = 0,
@@ -104,11 +88,6 @@ struct CoverageOptions {
            .max = 1000000,
            .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that "
                       "are large against cells and samples"});
-    visit("rounds", self.rounds,
-          {.unit = "minimisations",
-           .min = 1,
-           .max = 20,
-           .meaning = "minimisations for each nu; before each the closest points are found anew"});
   }
 };
 

@@ -41,8 +41,8 @@ TEST(MakeMinimizer, UnknownNameSaysWhatThereIs) {
 
 TEST(MakeMinimizer, OptionsOutOfRangeAreNamed) {
   SolverOptions options;
-  options.fletcher_reeves.armijo = 0.7;
-  EXPECT_TRUE(contains(message_of(options), "solver.fletcher_reeves.armijo = 0.7")) << message_of(options);
+  options.fletcher_reeves.step_growth = 0.7;
+  EXPECT_TRUE(contains(message_of(options), "solver.fletcher_reeves.step_growth = 0.7")) << message_of(options);
   options = {};
   options.stop.decrease_window = -1;
   EXPECT_TRUE(contains(message_of(options), "solver.stop.decrease_window = -1")) << message_of(options);

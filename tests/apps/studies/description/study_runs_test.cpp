@@ -70,7 +70,7 @@ TEST(StudyRuns, TheEnergysKeySeesWhatChangesTheEnergyAndNothingElse) {
                                       {"solver.metric", "euclidean"},
                                       {"solver.stop.max_iterations", "5"},
                                       {"cascade.nu_substeps", "7"},
-                                      {"cascade.intermediate_decrease", "0.01"},
+                                      {"solver.newton.max_forcing", "0.2"},
                                       {"threads", "1"},
                                       {"pictures", "none"}})
     EXPECT_EQ(key(option, value), base) << option;
@@ -80,7 +80,6 @@ TEST(StudyRuns, TheEnergysKeySeesWhatChangesTheEnergyAndNothingElse) {
                                       {"cascade.volume", "0.4"},
                                       {"cascade.sigma_cells", "3"},
                                       {"coefficients.tau", "1.5"},
-                                      {"input.margin", "0.2"},
                                       {"energy.quadrature_order", "3"}})
     EXPECT_NE(key(option, value), base) << option;
 }
