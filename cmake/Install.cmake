@@ -1,24 +1,21 @@
-# What `cmake --install` lays out: headers under include/shellmatch/, the modules as static libraries, the
+# What `cmake --install` lays out: public headers under include/shellmatch/, one shared library, the
 # program, the documentation, the experiments, the examples, and a package for find_package(shellmatch).
 include(CMakePackageConfigHelpers)
 
-get_property(modules GLOBAL PROPERTY SHELLMATCH_MODULES)
+include(cmake/PublicHeaders.cmake)
 set(shellmatch_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shellmatch)
-
-# Eigen's alignment depends on the vector unit, so that code including our headers must be compiled for the same machine
-# as the libraries. SHELLMATCH_NATIVE=OFF (preset 'portable') builds libraries without this condition.
-if(SHELLMATCH_NATIVE AND TARGET shellmatch_base)
-  target_compile_options(shellmatch_base INTERFACE $<INSTALL_INTERFACE:-march=native>)
+if(NOT SHELLMATCH_PACKAGE)
+  include(cmake/Library.cmake)
+  install(TARGETS shellmatch_library EXPORT shellmatch LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT shellmatch NAMESPACE shellmatch:: FILE ShellmatchTargets.cmake DESTINATION ${shellmatch_package_dir})
 endif()
-
-install(TARGETS ${modules} EXPORT shellmatch ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT shellmatch NAMESPACE shellmatch:: FILE ShellmatchTargets.cmake
-  DESTINATION ${shellmatch_package_dir})
-foreach(module ${modules})
-  get_target_property(folder ${module} SOURCE_DIR)
-  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-  cmake_path(GET folder PARENT_PATH parent)
-  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch/${parent} FILES_MATCHING
+foreach(header ${shellmatch_public_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch/${folder})
+endforeach()
+# `cmake --install BUILD --component development` adds the others, for new terms, fields and solvers: these are not kept as they are.
+foreach(folder base geometry alignment grid energies solvers matching)
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shellmatch COMPONENT development EXCLUDE_FROM_ALL FILES_MATCHING
     PATTERN "*.h" PATTERN "cgal_*.h" EXCLUDE)
 endforeach()
 

@@ -1,7 +1,8 @@
 // A whole matching by Ceres: every term on every element is a ceres::CostFunction, differentiated by ceres::Jet, and
 // their sum is minimised by ceres::GradientProblemSolver. Hanging nodes and the barrier against folds are included;
 // nothing of the compiled code takes part, which gives the same energy. The terms that are squares also make a
-// ceres::Problem. Builds on own_term_with_ceres. Sample output:
+// ceres::Problem. Builds on own_term_with_ceres.
+// Sample output:
 //   energy 8.3397 -> 0.1465, by the compiled code at the start 8.3397
 //   match is 1024 residuals, cost 1.5e-03; 4 terms are no squares
 #include "energies/assembly/ceres_problem.h"

@@ -1,6 +1,7 @@
 // Terms that read fields of one's own (docs/examples/own_fields.h): a rotation at the quadrature points, which is made
 // anew between minimisations, a map at the nodes and a weight of cells. Value, gradient and Newton's model come with
-// the terms. Builds on own_term_with_ceres. Sample output:
+// the terms. Builds on own_term_with_ceres.
+// Sample output:
 //   round 1: |Dphi - R|^2 = 0.0100, with the new R 0.0061; |phi - phi0|^2 = 3.5e-03
 //   round 2: |Dphi - R|^2 = 0.0062, with the new R 0.0060; |phi - phi0|^2 = 3.0e-03
 //   round 3: |Dphi - R|^2 = 0.0060, with the new R 0.0060; |phi - phi0|^2 = 3.0e-03

@@ -1,6 +1,6 @@
 // A solver of one's own (docs/examples/barzilai_borwein.h), on the problem of one level, in two metrics. The metric is
-// a change of variables around the objective: the method does not know of it. Builds on own_term_with_ceres. Sample
-// output:
+// a change of variables around the objective: the method does not know of it. Builds on own_term_with_ceres.
+// Sample output:
 //   barzilai_borwein in euclidean: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
 //   barzilai_borwein in l2: 8.3099 -> 0.1451, many steps, stopped by relative_decrease
 //   newton: 8.3099 -> 0.1451, few steps, stopped by relative_decrease
