@@ -14,10 +14,13 @@ namespace shellmatch {
 
 namespace {
 
+// Eigen's stableNorm() has other last bits at other addresses.
 template <int Dim>
 Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
-  const double length = x.stableNorm();
-  return length > 0 ? Vec<Dim>(x / length) : Vec<Dim>(Vec<Dim>::Zero());
+  const double largest = x.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return Vec<Dim>::Zero();
+  const Vec<Dim> scaled = x / largest;
+  return scaled / scaled.norm();
 }
 
 /// Angle of facet f at its corner i. In the plane all segments have equal weight at their ends.

@@ -1,5 +1,6 @@
 // The unsigned part: closest points against brute force, exact distances, gradients.
 #include "geometry/distance/signed_distance.h"
+#include "geometry/surface/pseudonormals.h"
 
 #include "geometry/surface/facet_point.h"
 #include "tests/geometry/surface/test_surfaces.h"
@@ -174,6 +175,17 @@ TEST(SignedDistance, PseudonormalIsThatOfTheFeatureWithinRounding) {
   EXPECT_LT((distance.pseudonormal(distance.closest({1.5, 0.7, 0.4})) - Vec<3>(1, 0, 0)).norm(), 1e-15);
   const SignedDistance<2> square(polygon(4, [](double) { return 1.0; }));
   EXPECT_LT((square.pseudonormal(square.closest({1, 1e-15})) - Vec<2>(1, 0)).norm(), 1e-14);
+}
+
+TEST(Pseudonormals, DoNotDependOnWhereTheyLieInMemory) {
+  const Surface<3> one = torus(0.6, 0.25, 40, 20);
+  Surface<3> other = one;
+  other.vertices.insert(other.vertices.begin(), Vec<3>::Zero());
+  for (auto& facet : other.facets)
+    for (Index& v : facet) ++v;
+  const Pseudonormals<3> of_one(one), of_other(other);
+  for (Index f = 0; f < static_cast<Index>(one.facets.size()); ++f)
+    for (FeatureMask corner : {1u, 2u, 4u}) EXPECT_EQ(of_one(one, f, corner), of_other(other, f, corner));
 }
 
 TEST(SignedDistance, TakesTheFirstOfEquallyNearFacets) {
