@@ -50,7 +50,7 @@ class Matching {
         recorder_(recorder),
         clock_(clock),
         observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
-        parts_(observed_of_result().reference, reference_.surface.vertices, observed_of_result().template_shape),
+        parts_(observed_of_result().reference, reference_.surface, observed_of_result().template_shape),
         d1_(is_backward_ ? template_.surface : reference_.surface),
         d2_(is_backward_ ? reference_.surface : template_.surface) {}
 

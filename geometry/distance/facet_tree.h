@@ -25,7 +25,13 @@ class FacetTree {
   /// the squared distance is not finite.
   Index nearest(const Vec<Dim>& x) const;
 
-  /// The same for many points, faster the nearer consecutive points lie to each other.
+  /// A facet near x, quickly found, though others may be nearer. no_index as in nearest()
+  Index some_near(const Vec<Dim>& x) const;
+
+  /// Is a facet nearer to x than this distance?
+  bool reaches(const Vec<Dim>& x, double distance) const;
+
+  /// nearest() for many points, faster the nearer consecutive points lie to each other.
   /// \param facets one entry for each point
   void nearest(std::span<const Vec<Dim>> points, std::span<Index> facets) const;
 
@@ -54,6 +60,8 @@ class FacetTree {
 
   /// The nearest facet if it is nearer than sqrt(best), or as near with a lower index than `facet`; otherwise `facet`.
   Index nearer(const Vec<Dim>& x, double best, Index facet) const;
+  /// The same, or where any facet suffices the first that is found.
+  Index search(const Vec<Dim>& x, double best, Index facet, bool any_suffices) const;
   void nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const;
 
   std::vector<Node> nodes_;

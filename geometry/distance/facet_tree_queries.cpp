@@ -114,6 +114,21 @@ Index FacetTree<Dim>::nearest(const Vec<Dim>& x) const {
 
 template <int Dim>
 Index FacetTree<Dim>::nearer(const Vec<Dim>& x, double best, Index facet) const {
+  return this->search(x, best, facet, false);
+}
+
+template <int Dim>
+Index FacetTree<Dim>::some_near(const Vec<Dim>& x) const {
+  return this->search(x, std::numeric_limits<double>::max(), no_index, true);
+}
+
+template <int Dim>
+bool FacetTree<Dim>::reaches(const Vec<Dim>& x, double distance) const {
+  return this->search(x, distance * distance, no_index, true) != no_index;
+}
+
+template <int Dim>
+Index FacetTree<Dim>::search(const Vec<Dim>& x, double best, Index facet, bool any_suffices) const {
   const auto visit = [&](const Leaf& leaf) {
     Lanes w[Dim];
     for (int k = 0; k < Dim; ++k) w[k] = x[k] - leaf.corner[k];
@@ -131,6 +146,7 @@ Index FacetTree<Dim>::nearer(const Vec<Dim>& x, double best, Index facet) const 
     if (distance2 > best) continue;
     if (child < 0) visit(leaves_[~child]);
     else stack.add_children(child, x, best);
+    if (any_suffices && facet != no_index) break;
   }
   return facet;
 }
@@ -218,6 +234,10 @@ void FacetTree<Dim>::nearest(std::span<const Vec<Dim>> points, std::span<Index> 
 
 template Index FacetTree<2>::nearest(const Vec<2>&) const;
 template Index FacetTree<3>::nearest(const Vec<3>&) const;
+template Index FacetTree<2>::some_near(const Vec<2>&) const;
+template Index FacetTree<3>::some_near(const Vec<3>&) const;
+template bool FacetTree<2>::reaches(const Vec<2>&, double) const;
+template bool FacetTree<3>::reaches(const Vec<3>&, double) const;
 template void FacetTree<2>::nearest(std::span<const Vec<2>>, std::span<Index>) const;
 template void FacetTree<3>::nearest(std::span<const Vec<3>>, std::span<Index>) const;
 

@@ -2,20 +2,40 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/distance/nearest_facets.h"
 #include "geometry/surface/facet_point.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace shellmatch {
 
+namespace {
+
 template <int Dim>
-MeasuredParts<Dim>::MeasuredParts(ObservedPart<Dim> reference, const std::vector<Vec<Dim>>& its_vertices,
+double longest_edge(const Surface<Dim>& surface) {
+  double longest = 0;
+  for (const auto& facet : surface.facets)
+    for (std::size_t k = 0; k < Dim; ++k)
+      longest = std::max(longest, (surface.vertices[facet[k]] - surface.vertices[facet[(k + 1) % Dim]]).norm());
+  return longest;
+}
+
+}  // namespace
+
+// Only the sign of a margin matters, and of a mean over the corners of a facet. Where a margin is larger than twice the
+// longest edge, no corner of its facets has a negative one, as the margin's Lipschitz constant is 2.
+template <int Dim>
+MeasuredParts<Dim>::MeasuredParts(ObservedPart<Dim> reference, const Surface<Dim>& its_surface,
                                   ObservedPart<Dim> template_part)
     : reference_part_(std::move(reference)), template_part_(std::move(template_part)) {
   if (reference_part_.is_all()) return;
-  margins_.resize(its_vertices.size());
+  const std::vector<Vec<Dim>>& vertices = its_surface.vertices;
+  const double most = 2.01 * longest_edge(its_surface) + 2 * reference_part_.least_margin();
+  margins_.resize(vertices.size());
   parallel_for(
-      its_vertices.size(), [&](std::size_t v) { margins_[v] = reference_part_.margin(its_vertices[v]); }, 256);
+      vertices.size(), [&](std::size_t v) { margins_[v] = reference_part_.margin_up_to(vertices[v], most); }, 256);
 }
 
 template <int Dim>
@@ -39,13 +59,22 @@ std::vector<char> MeasuredParts<Dim>::of_facets(const Surface<Dim>& reference, c
 template <int Dim>
 std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) const {
   if (is_all()) return {};
+  std::vector<Index> all(deformed.vertices.size());
+  std::iota(all.begin(), all.end(), 0);
+  return of_deformed(deformed, all);
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed,
+                                                  const std::vector<Index>& vertices) const {
   SHELLMATCH_CHECK(margins_.empty() || margins_.size() == deformed.vertices.size(),
                    "margins are those of other vertices");
-  std::vector<char> measured(deformed.vertices.size());
+  std::vector<char> measured(vertices.size());
   parallel_for(
       measured.size(),
-      [&](std::size_t v) {
-        measured[v] = (margins_.empty() || margins_[v] > reference_part_.least_margin()) &&
+      [&](std::size_t i) {
+        const Index v = vertices[i];
+        measured[i] = (margins_.empty() || margins_[v] > reference_part_.least_margin()) &&
                       template_part_.contains(deformed.vertices[v]);
       },
       256);
@@ -55,13 +84,19 @@ std::vector<char> MeasuredParts<Dim>::of_deformed(const Surface<Dim>& deformed) 
 template <int Dim>
 std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>& points,
                                                     const Surface<Dim>& deformed) const {
+  if (margins_.empty()) return std::vector<char>(points.size(), 1);
+  return near_observed(points, deformed, nearest_facets(FacetTree<Dim>(deformed), points));
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::near_observed(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed,
+                                                    const std::vector<Index>& facets) const {
   std::vector<char> observed(points.size(), 1);
   if (margins_.empty()) return observed;
-  const FacetTree<Dim> tree(deformed);
   parallel_for(
       points.size(),
       [&](std::size_t i) {
-        const Index f = tree.nearest(points[i]);
+        const Index f = facets[i];
         double margin = 0;  // interpolated, as it is 0 along the edge of a gap
         if (f != no_index) {
           const auto weights = barycentric_coordinates(deformed, f, closest_point_on_facet(deformed, f, points[i]));
@@ -78,7 +113,15 @@ template <int Dim>
 std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points,
                                                   const Surface<Dim>& deformed) const {
   if (is_all()) return {};
-  std::vector<char> measured = near_observed(points, deformed);
+  return of_template(points, deformed,
+                     margins_.empty() ? std::vector<Index>{} : nearest_facets(FacetTree<Dim>(deformed), points));
+}
+
+template <int Dim>
+std::vector<char> MeasuredParts<Dim>::of_template(const std::vector<Vec<Dim>>& points, const Surface<Dim>& deformed,
+                                                  const std::vector<Index>& facets) const {
+  if (is_all()) return {};
+  std::vector<char> measured = near_observed(points, deformed, facets);
   parallel_for(
       points.size(), [&](std::size_t i) { measured[i] = measured[i] && template_part_.contains(points[i]); }, 256);
   return measured;

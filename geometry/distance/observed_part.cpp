@@ -5,6 +5,7 @@
 #include "geometry/surface/facet_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shellmatch {
 
@@ -54,6 +55,17 @@ auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
   if (unobserved.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
   return {unobserved.distance - parts_->observed.nearest(x).distance,
           parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
+}
+
+// Any observed facet bounds the distance of the nearest from above; where no gap begins nearer than the margin beyond
+// that bound, neither distance has to be known.
+template <int Dim>
+bool ObservedPart<Dim>::is_beyond(const Vec<Dim>& x, double least) const {
+  if (is_all()) return true;
+  const Index some = parts_->observed.tree.some_near(x);
+  if (some == no_index) return false;
+  const double distance = (closest_point_on_facet(parts_->observed.surface, some, x).point - x).norm();
+  return std::isfinite(distance) && !parts_->unobserved.tree.reaches(x, distance + least);
 }
 
 template class ObservedPart<2>;

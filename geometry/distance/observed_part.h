@@ -35,11 +35,16 @@ class ObservedPart {
   };
   Gap nearest_gap(const Vec<Dim>& x) const;
   double margin(const Vec<Dim>& x) const { return nearest_gap(x).margin; }
+  /// margin(x), or `most` where it is certain that it is larger: most points are far from all gaps, which is found
+  /// out much faster. \param most > 0
+  double margin_up_to(const Vec<Dim>& x, double most) const { return is_beyond(x, most) ? most : margin(x); }
+  /// Is it certain that the margin is at least this? Beside the limit it may be so where the answer is no.
+  bool is_beyond(const Vec<Dim>& x, double least) const;
 
   /// Is the observed part nearer? Points that are nearest to the edge of a gap, up to rounding, belong to the other: a
   /// correspondence with an edge is that of whatever lies beyond it (Turk and Levoy, Zippered polygon meshes from range
   /// images, SIGGRAPH 1994).
-  bool contains(const Vec<Dim>& x) const { return is_all() || margin(x) > least_margin(); }
+  bool contains(const Vec<Dim>& x) const { return is_all() || margin_up_to(x, 2 * least_margin()) > least_margin(); }
   /// What the margin of a point of the observed part exceeds: rounding errors.
   double least_margin() const { return rounding * scale_; }
 

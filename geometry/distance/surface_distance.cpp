@@ -2,11 +2,13 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/distance/facet_tree.h"
+#include "geometry/distance/nearest_facets.h"
 #include "geometry/surface/facet_point.h"
+#include "geometry/surface/morton_curve.h"
 #include "geometry/surface/subdivision.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,26 +20,43 @@ namespace {
 /// Points of a surface at which distances are measured.
 template <int Dim>
 struct MeasuredPoints {
-  std::vector<Vec<Dim>> points;
-  std::vector<double> areas;  ///< around each
+  std::vector<Index> vertices;
+  std::vector<Vec<Dim>> points = {};
+  std::vector<double> areas = {};  ///< around each
+  std::vector<Index> facets = {};  ///< of the other surface, nearest to each, or none
 };
 
-/// Vertices that have facets. \param measured one entry for each vertex; empty for all \param most of many, every
-/// second, third, ... is taken
+/// Vertices that have facets. \param most of many, every second, third, ... is taken
 template <int Dim>
-MeasuredPoints<Dim> measured_points(const Surface<Dim>& surface, const std::vector<char>& measured, std::size_t most) {
+MeasuredPoints<Dim> used_vertices(const Surface<Dim>& surface, std::size_t most) {
   const std::vector<double> area = vertex_measures(surface);
   std::vector<bool> used(surface.vertices.size(), false);
   for (const auto& facet : surface.facets)
-    for (const Index v : facet) used[v] = measured.empty() || measured[v] != 0;
+    for (const Index v : facet) used[v] = true;
   MeasuredPoints<Dim> found;
   const std::size_t step = 1 + (static_cast<std::size_t>(std::ranges::count(used, true)) - 1) / most;
   for (std::size_t v = 0, n = 0; v < used.size(); ++v) {
     if (!used[v] || n++ % step != 0) continue;
+    found.vertices.push_back(static_cast<Index>(v));
     found.points.push_back(surface.vertices[v]);
     found.areas.push_back(area[v]);
   }
   return found;
+}
+
+/// \param measured one entry for each; empty for all
+template <int Dim>
+MeasuredPoints<Dim> measured_ones(const MeasuredPoints<Dim>& all, const std::vector<char>& measured) {
+  if (measured.empty()) return all;
+  MeasuredPoints<Dim> some;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (!measured[i]) continue;
+    some.vertices.push_back(all.vertices[i]);
+    some.points.push_back(all.points[i]);
+    some.areas.push_back(all.areas[i]);
+    if (!all.facets.empty()) some.facets.push_back(all.facets[i]);
+  }
+  return some;
 }
 
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
@@ -88,41 +107,57 @@ DistanceStatistics weighted_statistics(const std::vector<double>& values, const 
 
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const SignedDistance<Dim>& surface) {
+  constexpr std::size_t chunk_size = 256;
+  const std::vector<Index> order = along_morton_curve<Dim>(points);
   std::vector<double> distances(points.size());
-  parallel_chunks(points.size(), 256, [&](const Chunk& chunk) {
+  parallel_chunks(points.size(), chunk_size, [&](const Chunk& chunk) {
+    std::array<Vec<Dim>, chunk_size> some;
+    std::array<double, chunk_size> signed_distances;
     const std::size_t n = chunk.end - chunk.begin;
-    surface(std::span(points).subspan(chunk.begin, n), std::span(distances).subspan(chunk.begin, n));
+    for (std::size_t i = 0; i < n; ++i) some[i] = points[order[chunk.begin + i]];
+    surface(std::span(some).first(n), std::span(signed_distances).first(n));
+    for (std::size_t i = 0; i < n; ++i) distances[order[chunk.begin + i]] = std::abs(signed_distances[i]);
   });
-  for (double& distance : distances) distance = std::abs(distance);
   return distances;
 }
+
+namespace {
+
+template <int Dim>
+std::vector<double> distances_from_facets(const std::vector<Vec<Dim>>& points, const Surface<Dim>& surface,
+                                          const std::vector<Index>& facets) {
+  std::vector<double> distances(points.size());
+  parallel_for(
+      points.size(),
+      [&](std::size_t i) {
+        SHELLMATCH_CHECK(facets[i] != no_index, "a point whose distance is asked for is not finite");
+        distances[i] = (points[i] - closest_point_on_facet(surface, facets[i], points[i]).point).norm();
+      },
+      256);
+  return distances;
+}
+
+}  // namespace
 
 template <int Dim>
 std::vector<double> distances_to(const std::vector<Vec<Dim>>& points, const Surface<Dim>& surface) {
   SHELLMATCH_CHECK(!surface.facets.empty(), "the distance to a surface without facets is not defined");
-  const FacetTree<Dim> tree(surface);
-  std::vector<Index> facets(points.size());
-  std::vector<double> distances(points.size());
-  parallel_chunks(points.size(), 256, [&](const Chunk& chunk) {
-    const std::size_t n = chunk.end - chunk.begin;
-    tree.nearest(std::span(points).subspan(chunk.begin, n), std::span(facets).subspan(chunk.begin, n));
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      SHELLMATCH_CHECK(facets[i] != no_index, "a point whose distance is asked for is not finite");
-      distances[i] = (points[i] - closest_point_on_facet(surface, facets[i], points[i]).point).norm();
-    }
-  });
-  return distances;
+  return distances_from_facets(points, surface, nearest_facets(FacetTree<Dim>(surface), points));
 }
 
 template <int Dim>
 MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance,
                                 const MeasuredParts<Dim>& parts, double spacing, std::size_t most_points) {
   const Surface<Dim> fine = subdivided(template_distance.surface(), spacing);
-  const MeasuredPoints<Dim> of_deformed = measured_points(deformed, parts.of_deformed(deformed), most_points);
-  const MeasuredPoints<Dim> of_template =
-      measured_points(fine, parts.of_template(fine.vertices, deformed), most_points);
+  MeasuredPoints<Dim> of_deformed = used_vertices(deformed, most_points),
+                      of_template = used_vertices(fine, most_points);
+  of_template.facets = nearest_facets(FacetTree<Dim>(deformed), of_template.points);
+  if (!parts.is_all()) {
+    of_deformed = measured_ones(of_deformed, parts.of_deformed(deformed, of_deformed.vertices));
+    of_template = measured_ones(of_template, parts.of_template(of_template.points, deformed, of_template.facets));
+  }
   // Of the whole template, whatever is measured.
-  const double diagonal = bounding_box(measured_points(template_distance.surface(), {}, unlimited).points).diagonal();
+  const double diagonal = bounding_box(used_vertices(template_distance.surface(), unlimited).points).diagonal();
   const auto summary = [&](const MeasuredPoints<Dim>& of, const std::vector<double>& distances) {
     const DistanceStatistics s = weighted_statistics(distances, of.areas);
     return DistanceStatistics{s.mean / diagonal, s.p95 / diagonal, s.max / diagonal};
@@ -132,7 +167,7 @@ MatchQuality<Dim> match_quality(const Surface<Dim>& deformed, const SignedDistan
     return points[static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin())];
   };
   const std::vector<double> there = distances_to(of_deformed.points, template_distance);
-  const std::vector<double> back = distances_to(of_template.points, deformed);
+  const std::vector<double> back = distances_from_facets(of_template.points, deformed, of_template.facets);
   return {summary(of_deformed, there), summary(of_template, back),
           share_beyond(of_template.areas, back, covered_within * diagonal), farthest(of_deformed.points, there),
           farthest(of_template.points, back)};

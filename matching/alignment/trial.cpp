@@ -31,6 +31,8 @@ class TrialObserver final : public Observer {
 
 // Wrong starts fight the barrier against folds for hundreds of iterations; their energies are large enough before.
 constexpr int most_trial_iterations = 80;
+// Of starts that differ little the distances decide.
+constexpr std::size_t n_measured = 100'000;
 
 ExperimentOptions trial_options(const ExperimentOptions& options) {
   ExperimentOptions trial = options;
@@ -88,7 +90,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
         result.spin_difference =
             spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, shapes_.one_is_part());
         result.template_distance =
-            two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), on_the_way)
+            two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;
       });
   return result;
@@ -109,7 +111,7 @@ DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried ca
         const SignedDistance<Dim>&carried_shape = forward ? d1 : d2, &other = forward ? d2 : d1;
         const TwoSidedDistance figures =
             two_sided_distance<Dim>(carried_shape.surface(), deform, other, forward ? observed : exchanged(observed),
-                                    end.grid.finest_side(), on_the_way)
+                                    end.grid.finest_side(), n_measured)
                 .figures;
         result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
         result.energy = end.levels.back().minimised.sum();

@@ -9,6 +9,7 @@ namespace {
 // A narrow gap takes no more of its surroundings than of itself: a scan may have many.
 template <int Dim>
 double weight_in(const ObservedPart<Dim>& part, const Vec<Dim>& x, double width) {
+  if (part.is_beyond(x, width)) return 1;
   const auto [margin, half_width] = part.nearest_gap(x);
   if (!(margin > 0)) return 0;
   const double t = std::min(1.0, margin / std::min(width, 2 * half_width));
@@ -20,7 +21,7 @@ enum class Side { without_data, with_data, edge };
 // The margin changes at most by twice the distance.
 template <int Dim>
 Side side_of_ball(const ObservedPart<Dim>& part, const Vec<Dim>& centre, double radius, double width) {
-  if (part.is_all()) return Side::with_data;
+  if (part.is_beyond(centre, width + 2 * radius)) return Side::with_data;
   const double margin = part.margin(centre);
   if (margin - 2 * radius >= width) return Side::with_data;
   return margin + 2 * radius <= 0 ? Side::without_data : Side::edge;

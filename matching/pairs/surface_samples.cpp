@@ -1,26 +1,12 @@
 #include "matching/pairs/surface_samples.h"
 
+#include "geometry/surface/morton_curve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace shellmatch {
-
-namespace {
-
-/// Number along a Morton curve: points that are close on the curve are close in space.
-template <int Dim>
-std::uint64_t morton_number(const Vec<Dim>& x) {
-  std::uint64_t number = 0;
-  constexpr int bits = 60 / Dim;
-  for (int k = 0; k < Dim; ++k) {
-    const auto coordinate = static_cast<std::uint64_t>(std::clamp(x[k], 0.0, 1.0) * ((std::uint64_t{1} << bits) - 1));
-    for (int bit = 0; bit < bits; ++bit) number |= ((coordinate >> bit) & 1) << (bit * Dim + k);
-  }
-  return number;
-}
-
-}  // namespace
 
 template <int Dim>
 std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,

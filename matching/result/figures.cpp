@@ -35,7 +35,7 @@ LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference,
                                         double side, std::size_t most_points) {
   const double spacing = measured_spacing(template_distance.surface(), reference, side);
   const Surface<Dim> fine = subdivided(reference, spacing);
-  const MeasuredParts<Dim> parts(observed.reference, fine.vertices, observed.template_shape);
+  const MeasuredParts<Dim> parts(observed.reference, fine, observed.template_shape);
   const MatchQuality<Dim> quality = match_quality(deform(fine), template_distance, parts, spacing, most_points);
   const auto one_sided = [](const DistanceStatistics& s) { return OneSidedDistance{s.mean, s.p95, s.max}; };
   return {{one_sided(quality.deformed_to_template), one_sided(quality.template_to_deformed), quality.uncovered},

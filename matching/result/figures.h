@@ -31,7 +31,7 @@ LocatedDistance<Dim> two_sided_distance(const Surface<Dim>& reference,
                                         double side, std::size_t most_points = std::numeric_limits<std::size_t>::max());
 
 /// Means over so many points are within a few percent of those over all.
-inline constexpr std::size_t on_the_way = 100'000;
+inline constexpr std::size_t on_the_way = 6000;
 
 LevelSummary level_summary(const LevelResult& result, const IterationRecord& last);
 

@@ -1,7 +1,9 @@
 // Many points at once against one at a time; signed_distance_test.cpp compares these with brute force.
 #include "geometry/distance/facet_tree.h"
 
+#include "geometry/distance/nearest_facets.h"
 #include "geometry/distance/signed_distance.h"
+#include "geometry/surface/facet_point.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +52,31 @@ TEST(FacetTree, ManyPointsAreOneAfterTheOther) {
       mapped<3>(unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(x * (1 + 0.3 * std::sin(5 * x.x()))); }));
   expect_same_everywhere(box({0, 0, 0}, {1, 2, 3}));
   expect_same_everywhere(polygon(300, [](double t) { return 1 + 0.4 * std::cos(7 * t); }));
+}
+
+TEST(FacetTree, InAnyOrderManyPointsAreOneAfterTheOther) {
+  const Surface<3> sphere = unit_sphere(4);
+  const FacetTree<3> tree(sphere);
+  std::vector<Vec<3>> points = random_points<3>(1000, Vec<3>::Constant(-2), Vec<3>::Constant(2));
+  for (const bool is_finite : {true, false}) {
+    if (!is_finite) points[500].x() = infinity;
+    const std::vector<Index> facets = nearest_facets(tree, points);
+    ASSERT_EQ(facets.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_EQ(facets[i], tree.nearest(points[i]));
+  }
+}
+
+TEST(FacetTree, ReachesWhatIsNearerThanADistance) {
+  const SignedDistance<3> sphere(unit_sphere(4));
+  const FacetTree<3> tree(sphere.surface());
+  for (const Vec<3>& x : random_points<3>(300, Vec<3>::Constant(-2), Vec<3>::Constant(2))) {
+    const double distance = std::abs(sphere(x));
+    EXPECT_TRUE(tree.reaches(x, 1.001 * distance));
+    EXPECT_FALSE(tree.reaches(x, 0.999 * distance));
+    const Index some = tree.some_near(x);
+    ASSERT_NE(some, no_index);
+    EXPECT_LT((closest_point_on_facet(sphere.surface(), some, x).point - x).norm(), distance + 1);
+  }
 }
 
 TEST(FacetTree, WhatIsNotFiniteSpoilsNoOtherPoint) {

@@ -45,6 +45,22 @@ TEST(ObservedPart, MarginsAreDistancesFromTheRim) {
   EXPECT_FALSE(part.contains({0, 0, 1}));
 }
 
+TEST(ObservedPart, MarginsUpToALimitAreThoseBelowIt) {
+  const ObservedPart<3> part(cut_ball().evidence);
+  std::size_t n_beyond = 0;
+  for (const double most : {0.05, 0.4, 1.5})
+    for (const Vec<3>& x : random_points<3>(300, Vec<3>::Constant(-1.2), Vec<3>::Constant(1.2))) {
+      const double margin = part.margin(x);
+      if (margin < 0.999 * most) {
+        EXPECT_FALSE(part.is_beyond(x, most));
+        EXPECT_EQ(part.margin_up_to(x, most), margin);
+      }
+      n_beyond += part.is_beyond(x, most);
+    }
+  EXPECT_GT(n_beyond, 100u);
+  EXPECT_TRUE(ObservedPart<3>().is_beyond({5, 5, 5}, 1));
+}
+
 TEST(ObservedPart, TheEdgeOfAGapIsNotContained) {
   const Evidence<3> evidence = cut_ball().evidence;
   const ObservedPart<3> part(evidence);
@@ -88,7 +104,7 @@ TEST(MeasuredParts, TheCapOfAWholeBallIsNotMeasuredAgainstOneWithout) {
   const ObservedPart<3> part(cut.evidence), all;
   const auto is_below = [](const Vec<3>& x) { return x.z() < height - 0.05; };
   const auto is_above = [](const Vec<3>& x) { return x.z() > height + 0.05; };
-  const MeasuredParts<3> template_cut(all, whole.vertices, part), reference_cut(part, cut.surface.vertices, all);
+  const MeasuredParts<3> template_cut(all, whole, part), reference_cut(part, cut.surface, all);
   const std::vector<char> deformed = template_cut.of_deformed(whole),
                           reached = reference_cut.of_template(whole.vertices, cut.surface);
   ASSERT_EQ(deformed.size(), whole.vertices.size());
@@ -105,7 +121,7 @@ TEST(MeasuredParts, TheCapOfAWholeBallIsNotMeasuredAgainstOneWithout) {
     if (!is_below(centre) && !is_above(centre)) continue;
     EXPECT_EQ(facets[f] != 0, is_below(centre));
   }
-  EXPECT_TRUE(MeasuredParts<3>(all, whole.vertices, all).of_deformed(whole).empty());
+  EXPECT_TRUE(MeasuredParts<3>(all, whole, all).of_deformed(whole).empty());
 
   // All that is measured agrees, whichever of the two is cut; without the parts the cap is a quarter of the diagonal
   // away.
@@ -122,7 +138,7 @@ TEST(MeasuredParts, NothingInCommonHasNoFigures) {
   const MendedSurface cut = cut_ball();
   Surface<3> above = unit_sphere(3);
   for (Vec<3>& x : above.vertices) x = 0.1 * x + Vec<3>(0, 0, 1.5);
-  const MeasuredParts<3> parts({}, above.vertices, ObservedPart<3>(cut.evidence));
+  const MeasuredParts<3> parts({}, above, ObservedPart<3>(cut.evidence));
   const MatchQuality<3> q = match_quality(above, SignedDistance<3>(cut.surface), parts);
   EXPECT_TRUE(std::isnan(q.deformed_to_template.mean));
   EXPECT_TRUE(q.farthest_of_deformed.hasNaN());
