@@ -65,6 +65,8 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   RenderSurface reference{.surface = picture.reference, .paint = Paint::checker};
   RenderSurface deformed{.surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
   RenderSurface template_shape{.surface = picture.template_shape};
+  if (options.ambient_occlusion)
+    for (RenderSurface* s : {&reference, &deformed, &template_shape}) s->openness = surface_openness(*s->surface);
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
   panels.push_back({draw({template_shape}), "template", {}});

@@ -31,6 +31,8 @@ struct RenderSurface {
   std::vector<Vec<3>> origins = {};
   Box<3> origin_box = {};     ///< box that the range of colours spans; if empty, that of the origins
   double checker_cells = 14;  ///< along the box's diagonal
+  /// One per vertex, surface_openness(), for several pictures of a surface; if empty, each picture computes its own.
+  std::vector<float> openness = {};
 };
 
 }  // namespace shellmatch

@@ -52,6 +52,7 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
   const std::size_t n = look_.surface->vertices.size();
   SHELLMATCH_CHECK(look_.scalars.empty() || look_.scalars.size() == n, "one scalar for each vertex");
   SHELLMATCH_CHECK(look_.origins.empty() || look_.origins.size() == n, "one origin for each vertex");
+  SHELLMATCH_CHECK(look_.openness.empty() || look_.openness.size() == n, "one openness for each vertex");
   SHELLMATCH_CHECK(look_.paint != Paint::scalar || look_.scalars.size() == n, "painting scalars needs scalars");
   normals_ = corner_normals(*look_.surface, look_.crease_angle);
   if (look_.paint == Paint::position || look_.paint == Paint::checker) {
@@ -74,13 +75,12 @@ PaintedSurface::PaintedSurface(const RenderSurface& surface) : look_(surface) {
   }
 }
 
-void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
-  const Surface<3>& s = *look_.surface;
+std::vector<float> openness(const Surface<3>& s, const RayScene& scene, double reach) {
   const std::vector<Vec<3>> normals = vertex_normals(s);
   // The more vertices a pixel has, the fewer directions each needs: their mean is seen.
-  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 200000  ? 16
-                                                    : s.vertices.size() > 10000 ? 64
-                                                                                : 160);
+  const std::vector<Vec<3>> sky = sphere_directions(s.vertices.size() > 200000 ? 16
+                                                    : s.vertices.size() > 4000 ? 64
+                                                                               : 160);
   std::vector<float> raw(s.vertices.size(), 1);
   Activity shading("shading", raw.size());
   std::atomic<std::size_t> n_shaded = 0;
@@ -99,17 +99,17 @@ void PaintedSurface::compute_openness(const RayScene& scene, double reach) {
         if (const std::size_t n = ++n_shaded; n % 4096 == 0) shading.done(n);
       },
       256);
-  openness_.assign(raw.size(), 0);
+  std::vector<float> smooth(raw.size(), 0);
   std::vector<int> count(raw.size(), 0);
   for (const auto& [a, b, c] : s.facets) {
     const float mean = (raw[a] + raw[b] + raw[c]) / 3;
     for (const Index v : {a, b, c}) {
-      openness_[v] += mean;
+      smooth[v] += mean;
       ++count[v];
     }
   }
-  for (std::size_t i = 0; i < raw.size(); ++i)
-    openness_[i] = count[i] > 0 ? openness_[i] / static_cast<float>(count[i]) : 1;
+  for (std::size_t i = 0; i < raw.size(); ++i) smooth[i] = count[i] > 0 ? smooth[i] / static_cast<float>(count[i]) : 1;
+  return smooth;
 }
 
 Vec<3> PaintedSurface::normal(const Ray& ray, Index facet, double u, double v) const {
@@ -150,7 +150,7 @@ Vec<3> PaintedSurface::light(const Camera& camera, const Ray& ray, Index facet, 
   // Lights are fixed in the frame of the camera.
   const Vec<3> n(world.dot(camera.right), world.dot(camera.up), world.dot(camera.backward));
   static const Vec<3> key = Vec<3>(-0.50, 0.72, 0.75).normalized(), fill = Vec<3>(0.85, -0.05, 0.55).normalized();
-  const double open = openness_.empty() ? 1 : interpolate(openness_, look_.surface->facets[facet], u, v);
+  const double open = look_.openness.empty() ? 1 : interpolate(look_.openness, look_.surface->facets[facet], u, v);
   const double sky = 0.30 + 0.12 * n.y();
   // Occlusion attenuates the wide lights fully and the narrow key light in part.
   const double diffuse =

@@ -6,20 +6,24 @@
 #include "matching/render/surfaces/render_surface.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
 
 class RayScene;
 
+/// Ambient occlusion: the share of the sky that is visible from each vertex among the surfaces in `scene`, of which
+/// those within the distance `reach` count. Smoothed once over the facets.
+std::vector<float> openness(const Surface<3>& surface, const RayScene& scene, double reach);
+
 /// A surface with the data for its shading.
 class PaintedSurface {
  public:
   explicit PaintedSurface(const RenderSurface& surface);
 
-  /// Computes ambient occlusion: the share of the sky that is visible from each vertex among the opaque
-  /// surfaces in `scene`, of which those within the distance `reach` count. Smoothed once over the facets.
-  void compute_openness(const RayScene& scene, double reach);
+  /// One for each vertex; without, nothing is shaded but what RenderSurface::openness tells.
+  void set_openness(std::vector<float> openness) { look_.openness = std::move(openness); }
 
   /// Linear light from the point with barycentric coordinates (u, v) of the facet towards the eye.
   Vec<3> light(const Camera& camera, const Ray& ray, Index facet, double u, double v) const;
@@ -33,7 +37,6 @@ class PaintedSurface {
 
   RenderSurface look_;
   std::vector<std::array<Vec<3>, 3>> normals_;
-  std::vector<float> openness_;
   std::vector<Vec<3>> palette_;  ///< linear light: by scalar in equal steps, by vertex for position and checker, or one
   Vec<3> origin_centre_ = Vec<3>::Zero();
   double origin_scale_ = 1;  ///< scales the longest half side of the box to 1

@@ -22,6 +22,9 @@ struct Layer {
 /// Difference of linear light between neighbouring pixels above which they are supersampled.
 constexpr double visible_step = 0.02;
 
+/// Surfaces farther away shade nothing, in diagonals of the scene.
+constexpr double reach_of_shade = 0.2;
+
 struct Sample {
   double distance, opacity;
   Vec<3> light;
@@ -35,6 +38,11 @@ double scene_size(std::span<const RenderSurface> surfaces) {
 }
 
 }  // namespace
+
+std::vector<float> surface_openness(const Surface<3>& surface) {
+  const Surface<3>* one = &surface;
+  return openness(surface, RayScene(std::span(&one, 1)), reach_of_shade * bounding_box(surface.vertices).diagonal());
+}
 
 Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options) {
   SHELLMATCH_CHECK(options.width > 0 && options.height > 0 && options.samples > 0, "a picture needs an area");
@@ -55,7 +63,9 @@ Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& cam
   }
   const RayScene solid(opaque);
   if (options.ambient_occlusion)
-    for (const std::size_t i : opaque_index) painted[i].compute_openness(solid, 0.2 * size);
+    for (const std::size_t i : opaque_index)
+      if (surfaces[i].openness.empty())
+        painted[i].set_openness(openness(*surfaces[i].surface, solid, reach_of_shade * size));
 
   const Vec<3> background(linear_from_srgb(options.background.r), linear_from_srgb(options.background.g),
                           linear_from_srgb(options.background.b));

@@ -7,15 +7,19 @@
 #include "matching/render/surfaces/render_surface.h"
 
 #include <span>
+#include <vector>
 
 namespace shellmatch {
 
 struct RenderOptions {
   int width = 640, height = 640;  ///< pixels
   int samples = 4;                ///< along each side of a pixel
-  bool ambient_occlusion = true;  ///< darkens concave parts
+  bool ambient_occlusion = true;  ///< darkens concave parts; RenderSurface::openness counts in any case
   Color background = white;
 };
+
+/// Ambient occlusion of a surface alone: the share of the sky that is visible from each vertex.
+std::vector<float> surface_openness(const Surface<3>& surface);
 
 /// Renders the surfaces as seen by the camera: smooth shading, key light from the upper left, fill light, no
 /// cast shadows. The result does not depend on the number of threads.

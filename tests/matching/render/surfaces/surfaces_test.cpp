@@ -109,6 +109,15 @@ TEST(SurfacesTest, SameBitsWhateverTheNumberOfThreads) {
   for (const Image& image : images) EXPECT_EQ(image, images.front());
 }
 
+TEST(SurfacesTest, ShadeThatIsKnownGivesTheSamePicture) {
+  const Surface<3> hollow = both(sphere(40, 0.8), cube(1.3));
+  const Surface<3>* all[] = {&hollow};
+  const Camera camera = fit_camera(all, 1);
+  const Image own = draw({{.surface = &hollow}}, camera, 120, true);
+  EXPECT_EQ(draw({{.surface = &hollow, .openness = surface_openness(hollow)}}, camera, 120, true), own);
+  EXPECT_NE(draw({{.surface = &hollow}}, camera), own);
+}
+
 TEST(SurfacesTest, LightComesFromTheUpperLeftAndHollowsAreDarker) {
   const Surface<3> s = sphere(80, 0.8);
   const Image ball = draw({{.surface = &s}}, from_front(1));
