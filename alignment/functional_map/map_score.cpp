@@ -20,14 +20,24 @@ constexpr double explained_noise = 0.025;
 /// Smoothed coordinates of all pairs' points on surface s, as columns.
 Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s,
                                int k) {
-  const SpectralShape& shape = *pair.shapes[s];
+  const Columns4& coordinates = pair.smoothed[s].with(k).coordinates;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Index v = s == 0 ? pairs[i].first : pairs[i].second;
-    points.col(static_cast<Eigen::Index>(i)) =
-        (shape.functions.row(v).head(k) * shape.coefficients.topRows(k)).transpose();
+    points.col(static_cast<Eigen::Index>(i)) = coordinates.col(v).head<3>().cast<double>();
   }
   return points;
+}
+
+/// All pairs' points on surface s.
+VertexSet end_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s) {
+  VertexSet set{{}, Features(pair.n_functions, static_cast<Eigen::Index>(pairs.size()))};
+  for (const auto& [p, q] : pairs) {
+    const Index v = s == 0 ? p : q;
+    set.functions.col(static_cast<Eigen::Index>(set.size())) = pair.functions[s].col(v);
+    set.vertices.push_back(v);
+  }
+  return set;
 }
 
 Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
@@ -58,7 +68,8 @@ Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matche
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
   const auto k = static_cast<int>(c.rows());
   const auto pairs = pairs_of(matches);
-  const Embedding embedding = dense_embedding(pair, c);
+  const Embedding embedding =
+      spectral_embedding(pair, {end_points(pair, pairs, 0), end_points(pair, pairs, 1)}, c, embedded_normal_weight);
   MapScore score;
   double squares = 0, sum = 0, weights = 0;
   // Two pairs of normals of this length stand below the functions.
@@ -70,7 +81,8 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
     // face.
     const double weight = i < matches.from[0].size() ? shape_1.mass[p] : shape_2.mass[q];
     weights += weight;
-    const auto a = embedding.on[0].col(p), b = embedding.on[1].col(q);
+    const auto a = embedding.on[0].col(static_cast<Eigen::Index>(i)),
+               b = embedding.on[1].col(static_cast<Eigen::Index>(i));
     sum += weight * (a.head(k) - b.head(k)).squaredNorm();
     squares += weight * b.head(k).squaredNorm();
     score.orientation +=

@@ -5,6 +5,7 @@
 #include "alignment/functional_map/map_score.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace shellmatch {
 
@@ -34,5 +35,9 @@ bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 /// known, which are those of maps by spectra alone, maps are refined again with landmarks among the pairs. Where
 /// spectra are_ambiguous(), only the surfaces as they lie and landmarks give starts.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
+
+/// The best map without landmarks; none, in half the time, where coarse scores already tell that its order() is not
+/// below `most`.
+std::optional<MapCandidate> best_map_within(const ShapePairSpectra& pair, const AlignmentOptions& options, double most);
 
 }  // namespace shellmatch

@@ -19,29 +19,34 @@ VertexSet vertex_set(const SpectralShape& shape, std::vector<Index> vertices, in
   for (std::size_t i = 0; i < vertices.size(); ++i)
     functions.col(static_cast<Eigen::Index>(i)) =
         shape.functions.row(vertices[i]).head(n_functions).transpose().cast<float>();
-  return {std::move(vertices), std::move(functions)};
+  std::vector<Index> order = compact_order(functions);
+  return {std::move(vertices), std::move(functions), std::move(order)};
 }
 
-/// Rows of `rows` at the vertices of a set, times `weight`, as columns.
-void put_rows(const Rows3& rows, const VertexSet& set, double weight, Eigen::Index at, Features& features) {
+/// Vectors at the vertices of a set, times `weight`, as rows `at` to at + 2.
+void put_rows(const Columns4& vectors, const VertexSet& set, double weight, Eigen::Index at, Features& features) {
   for (std::size_t i = 0; i < set.size(); ++i)
-    features.block(at, static_cast<Eigen::Index>(i), 3, 1) =
-        (weight * rows.row(set.vertices[i])).transpose().cast<float>();
+    features.block<3, 1>(at, static_cast<Eigen::Index>(i)) =
+        static_cast<float>(weight) * vectors.col(set.vertices[i]).head<3>();
 }
 
 }  // namespace
 
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
                                  const std::vector<std::pair<Index, Index>>& landmarks) {
-  ShapePairSpectra pair;
+  const auto n_functions = static_cast<int>(std::min(shape_1.values.size(), shape_2.values.size()));
+  ShapePairSpectra pair{.shapes = {&shape_1, &shape_2},
+                        .functions = {},
+                        .smoothed = {{shape_1, n_functions}, {shape_2, n_functions}},
+                        .coarse = {},
+                        .dense = {},
+                        .n_functions = n_functions,
+                        .landmarks = {}};
   for (const auto& landmark : landmarks)
     if (std::ranges::none_of(pair.landmarks,
                              [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
       pair.landmarks.push_back(landmark);
   if (pair.landmarks.size() < n_least_landmarks) pair.landmarks.clear();
-  pair.shapes[0] = &shape_1;
-  pair.shapes[1] = &shape_2;
-  pair.n_functions = static_cast<int>(std::min(shape_1.values.size(), shape_2.values.size()));
   for (int s = 0; s < 2; ++s) {
     pair.functions[s] = pair.shapes[s]->functions.leftCols(pair.n_functions).transpose().cast<float>();
     std::vector<Index> all;
@@ -92,8 +97,7 @@ PairedFunctions paired_functions(const ShapePairSpectra& pair, const VertexMatch
 Eigen::MatrixXd orthogonal_map(const ShapePairSpectra& pair, const VertexMatches& matches, int k) {
   const auto [rows, n] = paired_functions(pair, matches, k);
   const Eigen::MatrixXd products = (rows[0] * rows[1].transpose()).cast<double>();
-  const Svd<Eigen::MatrixXd> svd = jacobi_svd(products);
-  return svd.u * svd.v.transpose();
+  return nearest_orthogonal(products);
 }
 
 std::vector<double> landmark_distances(const ShapePairSpectra& pair, const VertexMatches& matches) {
@@ -180,18 +184,17 @@ Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&set
   const bool with_normals = normal_weight > 0;
   Embedding embedding;
   for (int s = 0; s < 2; ++s) {
-    const SpectralShape &shape = *pair.shapes[s], &other = *pair.shapes[1 - s];
     Features& features = embedding.on[s];
     features.resize(k + (with_normals ? 6 : 0), static_cast<Eigen::Index>(sets[s].size()));
     if (s == 0) features.topRows(k).noalias() = c.transpose().cast<float>() * sets[s].functions.topRows(k);
     else features.topRows(k) = sets[s].functions.topRows(k);
     if (!with_normals) continue;
-    const Rows3 through =
-        s == 0 ? Rows3(c * other.coefficients.topRows(k)) : Rows3(c.transpose() * other.coefficients.topRows(k));
-    const Rows3 own = vertex_normals(shape.surface.facets, shape.functions.leftCols(k) * shape.coefficients.topRows(k));
-    const Rows3 pulled_back = vertex_normals(shape.surface.facets, shape.functions.leftCols(k) * through);
-    put_rows(own, sets[s], normal_weight, s == 0 ? k : k + 3, features);
-    put_rows(pulled_back, sets[s], normal_weight, s == 0 ? k + 3 : k, features);
+    const Rows3 of_other = pair.shapes[1 - s]->coefficients.topRows(k);
+    const SmoothedSurface& own = pair.smoothed[s].with(static_cast<int>(k));
+    const SmoothedSurface pulled_back =
+        pair.smoothed[s].combined(s == 0 ? Rows3(c * of_other) : Rows3(c.transpose() * of_other));
+    put_rows(own.normals, sets[s], normal_weight, s == 0 ? k : k + 3, features);
+    put_rows(pulled_back.normals, sets[s], normal_weight, s == 0 ? k + 3 : k, features);
   }
   return embedding;
 }
@@ -210,7 +213,8 @@ VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedd
   VertexMatches matches;
   for (int s = 0; s < 2; ++s) {
     const auto n = static_cast<Eigen::Index>(std::min(n_queries, sets[s].size()));
-    const std::vector<Index> nearest = nearest_features(embedding.on[1 - s], embedding.on[s].leftCols(n));
+    const std::vector<Index> nearest =
+        nearest_features(embedding.on[1 - s], embedding.on[s].leftCols(n), sets[1 - s].order);
     matches.from[s].assign(sets[s].vertices.begin(), sets[s].vertices.begin() + n);
     for (const Index at : nearest) matches.to[s].push_back(sets[1 - s].vertices[at]);
   }

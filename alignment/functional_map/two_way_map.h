@@ -8,6 +8,7 @@
 /// surfaces C is orthogonal; in general its transpose is taken for the map the other way.
 
 #include "alignment/functional_map/nearest_features.h"
+#include "alignment/spectrum/smoothed_surface.h"
 #include "alignment/spectrum/spectral_shape.h"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ namespace shellmatch {
 
 /// Some vertices of a surface, which are searched for images or have images themselves.
 struct VertexSet {
-  std::vector<Index> vertices;  ///< m
-  Features functions;           ///< k x m: the eigenfunctions there
+  std::vector<Index> vertices;    ///< m
+  Features functions;             ///< k x m: the eigenfunctions there
+  std::vector<Index> order = {};  ///< compact_order() of the functions, or empty
 
   std::size_t size() const { return vertices.size(); }
 };
@@ -29,7 +31,8 @@ inline constexpr std::size_t n_least_landmarks = 4;
 /// Both surfaces at two resolutions.
 struct ShapePairSpectra {
   const SpectralShape* shapes[2];
-  Features functions[2];                           ///< k x n: the eigenfunctions at all vertices, in their order
+  Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
+  SmoothedSurfaces smoothed[2];
   VertexSet coarse[2];                             ///< the vertices of landmarks, then the other samples
   VertexSet dense[2];                              ///< all vertices: those of `coarse`, then the others
   int n_functions;                                 ///< of both

@@ -118,12 +118,12 @@ Index AutomaticPairs::image(Index reference_vertex) const {
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
                           const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   AutomaticPairs result;
-  std::optional<SpectralShape> shapes[2];
   for_both([&](int s) {
     PreparedSurface& prepared = s == 0 ? result.reference : result.template_surface;
     prepared = prepare_surface(s == 0 ? reference : template_surface, options);
-    shapes[s] = make_spectral_shape(prepared.surface, options);
+    result.spectra[s] = std::make_shared<const SpectralShape>(make_spectral_shape(prepared.surface, options));
   });
+  const auto& shapes = result.spectra;
   const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, reference, template_surface, result);
   result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false);
   if (options.mirror) {
@@ -145,6 +145,14 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
   project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);
   return result;
+}
+
+bool fits_mirrored(const SpectralShape& reference, const SpectralShape& template_shape, const AlignmentOptions& options,
+                   double most_score, double most_order) {
+  const SpectralShape mirrored = mirrored_shape(reference);
+  const std::optional<MapCandidate> best =
+      best_map_within(make_shape_pair(mirrored, template_shape), options, most_order);
+  return best && best->order() < most_order && best->total() < most_score;
 }
 
 }  // namespace shellmatch

@@ -6,6 +6,7 @@
 #include "alignment/pairs/corresponding_points.h"
 #include "alignment/spectrum/prepared_surface.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,7 +36,8 @@ struct AutomaticPairs {
       candidates;     ///< at least one; the chosen one first, ascending by order, the mirrored ones behind equals
   double margin = 0;  ///< order of the best other of the same handedness over that of the first; infinite without, 1
                       ///< where ambiguous
-  bool is_ambiguous = false;  ///< spectra are_ambiguous()
+  bool is_ambiguous = false;                        ///< spectra are_ambiguous()
+  std::shared_ptr<const SpectralShape> spectra[2];  ///< of the prepared surfaces
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }
   /// Image of a vertex of the reference as it was given: the nearest vertex of the map at both ends, a vertex of the
@@ -51,5 +53,10 @@ struct AutomaticPairs {
 /// \throws InputError for surfaces without area or with coordinates that are not finite
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
                           const AlignmentOptions& options = {}, std::span<const CorrespondingPoints> landmarks = {});
+
+/// Whether the mirrored reference has a map that is nearly isometric, with a total score below `most_score`, and an
+/// order below `most_order`.
+bool fits_mirrored(const SpectralShape& reference, const SpectralShape& template_shape, const AlignmentOptions& options,
+                   double most_score, double most_order);
 
 }  // namespace shellmatch

@@ -65,6 +65,16 @@ double weighted_median(Pairs pairs, const Pose& pose) {
   return distances.back().first;
 }
 
+/// Whether the weighted median is less than this, which takes no sorting.
+bool median_is_below(Pairs pairs, const Pose& pose, double most) {
+  double below = 0, sum = 0;
+  for (const CorrespondingPoints& p : pairs) {
+    sum += p.weight;
+    if ((pose(p.on_reference) - p.on_template).squaredNorm() < most * most) below += p.weight;
+  }
+  return below >= sum / 2;
+}
+
 /// Reweighted least squares, begun at `pose`.
 Pose improved(Pairs pairs, Pose pose, PoseKind kind, double handedness) {
   std::vector<double> weights(pairs.size());
@@ -97,9 +107,9 @@ std::optional<Pose> best_pose(Pairs pairs, PoseKind kind, double handedness) {
     std::array<CorrespondingPoints, 3> triple;
     for (CorrespondingPoints& p : triple) p = pairs[random() % pairs.size()];
     std::optional<Pose> pose = least_squares(triple, std::array{1.0, 1.0, 1.0}, kind, handedness);
-    if (!pose) continue;
+    if (!pose || !median_is_below(pairs, *pose, best->residual)) continue;
     pose->residual = weighted_median(pairs, *pose);
-    if (pose->residual < best->residual) best = pose;
+    best = pose;
   }
   return improved(pairs, *best, kind, handedness);
 }

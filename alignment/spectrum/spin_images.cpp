@@ -6,6 +6,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double smoothing_time = 6e-4;  // heat flow over about 0.05 roots of the area
 constexpr int n_radii = 3, n_heights = 4, n_angles = 8;
-static_assert(n_radii * n_heights * n_angles == SpinImages::n_entries);
+static_assert(n_radii == 3 && n_radii * n_heights * n_angles == SpinImages::n_entries);
 
 /// After a step of implicit heat flow, of unit length.
 Rows3 smoothed(const Rows3& normals, const SurfaceLaplacian& laplacian) {
@@ -27,43 +28,74 @@ Rows3 smoothed(const Rows3& normals, const SurfaceLaplacian& laplacian) {
   return factor.solve(laplacian.mass.asDiagonal() * normals).rowwise().normalized();
 }
 
-int bin(double position, int n) { return std::clamp(static_cast<int>(position * n), 0, n - 1); }
-
-/// The vertices in ascending order of their first coordinate, in which those near a vertex lie together.
-std::vector<Index> order_along_x(const Rows3& coordinates) {
+/// The vertices in ascending order of one coordinate, in which those near a vertex lie together.
+std::vector<Index> order_along(const Rows3& coordinates, int axis) {
   std::vector<Index> order(static_cast<std::size_t>(coordinates.rows()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return std::pair(coordinates(a, 0), a) < std::pair(coordinates(b, 0), b); });
+            [&](Index a, Index b) { return std::pair(coordinates(a, axis), a) < std::pair(coordinates(b, axis), b); });
   return order;
+}
+
+// The fewer are that far away along one axis, the better.
+int longest_axis(const Rows3& coordinates) {
+  if (coordinates.rows() == 0) return 0;
+  int axis = 0;
+  (coordinates.colwise().maxCoeff() - coordinates.colwise().minCoeff()).maxCoeff(&axis);
+  return axis;
 }
 
 }  // namespace
 
-SpinImages::SpinImages(Rows3 coordinates, Rows3 normals, Eigen::VectorXd areas, double radius)
-    : coordinates_(std::move(coordinates)),
-      normals_(std::move(normals)),
-      areas_(std::move(areas)),
+SpinImages::SpinImages(const Rows3& coordinates, const Rows3& normals, const Eigen::VectorXd& areas, double radius)
+    : axis_(longest_axis(coordinates)),
       radius_(radius),
-      order_(order_along_x(coordinates_)),
-      position_(order_.size()) {
-  for (std::size_t k = 0; k < order_.size(); ++k)
-    position_[static_cast<std::size_t>(order_[k])] = static_cast<Index>(k);
+      order_(order_along(coordinates, axis_)),
+      position_(order_.size()),
+      coordinates_(coordinates.rows(), 3),
+      normals_(coordinates.rows(), 3),
+      areas_(coordinates.rows()) {
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const Index v = order_[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    position_[static_cast<std::size_t>(v)] = at;
+    coordinates_.row(at) = coordinates.row(v);
+    normals_.row(at) = normals.row(v);
+    areas_[at] = static_cast<float>(areas[v]);
+  }
 }
 
+// The entries are computed for many at a time, without branches, and then counted.
 void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
-  const Vec<3> x = coordinates_.row(point), n = normals_.row(point);
-  const auto at = static_cast<std::size_t>(position_[static_cast<std::size_t>(point)]);
-  image.setZero();
-  const auto add = [&](Index other) {
-    const Vec<3> d = coordinates_.row(other).transpose() - x;
-    if (d.squaredNorm() >= radius_ * radius_) return;
-    const int r = bin(d.norm() / radius_, n_radii), h = bin((d.dot(n) / radius_ + 1) / 2, n_heights);
-    const int a = bin((normals_.row(other).dot(n) + 1) / 2, n_angles);
-    image[(r * n_heights + h) * n_angles + a] += static_cast<float>(areas_[other]);
-  };
-  for (std::size_t k = at; k < order_.size() && coordinates_(order_[k], 0) - x[0] < radius_; ++k) add(order_[k]);
-  for (std::size_t k = at; k-- > 0 && x[0] - coordinates_(order_[k], 0) < radius_;) add(order_[k]);
+  constexpr Eigen::Index at_once = 128;
+  constexpr int outside = n_entries;
+  const Eigen::Index at = position_[static_cast<std::size_t>(point)], n = coordinates_.rows();
+  const Vec<3> x = coordinates_.row(at), normal = normals_.row(at);
+  const double *along = &coordinates_(0, axis_), *px = &coordinates_(0, 0), *py = &coordinates_(0, 1),
+               *pz = &coordinates_(0, 2);
+  const double *nx = &normals_(0, 0), *ny = &normals_(0, 1), *nz = &normals_(0, 2);
+  const auto begin = std::upper_bound(along, along + at, x[axis_] - radius_) - along;
+  const auto end = std::lower_bound(along + at, along + n, x[axis_] + radius_) - along;
+  const double radius2 = radius_ * radius_, per_radius = 1 / radius_;
+  std::array<float, n_entries + 1> sums{};
+  std::array<int, at_once> entries;
+  for (Eigen::Index first = begin; first < end; first += at_once) {
+    const Eigen::Index count = std::min(at_once, end - first);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index k = first + i;
+      const double dx = px[k] - x[0], dy = py[k] - x[1], dz = pz[k] - x[2];
+      const double square = dx * dx + dy * dy + dz * dz;
+      const double height = (dx * normal[0] + dy * normal[1] + dz * normal[2]) * per_radius;
+      const double cosine = nx[k] * normal[0] + ny[k] * normal[1] + nz[k] * normal[2];
+      const int r = (9 * square >= radius2 ? 1 : 0) + (9 * square >= 4 * radius2 ? 1 : 0);
+      const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
+      const int a = std::clamp(static_cast<int>((cosine + 1) * (0.5 * n_angles)), 0, n_angles - 1);
+      entries[static_cast<std::size_t>(i)] = square < radius2 ? (r * n_heights + h) * n_angles + a : outside;
+    }
+    for (Eigen::Index i = 0; i < count; ++i)
+      sums[static_cast<std::size_t>(entries[static_cast<std::size_t>(i)])] += areas_[first + i];
+  }
+  image = Eigen::Map<const Eigen::VectorXf>(sums.data(), n_entries);
   image = (image / image.sum()).cwiseSqrt();
 }
 
@@ -71,8 +103,8 @@ Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& l
   Rows3 coordinates(static_cast<Eigen::Index>(surface.vertices.size()), 3);
   for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
-  Rows3 normals = smoothed(vertex_normals(surface.facets, coordinates), laplacian);
-  const SpinImages spin(std::move(coordinates), std::move(normals), laplacian.mass, radius);
+  const Rows3 normals = smoothed(vertex_normals(surface.facets, coordinates), laplacian);
+  const SpinImages spin(coordinates, normals, laplacian.mass, radius);
   Eigen::MatrixXf images(SpinImages::n_entries, static_cast<Eigen::Index>(surface.vertices.size()));
   parallel_for(spin.order().size(), [&](std::size_t k) {
     const Index v = spin.order()[k];

@@ -20,7 +20,7 @@ class SpinImages {
 
   /// \param coordinates, normals n x 3; normals of unit length \param areas n, that the points stand for \param radius
   /// above 0
-  SpinImages(Rows3 coordinates, Rows3 normals, Eigen::VectorXd areas, double radius);
+  SpinImages(const Rows3& coordinates, const Rows3& normals, const Eigen::VectorXd& areas, double radius);
 
   /// \param image of n_entries, is set to zero first
   void compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const;
@@ -28,10 +28,11 @@ class SpinImages {
   const std::vector<Index>& order() const { return order_; }
 
  private:
-  Rows3 coordinates_, normals_;
-  Eigen::VectorXd areas_;
+  int axis_;  ///< along which the points extend farthest
   double radius_;
-  std::vector<Index> order_, position_;  ///< ascending by the first coordinate; where each point stands in that order
+  std::vector<Index> order_, position_;  ///< ascending along the axis; where each point stands in that order
+  Rows3 coordinates_, normals_;          ///< in that order
+  Eigen::VectorXf areas_;
 };
 
 /// Spin images of all vertices (96 x n), along smoothed normals.

@@ -59,6 +59,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
     if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() &&
         outcome.best().score <= options.doubtful_score) {
       Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
+      poses.search.fits_far_better_mirrored = outcome.search.fits_far_better_mirrored;
       if (!poses.choice.is_doubtful) return poses;
     }
   }
@@ -97,9 +98,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   Start<Dim>& best = outcome.best();
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
-    if (!options.search.mirror && options.mode == AlignMode::automatic && !shapes.one_is_part() &&
-        is_worth_mirroring(best, choice))
-      fits_mirrored = fits_far_better_mirrored(shapes, options, best);
+    if (outcome.search.fits_far_better_mirrored && !options.search.mirror && options.mode == AlignMode::automatic &&
+        !shapes.one_is_part() && is_worth_mirroring(best, choice))
+      fits_mirrored = outcome.search.fits_far_better_mirrored(best);
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;
   Alignment<Dim> result;

@@ -7,6 +7,7 @@
 #include "matching/alignment/trial.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,9 @@ struct StartSearch {
       false;  ///< of a part and a whole: coarse trials tell nothing of them, as most of the whole is not reached anyway
   bool is_ambiguous =
       false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
+  /// Whether the mirrored reference has a map that is much better than a start, as where a left bone lies beside a
+  /// right one; empty where none was searched by spectra.
+  std::function<bool(const Start<Dim>&)> fits_far_better_mirrored = {};
 };
 
 struct StartChoice {

@@ -137,6 +137,12 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
   StartSearch<3> search{
       {}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
   search.is_ambiguous = found.is_ambiguous;
+  // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a
+  // wrong one does.
+  search.fits_far_better_mirrored = [reference = found.spectra[0], template_shape = found.spectra[1],
+                                     options](const Start<3>& start) {
+    return fits_mirrored(*reference, *template_shape, options.search, options.doubtful_score, start.order / far_better);
+  };
   for (const auto& [shape, prepared] :
        {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
     if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
@@ -151,16 +157,6 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;
-}
-
-bool fits_far_better_mirrored(const ShapePair<3>& shapes, const AlignOptions& options, const Start<3>& start) {
-  Surface<3> mirrored = shapes.reference.surface;
-  for (Vec<3>& x : mirrored.vertices) x[0] *= -1;
-  for (auto& facet : mirrored.facets) std::swap(facet[1], facet[2]);
-  const PairCandidate best = find_pairs(mirrored, shapes.template_shape.surface, options.search).candidates.front();
-  // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a
-  // wrong one does.
-  return far_better * best.order < start.order && best.score < options.doubtful_score;
 }
 
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>&, const AlignOptions& options) {

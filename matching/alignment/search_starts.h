@@ -16,10 +16,6 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>& landmarks,
                              const AlignOptions& options);
 
-/// Whether the mirrored reference has a map that is much better than this start, as where a left bone lies beside a
-/// right one.
-bool fits_far_better_mirrored(const ShapePair<3>& shapes, const AlignOptions& options, const Start<3>& start);
-
 /// By distance, for surfaces without features: the best pose alone, as others differ from it by what symmetry there is,
 /// which the energy cannot judge. \param landmarks judge it where there are four \throws InputError as
 /// find_rigid_pairs()

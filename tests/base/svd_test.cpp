@@ -44,7 +44,23 @@ TEST(Svd, OfAnyNumberOfRows) {
   check<Eigen::MatrixXd>(Eigen::VectorXd::Constant(1, 7));
 }
 
+TEST(Svd, TheNearestOrthogonalMatrixIsThatOfItsVectors) {
+  std::mt19937 random(5);
+  for (const double least : {1.0, 1e-3, 1e-7, 0.0}) {  // the latter by the decomposition
+    const Eigen::MatrixXd u = random_orthogonal<Eigen::MatrixXd>(30, random),
+                          v = random_orthogonal<Eigen::MatrixXd>(30, random);
+    const Eigen::MatrixXd a = u * Eigen::VectorXd::LinSpaced(30, 5, least).asDiagonal() * v.transpose(),
+                          q = nearest_orthogonal(a);
+    EXPECT_LE((q.transpose() * q - Eigen::MatrixXd::Identity(30, 30)).norm(), 1e-11);
+    EXPECT_NEAR((q.transpose() * a).trace(), Eigen::VectorXd::LinSpaced(30, 5, least).sum(), 1e-10);
+    if (least > 1e-4) {
+      EXPECT_LE((q - u * v.transpose()).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(Svd, OfSquareMatricesOnly) {
+  EXPECT_THROW(nearest_orthogonal(Eigen::MatrixXd::Ones(2, 3)), std::logic_error);
   EXPECT_THROW(jacobi_svd<Eigen::MatrixXd>(Eigen::MatrixXd::Ones(2, 3)), std::logic_error);
 }
 

@@ -49,6 +49,18 @@ TEST_F(KnownMap, TheFunctionalMapCarriesFunctionsThroughIt) {
   EXPECT_LT((carried - shape_2_->functions.leftCols(20)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+TEST_F(KnownMap, SmoothedCopiesAreCombinationsOfFunctions) {
+  for (const int k : {4, 17, 40, 17}) {
+    const Rows3 coefficients = shape_1_->coefficients.topRows(k),
+                expected = shape_1_->functions.leftCols(k) * coefficients;
+    for (const SmoothedSurface& s : {pair_.smoothed[0].with(k), pair_.smoothed[0].combined(coefficients)}) {
+      EXPECT_LT((s.coordinates.topRows(3).transpose().cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-5) << k;
+      const Rows3 normals = vertex_normals(shape_1_->surface.facets, expected);
+      EXPECT_LT((s.normals.topRows(3).transpose().cast<double>() - normals).cwiseAbs().maxCoeff(), 1e-3) << k;
+    }
+  }
+}
+
 TEST_F(KnownMap, TheOrthogonalMapIsOrthogonalForAnyPairsAndTheSameForTrueOnes) {
   EXPECT_LT((orthogonal_map(pair_, truth_, 20) - functional_map(pair_, truth_, 20)).cwiseAbs().maxCoeff(), 1e-4);
   VertexMatches wrong = truth_;

@@ -279,5 +279,20 @@ TEST(FindPairs, SurfacesThatCannotBeMatchedAreRefused) {
   EXPECT_THROW(find_pairs(broken, hand(), quick()), InputError);
 }
 
+TEST(FindPairs, TellWhetherTheMirroredReferenceFits) {
+  const Surface<3> left = test::mapped<3>(test::unit_sphere(4), [](const Vec<3>& x) {
+    return Vec<3>(1.6 * x[0], x[1] * (1 + 0.3 * x[0]), 0.8 * x[2] + 0.3 * x[0] * x[0] + 0.2 * x[1] * x[0]);
+  });
+  Surface<3> right = test::mapped<3>(left, [](const Vec<3>& x) { return Vec<3>(-x[0], x[1], x[2]); });
+  for (auto& facet : right.facets) std::swap(facet[1], facet[2]);
+  const AutomaticPairs same = find_pairs(left, left, quick()), other = find_pairs(left, right, quick());
+  const auto fits = [&](const AutomaticPairs& found, double most_order) {
+    return fits_mirrored(*found.spectra[0], *found.spectra[1], quick(), 0.3, most_order);
+  };
+  EXPECT_TRUE(fits(other, other.candidates[0].order / 3));
+  EXPECT_FALSE(fits(same, other.candidates[0].order / 3));
+  EXPECT_FALSE(fits(other, 0));
+}
+
 }  // namespace
 }  // namespace shellmatch
