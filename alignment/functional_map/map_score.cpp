@@ -87,7 +87,7 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
     squares += weight * b.head(k).squaredNorm();
     score.orientation +=
         weight * (1 - normal_scale * (a.segment(k, 3).dot(b.segment(k, 3)) + a.tail(3).dot(b.tail(3)))) / 2;
-    const auto u = shape_1.signature.row(p), v = shape_2.signature.row(q);
+    const auto u = pair.signatures[0].col(p), v = pair.signatures[1].col(q);
     score.signature += weight * ((u - v).cwiseAbs().array() / (u + v).array()).mean();
     score.spin += weight * (shape_1.spin.col(p) - shape_2.spin.col(q)).squaredNorm();
   }

@@ -38,6 +38,7 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
   ShapePairSpectra pair{.shapes = {&shape_1, &shape_2},
                         .functions = {},
                         .smoothed = {{shape_1, n_functions}, {shape_2, n_functions}},
+                        .signatures = {shape_1.signature.transpose(), shape_2.signature.transpose()},
                         .coarse = {},
                         .dense = {},
                         .n_functions = n_functions,

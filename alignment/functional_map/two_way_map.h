@@ -33,6 +33,7 @@ struct ShapePairSpectra {
   const SpectralShape* shapes[2];
   Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
   SmoothedSurfaces smoothed[2];
+  Eigen::MatrixXd signatures[2];                   ///< m x n: SpectralShape::signature, a column for each vertex
   VertexSet coarse[2];                             ///< the vertices of landmarks, then the other samples
   VertexSet dense[2];                              ///< all vertices: those of `coarse`, then the others
   int n_functions;                                 ///< of both

@@ -83,8 +83,11 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
                                const AlignmentOptions& options) {
   const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
   const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
-  const std::vector<Index> samples = farthest_point_samples(pair.shapes[0]->graph, pair.shapes[0]->samples[0],
-                                                            static_cast<std::size_t>(options.pairs));
+  const auto n_samples = static_cast<std::size_t>(options.pairs);
+  // The first of many such samples are such samples, too.
+  std::vector<Index> samples = pair.shapes[0]->samples;
+  if (samples.size() < n_samples) samples = farthest_point_samples(pair.shapes[0]->graph, samples[0], n_samples);
+  else samples.resize(n_samples);
   const std::vector<std::vector<Index>> around = facets_around(surface_2);
   const Embedding embedding = dense_embedding(pair, candidate.c);
   std::vector<Vec<3>> points, images_2;
