@@ -1,5 +1,7 @@
 #include "alignment/outline/closed_curve.h"
 
+#include "geometry/surface/pseudonormals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -88,7 +90,7 @@ ClosedCurve smoothed_curve(const std::vector<Vec<2>>& polygon, std::size_t n, do
     curve.on_input.push_back(point_at(fine, place));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec<2> along = (curve.points[(i + 1) % n] - curve.points[(i + n - 1) % n]).stableNormalized();
+    const Vec<2> along = unit_or_zero<2>(curve.points[(i + 1) % n] - curve.points[(i + n - 1) % n]);
     curve.normals.push_back({along.y(), -along.x()});
     for (std::size_t s = 0; s < chords.size(); ++s) {
       const auto h = std::max<std::size_t>(1, static_cast<std::size_t>(chords[s] * static_cast<double>(n) + 0.5));

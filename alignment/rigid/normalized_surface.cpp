@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/surface/facet_point.h"
+#include "geometry/surface/pseudonormals.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -47,7 +48,7 @@ NormalizedSurface::NormalizedSurface(const Surface<3>& input) : surface_(input) 
   axes_ = Eigen::SelfAdjointEigenSolver<Mat<3>>(moments).eigenvectors();
   if (axes_.determinant() < 0) axes_.col(0) *= -1;
   for (std::size_t f = 0; f < input.facets.size(); ++f)
-    normals_.push_back(facet_normal(surface_, static_cast<Index>(f)).stableNormalized());
+    normals_.push_back(unit_or_zero<3>(facet_normal(surface_, static_cast<Index>(f))));
   tree_.emplace(surface_);
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/polydata/write_polydata.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/mesh_details.h"
+#include "geometry/surface/pseudonormals.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -173,7 +174,7 @@ void write_stl(const std::string& path, const OriginalShape<3>& shape, Existing 
   append(static_cast<std::uint32_t>(triangles.size()));
   for (const auto& [a, b, c] : triangles) {
     const Vec<3>&xa = shape.vertices[a], &xb = shape.vertices[b], &xc = shape.vertices[c];
-    const Vec<3> normal = (xb - xa).cross(xc - xa).stableNormalized();
+    const Vec<3> normal = unit_or_zero<3>((xb - xa).cross(xc - xa));
     for (const Vec<3>& x : {normal, xa, xb, xc})
       for (int k = 0; k < 3; ++k) append(static_cast<float>(x[k]));
     append(std::uint16_t{0});

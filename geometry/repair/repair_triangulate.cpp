@@ -2,6 +2,8 @@
 // Meisters, 'Polygons have ears', American Mathematical Monthly 82(6), 1975.
 #include "geometry/repair/repair_steps.h"
 
+#include "geometry/surface/pseudonormals.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ double turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
 std::vector<Vec<2>> flattened(const std::vector<Vec<3>>& x) {
   Vec<3> area = Vec<3>::Zero();
   for (std::size_t i = 1; i + 1 < x.size(); ++i) area += (x[i] - x[0]).cross(x[i + 1] - x[0]);
-  const Vec<3> normal = area.stableNormalized();
+  const Vec<3> normal = unit_or_zero(area);
   const Vec<3> u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Vec<2>> flat;
   for (const Vec<3>& p : x) flat.emplace_back(u.dot(p - x[0]), v.dot(p - x[0]));

@@ -14,15 +14,6 @@ namespace shellmatch {
 
 namespace {
 
-// Eigen's stableNorm() has other last bits at other addresses.
-template <int Dim>
-Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
-  const double largest = x.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) return Vec<Dim>::Zero();
-  const Vec<Dim> scaled = x / largest;
-  return scaled / scaled.norm();
-}
-
 /// Angle of facet f at its corner i. In the plane all segments have equal weight at their ends.
 double corner_angle(const Surface<2>&, Index, int) { return 1; }
 

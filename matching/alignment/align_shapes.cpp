@@ -127,7 +127,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
         "turned over? "
         "--set align.search.mirror=true mirrors it");
   std::string why;
-  if (choice.n_tried > 1)
+  if (choice.n_tried > 0)
     why += fmt::format(", chosen among {} by {}", choice.n_tried,
                        Dim == 2 ? "score and energy reached" : "the likeness of what corresponds after a trial");
   if (best.landmark_distance)

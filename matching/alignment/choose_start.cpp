@@ -113,17 +113,19 @@ class Choosing {
 
   // Where descriptors on the surfaces leave it open, the likeness of what corresponds after a trial decides.
   void by_likeness(StartChoice& choice) {
-    const double most = clear_margin * starts_[choice.index].order;
+    const Start<Dim>& first = starts_[choice.index];
+    std::vector<std::size_t> close;
+    for (const std::size_t i : usable_)
+      if (i != choice.index && starts_[i].order < clear_margin * first.order &&
+          starts_[i].is_mirrored == first.is_mirrored)
+        close.push_back(i);
+    if (close.empty()) return;
+    choice.n_tried = 1 + close.size();
     const auto difference = [&](std::size_t i) {
       return trial(i).spin_difference.value_or(std::numeric_limits<double>::infinity());
     };
     double least = difference(choice.index) / clearly_more_alike;
-    choice.n_tried = 1;
-    for (const std::size_t i : usable_) {
-      if (i == usable_.front() || starts_[i].order >= most ||
-          starts_[i].is_mirrored != starts_[usable_.front()].is_mirrored)
-        continue;
-      ++choice.n_tried;
+    for (const std::size_t i : close) {
       if (difference(i) >= least) continue;
       least = difference(i);
       choice.index = i;

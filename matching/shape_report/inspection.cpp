@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "geometry/distance/buried_parts.h"
 #include "geometry/surface/placement.h"
+#include "geometry/surface/pseudonormals.h"
 #include "geometry/surface/topology.h"
 #include "matching/experiment/finest_level.h"
 #include "matching/experiment/options.h"
@@ -34,7 +35,7 @@ std::vector<Bend> bends(const Surface<Dim>& s) {
   std::vector<Vec<Dim>> normals(s.vertices.size(), Vec<Dim>::Zero());
   for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f)
     for (const Index v : s.facets[f]) normals[v] += facet_normal(s, f);
-  for (Vec<Dim>& n : normals) n.stableNormalize();
+  for (Vec<Dim>& n : normals) n = unit_or_zero(n);
   std::vector<Bend> result;
   for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
     double curvature = 0;
