@@ -98,6 +98,11 @@ class Texts(unittest.TestCase):
         self.assertIsNone(machine.search("docs/ho" "me/page, ${root}/t" "mp/x and /usr/share/doc"))
         self.assertIsNotNone(machine.search("cd /ho" "me/somebody"))
 
+    def test_bits_do_not_depend_on_addresses(self):
+        """Eigen's stable norms (3.4) have other last bits at other addresses; unit_or_zero() has not."""
+        used = [str(f) for f in files(root, ".h", ".cpp") if re.search(r"\.stableNorm", f.read_text())]
+        self.assertEqual(used, [])
+
 
 if __name__ == "__main__":
     unittest.main()
