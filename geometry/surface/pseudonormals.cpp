@@ -12,6 +12,17 @@
 
 namespace shellmatch {
 
+template <int Dim>
+Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
+  const double largest = x.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return Vec<Dim>::Zero();
+  const Vec<Dim> scaled = x / largest;
+  return scaled / scaled.norm();
+}
+
+template Vec<2> unit_or_zero<2>(const Vec<2>&);
+template Vec<3> unit_or_zero<3>(const Vec<3>&);
+
 namespace {
 
 /// Angle of facet f at its corner i. In the plane all segments have equal weight at their ends.

@@ -12,14 +12,9 @@
 namespace shellmatch {
 
 /// x / |x| without overflow or underflow of squares; 0 for x = 0, and where x is not a number. It has the same bits
-/// wherever x lies in memory, other than Eigen's stableNormalized() (3.4).
+/// wherever x lies in memory, other than Eigen's stableNormalized() (3.4), and being compiled once, in every program.
 template <int Dim>
-Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
-  const double largest = x.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) return Vec<Dim>::Zero();
-  const Vec<Dim> scaled = x / largest;
-  return scaled / scaled.norm();
-}
+Vec<Dim> unit_or_zero(const Vec<Dim>& x);
 
 template <int Dim>
 class Pseudonormals {
