@@ -6,6 +6,7 @@
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/surface.h"
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -63,6 +64,13 @@ class ObservedPart {
   struct Parts {
     Part observed, unobserved;
     std::vector<double> half_widths;  ///< for each unobserved facet that of its connected part
+    /// A lattice of cubes over the surface; in each no margin is smaller than `least_margins`.
+    Vec<Dim> corner;
+    double side;
+    std::array<int, Dim> n_cells;
+    std::vector<float> least_margins;
+    void bound_margins();
+    float least_margin_near(const Vec<Dim>& x) const;
   };
   std::shared_ptr<const Parts> parts_;
   double scale_ = 0;  ///< diagonal of the observed part
