@@ -62,19 +62,24 @@ class Activity {
   /// `n` steps are done since the beginning. Asks whether to stop.
   void done(std::size_t n);
 
+  /// What went before is done, and the next `n` steps begin: activities that they begin tell how much of them is done.
+  /// Asks whether to stop.
+  void next(std::size_t n = 1);
+
  private:
   std::size_t n_steps_;
   std::size_t id_;
 };
 
-/// An activity as it is at the moment.
+/// What is done at the moment.
 struct ActivityState {
-  std::string name;
-  double share = 0;  ///< of the steps that are done; 0 where they are not counted
-  std::chrono::steady_clock::time_point begin;
+  std::string name;  ///< of the activity that was begun last, of all threads
+  /// How much of the outermost activity is done whose steps are counted, those within it taken along; 0 without any.
+  double share = 0;
+  std::chrono::steady_clock::time_point begin;  ///< of that one
 };
 
-/// The one that was begun last, of all threads; nothing where there is none.
+/// Nothing where there is no activity.
 std::optional<ActivityState> last_activity();
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "matching/match_placed_shapes.h"
 
+#include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
@@ -215,6 +216,8 @@ class Matching {
 
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
+    Activity measuring("measuring", 6);
+    measuring.next();
     Deformation<Dim> map{inputs_.prepared.frame(), std::move(cascade.grid), std::move(cascade.phi)};
     const ReferenceMap<Dim> carry =
         reference_map(map.grid, map.phi);  // not to be used once the map moves into the result
@@ -224,15 +227,18 @@ class Matching {
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(carry, all_points);
     add_distortions(deformed);
+    measuring.next(3);
     summary_.spin_difference =
         spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
                              summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
+    measuring.next();
     OriginalShape<Dim> moved =
         deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface),
                           map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
     add_correspondence_error(moved);
+    measuring.next();
     const SignedDistance<Dim> deformed_distance(deformed);
     OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed_distance);
     add_observed(moved, covered, map, deformed);

@@ -25,12 +25,12 @@ void RunCheckpoints<Dim>::open(const std::string& output, RunIdentity identity) 
 }
 
 template <int Dim>
-std::optional<MatchProgress<Dim>> RunCheckpoints<Dim>::read(std::size_t n_vertices, const std::string& pictures) {
-  if (!folder_) return std::nullopt;
+EarlierProgress<Dim> RunCheckpoints<Dim>::read(std::size_t n_vertices, const std::string& pictures) {
+  if (!folder_) return {};
   std::string obstacle = folder_->obstacle();
-  std::optional<MatchProgress<Dim>> checkpoint;
+  EarlierProgress<Dim> earlier;
   try {
-    if (obstacle.empty()) checkpoint = folder_->read<Dim>(n_vertices);
+    if (obstacle.empty()) earlier = {folder_->read_alignment<Dim>(), folder_->read<Dim>(n_vertices)};
   } catch (const InputError& error) {
     obstacle = fmt::format("it cannot be read ({})", error.what());
   }
@@ -38,53 +38,83 @@ std::optional<MatchProgress<Dim>> RunCheckpoints<Dim>::read(std::size_t n_vertic
     recorder_.note(
         fmt::format("{}: {}; the run begins anew{}", folder_->path(), obstacle,
                     folder_->foreign_text().empty() ? " and replaces that folder once it keeps a level" : ""));
-  if (!checkpoint) return std::nullopt;
-  level_ = checkpoint->summary.levels.back().level;
-  recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", level_, folder_->path(),
-                             checkpoint->summary.run.seconds));
-  folder_->copy_pictures(pictures);
-  return checkpoint;
+  n_findings_ = earlier.findings.size();
+  if (earlier.levels) {
+    level_ = earlier.levels->summary.levels.back().level;
+    recorder_.note(fmt::format("going on after level {}, kept in {} ({:.3g} s of work)", *level_, folder_->path(),
+                               earlier.levels->summary.run.seconds));
+    folder_->copy_pictures(pictures);
+  } else if (n_findings_ > 0) {
+    level_ = 0;
+    const double seconds = earlier.findings.seconds();
+    recorder_.note(fmt::format("going on with what the alignment has found, kept in {} ({:.3g} s of work)",
+                               folder_->path(), seconds));
+    RunFigures before;
+    before.seconds = seconds;
+    before.phase_seconds = {{"alignment", seconds}};
+    clock_.add_earlier(before);
+  }
+  return earlier;
 }
 
 template <int Dim>
-void RunCheckpoints<Dim>::write(const LevelEnd<Dim>& end, const std::string& pictures) {
+void RunCheckpoints<Dim>::write(const LevelEnd<Dim>& end, const AlignmentFindings<Dim>& findings,
+                                const std::string& pictures) {
   if (!folder_ || end.level.last.reason == StopReason::interrupted) return;
-  const double begin = clock_.seconds();
-  if (begin - last_written_ < options_.min_seconds) return;
+  if (clock_.seconds() - last_written_ < options_.min_seconds) return;
   MatchSummary s = end.summary;
   s.interrupted = true;
   s.distance = s.levels.back().distance;
   clock_.state(s.run);
   const int level = end.level.start.level;
-  try {
-    folder_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s, end.levels}, pictures);
-    level_ = level;
-  } catch (const InputError& error) {
-    note_failure(level, error.what());
-  } catch (const EnvironmentError& error) {
-    note_failure(level, error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
-    note_failure(level, error.what());
-  } catch (const std::bad_alloc&) {
-    note_failure(level, "not enough memory");
-  }
-  last_written_ = clock_.seconds();
-  clock_.phases["keeping"] += last_written_ - begin;
+  const double begin = clock_.seconds();
+  try_to_write(level, fmt::format("level {} is", level), [&] {
+    folder_->write<Dim>({end.state.grid, end.state.phi, end.prepared.frame(), end.history, s, end.levels, findings},
+                        pictures);
+  });
   // Writing runs within the phase output, which therefore counts it too.
-  clock_.phases["output"] -= last_written_ - begin;
+  clock_.phases["output"] -= clock_.seconds() - begin;
+}
+
+template <int Dim>
+void RunCheckpoints<Dim>::write(const AlignmentFindings<Dim>& findings, double least_share) {
+  if (!folder_ || findings.size() == n_findings_) return;
+  if (findings.seconds() < least_share * options_.min_seconds || folder_->level() > 0) return;
+  try_to_write(0, "what the alignment has found is", [&] {
+    folder_->write(findings);
+    n_findings_ = findings.size();
+  });
 }
 
 template <int Dim>
 void RunCheckpoints<Dim>::remove() {
-  if (!folder_ || (level_ == 0 && !folder_->obstacle().empty())) return;
+  if (!folder_ || (!level_ && !folder_->obstacle().empty())) return;
   const std::string text = folder_->foreign_text();
   folder_->remove();
   if (!text.empty()) recorder_.note(fmt::format("{}: {}; that folder is not removed", folder_->path(), text));
 }
 
 template <int Dim>
-void RunCheckpoints<Dim>::note_failure(int level, const std::string& why) {
-  recorder_.note(fmt::format("level {} is not kept for the case that the run is stopped: {}", level, why));
+template <class Write>
+void RunCheckpoints<Dim>::try_to_write(int level, const std::string& what, const Write& write) {
+  const double begin = clock_.seconds();
+  const auto note_failure = [&](const std::string& why) {
+    recorder_.note(fmt::format("{} not kept for the case that the run is stopped: {}", what, why));
+  };
+  try {
+    write();
+    level_ = level;
+  } catch (const InputError& error) {
+    note_failure(error.what());
+  } catch (const EnvironmentError& error) {
+    note_failure(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    note_failure(error.what());
+  } catch (const std::bad_alloc&) {
+    note_failure("not enough memory");
+  }
+  last_written_ = clock_.seconds();
+  clock_.phases["keeping"] += last_written_ - begin;
 }
 
 template class RunCheckpoints<2>;

@@ -47,15 +47,15 @@ class Run {
     try {
       return match(restart);
     } catch (const LevelTooLarge& stopped) {
-      throw Stopped(fmt::format("{}: {}", stopped.what(), stopped_text()), stopped.cause());
+      throw Stopped(fmt::format("{}: {}", stopped.what(), keep_and_tell()), stopped.cause());
     } catch (const Stopped& stopped) {
-      throw Stopped(stopped_text(), stopped.cause());
+      throw Stopped(keep_and_tell(), stopped.cause());
     } catch (const MemoryError& want) {
       if (memory_limit_bytes() == 0) throw;
-      throw Stopped(fmt::format("{}: {}", want.what(), stopped_text()), StopCause::memory_limit);
+      throw Stopped(fmt::format("{}: {}", want.what(), keep_and_tell()), StopCause::memory_limit);
     } catch (const std::bad_alloc&) {
-      if (memory_limit_bytes() > 0) throw Stopped(stopped_text(), StopCause::memory_limit);
-      throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", stopped_text());
+      if (memory_limit_bytes() > 0) throw Stopped(keep_and_tell(), StopCause::memory_limit);
+      throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", keep_and_tell());
     }
   }
 
@@ -74,20 +74,23 @@ class Run {
     // A uniform grid of the coarsest level, which all grids hold: what cannot fit is refused before alignment tries
     // starts on it.
     check_size<Dim>({}, options_.cascade.min_level, options_.cascade.max_level, folder_.final_path());
-    prepare();
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
-    check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
-                    options_.cascade.max_level, folder_.final_path());
     // With start.map there are no checkpoints: the identity of a run does not cover the contents of that file.
     if (options_.resume.enabled && options_.start.map.empty()) {
       checkpoints_.open(folder_.final_path(),
                         run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
-      if (!restart)
-        inputs_.checkpoint = checkpoints_.read(reference.surface.vertices.size(), folder_.path_of("pictures"));
+      if (!restart) {
+        auto [findings, levels] = checkpoints_.read(reference.surface.vertices.size(), folder_.path_of("pictures"));
+        findings_ = std::move(findings);
+        inputs_.checkpoint = std::move(levels);
+      }
     }
+    prepare();
+    check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
+                    options_.cascade.max_level, folder_.final_path());
     inputs_.finished = [this](const LevelEnd<Dim>& end) {
       if (options_.pictures == Pictures::all) picture(end);
-      checkpoints_.write(end, folder_.path_of("pictures"));
+      checkpoints_.write(end, findings_, folder_.path_of("pictures"));
     };
     MatchResult<Dim> result = match_placed_shapes(std::move(inputs_), options_, recorder_, clock_);
     write(result);
@@ -99,7 +102,10 @@ class Run {
     if (!options_.start.map.empty() && begin_with(read_deformation<Dim>(options_.start.map))) return;
     if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic)
       phase.start("alignment");
-    inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_);
+    aligning_ = true;
+    inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_, findings_);
+    aligning_ = false;
+    checkpoints_.write(findings_, 1);
   }
 
   // False where the shapes do not lie where those of the earlier map do.
@@ -142,14 +148,22 @@ class Run {
     if (!result.summary.interrupted) checkpoints_.remove();
   }
 
-  std::string stopped_text() const {
-    const std::string where = writing_ ? "while the result was written"
+  // Where the run is stopped, what is kept and how to go on.
+  std::string keep_and_tell() {
+    // Of a run that ends here, a tenth of what would be kept on the way.
+    if (recorder_.level == 0) checkpoints_.write(findings_, 0.1);
+    const std::string where = writing_    ? "while the result was written"
+                              : aligning_ ? "in the alignment"
                               : recorder_.level == 0
                                   ? "before the first level"
                                   : fmt::format("in level {} of {}", recorder_.level, options_.cascade.max_level);
-    if (checkpoints_.level() == 0) return fmt::format("stopped {}; nothing was written", where);
-    return fmt::format("stopped {}; level {} is kept in {}: the same command goes on from there", where,
-                       checkpoints_.level(), checkpoints_.path());
+    const std::optional<int> level = checkpoints_.level();
+    if (!level) return fmt::format("stopped {}; nothing was written", where);
+    return fmt::format("stopped {}; {} kept in {}: the same command goes on from there", where,
+                       *level > 0  ? fmt::format("level {} is", *level)
+                       : aligning_ ? "what was found so far is"
+                                   : "the alignment is",
+                       checkpoints_.path());
   }
 
   void picture(const LevelEnd<Dim>& end) {
@@ -181,7 +195,8 @@ class Run {
   RunClock& clock_;
   MatchInputs<Dim> inputs_;  // moved from when the matching starts
   RunCheckpoints<Dim> checkpoints_;
-  bool writing_ = false;
+  AlignmentFindings<Dim> findings_;
+  bool aligning_ = false, writing_ = false;
 };
 
 }  // namespace

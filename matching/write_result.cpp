@@ -37,7 +37,10 @@ void write_pictures(const MatchResult<Dim>& result, OutputFolder& folder, Observ
       picture.phi = &result.map.phi;
     }
   }
+  Activity drawing("pictures", 4);
+  drawing.next(3);
   draw(folder, "pictures/result.png", observer, [&](const std::string& path) { write_level_picture(picture, path); });
+  drawing.next();
   if constexpr (Dim == 3)
     draw(folder, "pictures/grid.png", observer, [&](const std::string& path) {
       write_grid_picture(result.map.grid, s.reference, s.template_shape,
@@ -106,8 +109,12 @@ void draw(OutputFolder& folder, const std::string& name, Observer& observer,
 template <int Dim>
 void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions& options, OutputFolder& folder,
                         Observer& observer) {
-  if (options.pictures != Pictures::none) write_pictures(result, folder, observer);
-  const Activity writing("files");
+  Activity writing("writing", options.pictures != Pictures::none ? 10 : 3);
+  if (options.pictures != Pictures::none) {
+    writing.next(7);
+    write_pictures(result, folder, observer);
+  }
+  writing.next(2);
   if constexpr (Dim == 3) {
     write_ply(folder.path_of("deformed.ply"), result.deformed);
     write_ply(folder.path_of("template.ply"), result.template_shape);
@@ -118,6 +125,7 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
   } else {
     write_outlines(result, folder);
   }
+  writing.next();
   write_deformation(
       folder.path_of(deformation_file_name), result.map,
       nodal_fields(result.moving_fields, result.target_fields, options),

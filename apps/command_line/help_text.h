@@ -46,9 +46,9 @@ inline constexpr const char* output_footer = R"(
 The output folder holds the deformed reference (deformed.ply, or deformed.csv for contours) with the nearest points of the
 template, the template with its distance to it (template.ply, template.csv), the deformation (deformation.vtu, for ParaView and `shellmatch apply`), history.csv, summary.json, config.yaml, pictures/ and report.html, a page to look at it all.
 It is written as a whole at the end. A folder that exists and is not empty is left alone and an error; --force
-replaces it if it is the output of an earlier run, and never anything else. While a run works, the last
-finished level is kept in DIR.unfinished: where it was stopped or killed the same command goes on from there; --restart
-begins anew.)";
+replaces it if it is the output of an earlier run, and never anything else. While a run works, the
+alignment and the last finished level are kept in DIR.unfinished: where it was stopped or killed the same command goes
+on from there; --restart begins anew.)";
 
 inline constexpr const char* generate = "Write one of the built-in shapes to a file.";
 

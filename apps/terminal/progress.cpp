@@ -86,7 +86,10 @@ std::string Progress::left() const {
 // What takes long without a word says how long, and what of it is done (base/stop.h).
 void Progress::beat() {
   const std::lock_guard lock(mutex_);
-  if (doing_.empty() || now() - last_rewrite_ < 0.9) return;
+  if (!doing_.empty() && now() - last_rewrite_ >= 0.9) show_activity();
+}
+
+void Progress::show_activity() {
   const std::optional<ActivityState> activity = last_activity();
   const std::string part = activity && activity->name != doing_ ? ", " + activity->name : "";
   const double here = now() - doing_since_;
@@ -119,9 +122,7 @@ void Progress::stage(const std::string& name) {
 void Progress::trial_iterated() {
   stop_if_wanted();
   const std::lock_guard lock(mutex_);
-  doing_ = "alignment, starts are tried";
-  if (terminal_ && now() - last_rewrite_ > 0.1)
-    rewrite(fmt::format("alignment: starts are tried, {:.0f} s so far", now()));
+  if (terminal_ && now() - last_rewrite_ > 0.1) show_activity();
 }
 
 void Progress::minimisation_started(const LevelStart& start) {

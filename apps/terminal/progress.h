@@ -42,6 +42,7 @@ class Progress final : public Observer {
   void rewrite(const std::string& text);  // writes a line that the next one replaces
   void clear();
   void beat();
+  void show_activity();
   std::string left() const;  // the estimate with a comma before it, or nothing
 
   Verbosity verbosity_;

@@ -1,6 +1,7 @@
 #include "geometry/io/read_shape.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "geometry/io/input_file.h"
 #include "geometry/io/part_name.h"
 #include "geometry/io/picture_height.h"
@@ -119,7 +120,10 @@ OriginalShape<Dim> points_of_tps(const std::vector<TpsSpecimen>& specimens, cons
 }
 
 Shape<3> mesh_of(const InputFile& file, Closing closing = Closing::never) {
+  Activity reading("reading", 10);
+  reading.next(4);
   MeshFile mesh = parse_mesh(file);
+  reading.next(6);
   Shape<3> shape = make_shape(std::move(mesh.shape), file.path(), std::move(mesh.notes), closing);
   shape.unit = std::move(mesh.unit);
   return shape;

@@ -117,7 +117,8 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   if (original.polygons.empty())
     throw_input_error("{}: no faces, only {}; a closed surface is needed", source,
                       counted(original.vertices.size(), "vertex", "vertices"));
-  Activity mending("mending");
+  Activity mending("mending", 5);
+  mending.next();
   Notes notes(note_list);
   std::size_t n_given_up = 0;
   Surface<3> surface{original.vertices, triangulate(original, nullptr, &n_given_up)};
@@ -128,7 +129,7 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
             "with too many crossings of the edges split into triangles that overlap");
   notes.add(remove_unused_vertices(surface), "unused vertex", "unused vertices", "left out");
   notes.add(weld_seams(surface), "duplicate vertex", "duplicate vertices", "welded");
-  stop_if_wanted();
+  mending.next();
   const auto [n_collapsed, n_copies] = remove_repetitions(surface);
   notes.add(n_collapsed, "triangle", "triangles", "with a repeated corner removed");
   notes.add(n_copies, "repeated triangle", "repeated triangles", "removed");
@@ -136,7 +137,7 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   const double negligible = negligible_length(surface.vertices);
   const bool automatic = closing == Closing::automatic;
   if (!automatic) check_closed(surface, source);
-  stop_if_wanted();
+  mending.next();
   std::size_t n_flat = dissolve_flat_triangles(surface, negligible);
   Closure closure;
   if (automatic) {
@@ -158,10 +159,10 @@ MendedSurface mend(const OriginalShape<3>& original, const std::string& source, 
   notes.add(orientation.n_split, "vertex", "vertices", "added where the surface touches itself");
   if (flat_triangles(surface, 0).size() == surface.facets.size())
     throw_input_error("{}: the surface encloses no volume; its faces have no area", source);
-  stop_if_wanted();
+  mending.next();
   n_flat += dissolve_flat_triangles(surface, negligible);
   notes.add(n_flat, "triangle", "triangles", "without area removed");
-  stop_if_wanted();
+  mending.next();
   orient_outward(surface, source, notes);
   remove_unused_vertices(surface);
   std::vector<Index> crossing;

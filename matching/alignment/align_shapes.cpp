@@ -49,16 +49,32 @@ Outcome<Dim> choice_among(StartSearch<Dim> search, const AlignOptions& options, 
   return {std::move(search), choice};
 }
 
+/// Spectra are large, and are computed again where an earlier search has left none.
+template <int Dim>
+StartSearch<Dim> search_by_pairs(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                                 const AlignOptions& options, AlignmentFindings<Dim>& findings) {
+  const auto search = [&] { return search_starts(shapes, landmarks, options); };
+  StartSearch<Dim> result = findings.by_pairs.next(search, [](StartSearch<Dim> found) {
+    found.fits_far_better_mirrored = nullptr;
+    return found;
+  });
+  if constexpr (Dim == 3)
+    if (!result.fits_far_better_mirrored && !result.is_of_part)
+      result.fits_far_better_mirrored = [search](const Start<3>& s) { return search().fits_far_better_mirrored(s); };
+  return result;
+}
+
 template <int Dim>
 Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                               const AlignOptions& options, Trials<Dim>& trials) {
-  Outcome<Dim> outcome = choice_among(search_starts(shapes, landmarks, options), options, trials);
+                               const AlignOptions& options, Trials<Dim>& trials, AlignmentFindings<Dim>& findings) {
+  Outcome<Dim> outcome = choice_among(search_by_pairs(shapes, landmarks, options, findings), options, trials);
   if constexpr (Dim == 3) {
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they
     // may not.
     if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() &&
         outcome.best().score <= options.doubtful_score) {
-      Outcome<3> poses = choice_among(search_poses(shapes, landmarks, options), options, trials);
+      Outcome<3> poses = choice_among(findings.by_poses.next([&] { return search_poses(shapes, landmarks, options); }),
+                                      options, trials);
       poses.search.fits_far_better_mirrored = outcome.search.fits_far_better_mirrored;
       if (!poses.choice.is_doubtful) return poses;
     }
@@ -91,8 +107,10 @@ std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& 
 
 template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                      const AlignOptions& options, Trials<Dim> trials, Observer& observer) {
-  Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials);
+                      const ExperimentOptions& experiment, Observer& observer, AlignmentFindings<Dim>& findings) {
+  const AlignOptions& options = experiment.align;
+  Trials<Dim> trials(shapes, landmarks, experiment, observer, &findings.trials);
+  Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials, findings);
   for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
   Start<Dim>& best = outcome.best();
@@ -100,7 +118,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if constexpr (Dim == 3)
     if (outcome.search.fits_far_better_mirrored && !options.search.mirror && options.mode == AlignMode::automatic &&
         !shapes.one_is_part() && is_worth_mirroring(best, choice))
-      fits_mirrored = outcome.search.fits_far_better_mirrored(best);
+      fits_mirrored = findings.fits_mirrored.next([&] { return outcome.search.fits_far_better_mirrored(best); });
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;
   Alignment<Dim> result;
@@ -160,9 +178,10 @@ Alignment<Dim> as_it_lies(const std::string& why, Observer& observer) {
 // With align.mode auto: a shape for which no pairs can be searched is matched without.
 template <int Dim>
 Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                                  const ExperimentOptions& options, Observer& observer) {
+                                  const ExperimentOptions& options, Observer& observer,
+                                  AlignmentFindings<Dim>& findings) {
   try {
-    return search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
+    return search(shapes, landmarks, options, observer, findings);
   } catch (const InputError& error) {
     return as_it_lies<Dim>(error.what(), observer);
   }
@@ -195,22 +214,21 @@ AlignMode align_mode(const ExperimentOptions& options) {
 
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer) {
+                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings) {
   const AlignMode mode = align_mode(options);
   if (mode == AlignMode::none) return {};
   observer.stage("alignment");
-  Alignment<Dim> result =
-      mode == AlignMode::automatic ? search_if_possible(shapes, landmarks, options, observer)
-      : mode == AlignMode::landmarks
-          ? by_landmarks(landmarks, options.align, observer)
-          : search(shapes, landmarks, options.align, Trials<Dim>(shapes, landmarks, options, observer), observer);
+  Alignment<Dim> result = mode == AlignMode::automatic
+                              ? search_if_possible(shapes, landmarks, options, observer, findings)
+                          : mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
+                                                         : search(shapes, landmarks, options, observer, findings);
   result.summary->mode = enum_name(mode);
   return result;
 }
 
 template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&,
-                                      Observer&);
+                                      Observer&, AlignmentFindings<2>&);
 template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&,
-                                      Observer&);
+                                      Observer&, AlignmentFindings<3>&);
 
 }  // namespace shellmatch

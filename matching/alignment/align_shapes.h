@@ -3,6 +3,7 @@
 /// How the reference is moved before the cascade, and where points of it belong.
 
 #include "matching/alignment/alignment.h"
+#include "matching/alignment/alignment_findings.h"
 #include "matching/experiment/options.h"
 #include "matching/input/shape_pair.h"
 #include "matching/progress/observer.h"
@@ -19,11 +20,18 @@ AlignMode align_mode(const ExperimentOptions& options);
 /// \param shapes in the user's coordinates \param landmarks determine the pose with the mode `landmarks`, and take part
 /// in search and
 ///   trials with the others
+/// \param findings takes what takes long, and may have some of it
 /// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a
 /// line (in one
 ///   point)
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer);
+                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings);
+template <int Dim>
+Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                            const ExperimentOptions& options, Observer& observer) {
+  AlignmentFindings<Dim> none;
+  return align_shapes(shapes, landmarks, options, observer, none);
+}
 
 }  // namespace shellmatch

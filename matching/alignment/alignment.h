@@ -7,9 +7,13 @@
 #include "matching/result/match_summary.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace shellmatch {
+
+/// What pairs that were found are called.
+inline std::string pair_name(std::size_t n_before) { return "pair " + std::to_string(n_before + 1); }
 
 template <int Dim>
 struct Alignment {

@@ -1,5 +1,7 @@
 #include "matching/alignment/choose_start.h"
 
+#include "base/stop.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,8 +95,11 @@ class Choosing {
     // The least is best. Scores are relative distances, energies squares of such, of which a coarse grid may err by a
     // fifth.
     std::vector<double> merit(starts_.size());
-    for (const std::size_t i : close)
+    Activity trying(trials_activity, close.size());
+    for (const std::size_t i : close) {
+      trying.next();
       merit[i] = (starts_[i].score + starts_[i].landmark_distance.value_or(0)) * std::sqrt(trial(i).with_pairs);
+    }
     const auto preferred = [&](std::size_t i) {
       const double factor = options_.search.identity_preference;
       return starts_[i].is_identity ? merit[i] / factor : starts_[i].is_mirrored ? merit[i] * factor : merit[i];
@@ -121,7 +126,9 @@ class Choosing {
         close.push_back(i);
     if (close.empty()) return;
     choice.n_tried = 1 + close.size();
+    Activity trying(trials_activity, choice.n_tried);
     const auto difference = [&](std::size_t i) {
+      trying.next();
       return trial(i).spin_difference.value_or(std::numeric_limits<double>::infinity());
     };
     double least = difference(choice.index) / clearly_more_alike;

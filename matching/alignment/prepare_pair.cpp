@@ -1,5 +1,6 @@
 #include "matching/alignment/prepare_pair.h"
 
+#include "base/stop.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/trial.h"
 
@@ -38,13 +39,16 @@ std::string reached(const DirectionTrial& trial) {
 template <int Dim>
 void choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                       const Alignment<Dim>& alignment, const ExperimentOptions& options, DirectionSummary& direction,
-                      Observer& observer) {
+                      Observer& observer, TrialFindings& findings) {
+  Activity trying(trials_activity, 2);
+  trying.next();
   const DirectionTrial forward =
-      Trials<Dim>(shapes, landmarks, options, observer).of_direction(alignment, Carried::reference);
+      Trials<Dim>(shapes, landmarks, options, observer, &findings).of_direction(alignment, Carried::reference);
   exchange(shapes);
+  trying.next();
   const std::vector<Landmark<Dim>> of_template = exchanged(landmarks);
-  const DirectionTrial backward =
-      Trials<Dim>(shapes, of_template, options, observer).of_direction(inverse(alignment), Carried::template_shape);
+  const DirectionTrial backward = Trials<Dim>(shapes, of_template, options, observer, &findings)
+                                      .of_direction(inverse(alignment), Carried::template_shape);
   exchange(shapes);
   direction.backward = cost(backward) < clearly_better * cost(forward);
   const auto keep = [](const DirectionTrial& trial, std::optional<double>& distance, std::optional<double>& energy) {
@@ -71,18 +75,18 @@ bool is_led(const Alignment<Dim>& alignment, const std::vector<Landmark<Dim>>& l
 
 template <int Dim>
 PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                               const ExperimentOptions& options, Observer& observer) {
+                               const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings) {
   PreparedPair<Dim> result;
   result.space = shapes.template_shape.original.space;
   if (!landmarks.empty())
     check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
   const bool is_aligned = align_mode(options) != AlignMode::none;
-  result.alignment = align_shapes(shapes, landmarks, options, observer);
+  result.alignment = align_shapes(shapes, landmarks, options, observer, findings);
   const MatchDirection wanted = options.align.direction;
   if (is_aligned || wanted == MatchDirection::backward)
     result.direction.emplace().backward = wanted == MatchDirection::backward;
   if (wanted == MatchDirection::automatic && is_aligned && is_led(result.alignment, landmarks))
-    choose_direction(shapes, landmarks, result.alignment, options, *result.direction, observer);
+    choose_direction(shapes, landmarks, result.alignment, options, *result.direction, observer, findings.trials);
   if (result.is_backward()) {
     result.alignment = inverse(std::move(result.alignment));
     exchange(shapes);
@@ -96,7 +100,7 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                \
   template PreparedPair<Dim> prepare_pair<Dim>(ShapePair<Dim>&, const std::vector<Landmark<Dim>>&, \
-                                               const ExperimentOptions&, Observer&)
+                                               const ExperimentOptions&, Observer&, AlignmentFindings<Dim>&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

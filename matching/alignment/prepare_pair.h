@@ -23,9 +23,16 @@ struct PreparedPair {
 
 /// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and
 /// moves both surfaces into the unit domain. \param shapes in the user's coordinates, reference first, also afterwards
+/// \param findings takes what takes long, and may have some of it from an earlier call
 /// \throws InputError as check_landmarks, align_shapes and ShapePair::place
 template <int Dim>
 PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                               const ExperimentOptions& options, Observer& observer);
+                               const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings);
+template <int Dim>
+PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
+                               const ExperimentOptions& options, Observer& observer) {
+  AlignmentFindings<Dim> none;
+  return prepare_pair(shapes, landmarks, options, observer, none);
+}
 
 }  // namespace shellmatch

@@ -34,8 +34,7 @@ template <int Dim>
 std::vector<Landmark<Dim>> as_landmarks(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
   std::vector<Landmark<Dim>> landmarks;
   for (const auto& pair : pairs)
-    landmarks.push_back(
-        {fmt::format("pair {}", landmarks.size() + 1), pair.on_reference, pair.on_template, pair.weight});
+    landmarks.push_back({pair_name(landmarks.size()), pair.on_reference, pair.on_template, pair.weight});
   return landmarks;
 }
 

@@ -1,6 +1,7 @@
 #include "matching/alignment/trial.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
@@ -16,10 +17,16 @@ namespace shellmatch {
 
 namespace {
 
-/// Shows nothing of a trial but that it goes on.
+// Steps of a trial for those who wait, by their share of the time: preparing, minimisations, measuring.
+constexpr std::size_t steps_before = 2, steps_of_level = 2, steps_after = 4;
+
+/// Shows nothing of a trial but how far it is.
 class TrialObserver final : public Observer {
  public:
-  explicit TrialObserver(Observer& of_run) : of_run_(of_run) {}
+  TrialObserver(Observer& of_run, Activity& activity) : of_run_(of_run), activity_(activity) {}
+  void minimisation_started(const LevelStart& start) override {
+    if (start.substep == 1) activity_.next(steps_of_level);
+  }
   bool iterated(const LevelStart&, const IterationRecord&) override {
     of_run_.trial_iterated();
     return true;
@@ -27,6 +34,7 @@ class TrialObserver final : public Observer {
 
  private:
   Observer& of_run_;
+  Activity& activity_;
 };
 
 // Wrong starts fight the barrier against folds for hundreds of iterations; their energies are large enough before.
@@ -61,14 +69,18 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
   // Energies are comparable only with the same weight of landmarks.
   if (start.landmark_trust) start.landmark_trust = 1;
   ShapePair<Dim> placed = shapes_;
+  const int n_levels = trial.cascade.max_level - trial.cascade.min_level + 1;
+  Activity activity(trials_activity, steps_before + steps_of_level * static_cast<std::size_t>(n_levels) + steps_after);
+  activity.next(steps_before);
   try {
     const Similarity<Dim> placement = placed.place(options, start.pose);
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
     const ObservedPair<Dim> observed = observed_pair(placed.reference, placed.template_shape);
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
-    TrialObserver silent(observer_);
+    TrialObserver silent(observer_, activity);
     PhaseSeconds seconds;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
+    activity.next(steps_after);
     if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed);
   } catch (const InputError&) {  // no place in the domain, or no finite energy
   }
@@ -76,6 +88,18 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
 
 template <int Dim>
 Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
+  const auto compute = [&] { return try_start(start); };
+  return findings_ != nullptr ? findings_->starts.next(compute) : compute();
+}
+
+template <int Dim>
+DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried carried) const {
+  const auto compute = [&] { return try_direction(start, carried); };
+  return findings_ != nullptr ? findings_->directions.next(compute) : compute();
+}
+
+template <int Dim>
+Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
   Trial result;
   // All in the same band: energies with and without pairs are compared.
   run(start, options_,
@@ -97,7 +121,7 @@ Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
 }
 
 template <int Dim>
-DirectionTrial Trials<Dim>::of_direction(const Alignment<Dim>& start, Carried carried) const {
+DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried carried) const {
   DirectionTrial result;
   run(start, cascade_options(options_, start),
       [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2,

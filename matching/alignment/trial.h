@@ -4,6 +4,7 @@
 /// template.
 
 #include "matching/alignment/alignment.h"
+#include "matching/alignment/kept_results.h"
 #include "matching/experiment/options.h"
 #include "matching/input/shape_pair.h"
 #include "matching/progress/observer.h"
@@ -30,18 +31,27 @@ struct DirectionTrial {
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
 };
 
+/// Outcomes of trials, kept.
+struct TrialFindings {
+  KeptResults<Trial> starts;
+  KeptResults<DirectionTrial> directions;
+};
+
 /// Whose distance from the other shape is measured at the end of a trial: phi(M1), or what the inverse of phi makes of
 /// M2.
 enum class Carried { reference, template_shape };
+
+/// What a terminal shows meanwhile.
+inline constexpr const char* trials_activity = "starts are tried";
 
 /// Tries starts of one matching. Everything given must outlive this object.
 template <int Dim>
 class Trials {
  public:
-  /// \param landmarks pull in every trial
+  /// \param landmarks pull in every trial \param findings takes outcomes, and may have some; null: they are not kept
   Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
-         Observer& observer)
-      : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer) {}
+         Observer& observer, TrialFindings* findings = nullptr)
+      : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer), findings_(findings) {}
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
@@ -52,6 +62,8 @@ class Trials {
   const Trial& as_they_lie();
 
  private:
+  Trial try_start(const Alignment<Dim>& start) const;
+  DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 
@@ -59,6 +71,7 @@ class Trials {
   const std::vector<Landmark<Dim>>& landmarks_;
   const ExperimentOptions& options_;
   Observer& observer_;
+  TrialFindings* findings_;
   std::optional<Trial> as_they_lie_;
 };
 

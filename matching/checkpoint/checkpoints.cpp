@@ -1,6 +1,7 @@
 #include "matching/checkpoint/checkpoints.h"
 
 #include "base/error.h"
+#include "matching/checkpoint/alignment_file.h"
 #include "matching/checkpoint/level_vertices.h"
 #include "matching/output/checksum.h"
 #include "matching/map_file/deformation_file.h"
@@ -28,10 +29,11 @@ constexpr const char* manifest_name = "state.json";
 constexpr const char* suffix = ".unfinished";
 
 constexpr const char* read_me =
-    R"(An unfinished run of shellmatch: what is needed to go on after its last finished level.
+    R"(An unfinished run of shellmatch: what is needed to go on after its alignment or its last finished level.
 
 The same command as before goes on from here and removes this folder when it is done; with --restart it begins anew.
-The map reached so far is in deformation.vtu: `shellmatch apply THIS_FOLDER SHAPE -o MOVED` moves a shape by it.
+After a level the map reached so far is in deformation.vtu: `shellmatch apply THIS_FOLDER SHAPE -o MOVED` moves a shape
+by it.
 To give the run up, delete this folder.
 )";
 
@@ -174,9 +176,20 @@ std::string CheckpointFolder::obstacle() const {
   return "";
 }
 
+int CheckpointFolder::level() const {
+  const std::optional<CheckpointManifest> manifest = read_manifest(fs::path(path_) / manifest_name);
+  return manifest ? manifest->level : 0;
+}
+
+template <int Dim>
+AlignmentFindings<Dim> CheckpointFolder::read_alignment() const {
+  if (!is_ours()) return {};
+  return shellmatch::read_alignment<Dim>(fs::path(path_) / alignment_file_name);
+}
+
 template <int Dim>
 std::optional<MatchProgress<Dim>> CheckpointFolder::read(std::size_t n_vertices) const {
-  if (!is_ours()) return std::nullopt;
+  if (!is_ours() || level() == 0) return std::nullopt;
   const fs::path folder = path_;
   return MatchProgress<Dim>{read_deformation<Dim>(folder), read_history(folder / "history.csv"),
                             read_summary(folder / "summary.json"),
@@ -190,12 +203,23 @@ void CheckpointFolder::write(const CheckpointView<Dim>& checkpoint, const std::s
   write_history(checkpoint.history, folder.path_of("history.csv"));
   write_summary(checkpoint.summary, folder.path_of("summary.json"));
   write_level_vertices<Dim>(checkpoint.levels, folder.path_of(level_vertices_file_name));
+  write_alignment(checkpoint.findings, folder.path_of(alignment_file_name));
+  copy_files(pictures, folder.path_of("pictures"));
+  write_rest(folder, checkpoint.summary.levels.back().level);
+}
+
+template <int Dim>
+void CheckpointFolder::write(const AlignmentFindings<Dim>& findings) {
+  OutputFolder folder(path_, true, ChangedFiles::are_written);
+  write_alignment(findings, folder.path_of(alignment_file_name));
+  write_rest(folder, 0);
+}
+
+void CheckpointFolder::write_rest(OutputFolder& folder, int level) const {
   write_file(folder.path_of("config.yaml"), to_yaml(identity_.options));
   write_file(folder.path_of("README.txt"), read_me);
-  copy_files(pictures, folder.path_of("pictures"));
-
   CheckpointManifest manifest;
-  manifest.level = checkpoint.summary.levels.back().level;
+  manifest.level = level;
   manifest.program = identity_.program;
   manifest.reference = identity_.reference;
   manifest.template_shape = identity_.template_shape;
@@ -241,7 +265,9 @@ std::string CheckpointFolder::foreign_text() const {
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                     \
   template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,           \
                                          const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&); \
+  template AlignmentFindings<Dim> CheckpointFolder::read_alignment<Dim>() const;                        \
   template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;            \
+  template void CheckpointFolder::write<Dim>(const AlignmentFindings<Dim>&);                            \
   template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);

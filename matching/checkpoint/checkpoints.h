@@ -1,12 +1,14 @@
 #pragma once
 /// \file
-/// Checkpoints: at the end of levels (resume.min_seconds) a run writes its state to the folder NAME.unfinished beside
-/// its output folder NAME, in the place of the checkpoint before, so that the same command resumes a run that was
-/// stopped or killed.
+/// Checkpoints: after the alignment and at the end of levels (resume.min_seconds) a run writes its state to the folder
+/// NAME.unfinished beside its output folder NAME, in the place of the checkpoint before, so that the same command
+/// resumes a run that was stopped or killed.
 
 #include "geometry/surface/surface.h"
+#include "matching/alignment/alignment_findings.h"
 #include "matching/level/deformation.h"
 #include "matching/output/history_file.h"
+#include "matching/output/output_folder.h"
 #include "matching/experiment/options.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/output/summary.h"
@@ -43,11 +45,12 @@ struct CheckpointView {
   const History& history;
   const MatchSummary& summary;
   const std::vector<LevelVertices<Dim>>& levels;  ///< as MatchProgress::levels
+  const AlignmentFindings<Dim>& findings;
 };
 
-/// The folder of a run's checkpoint. It has the files of an output folder except the deformed shape, so that the
-/// command `apply` accepts it. It is replaced atomically: a kill at any moment leaves the old checkpoint or the new
-/// one.
+/// The folder of a run's checkpoint. After a level it has the files of an output folder except the deformed shape, so
+/// that the command `apply` accepts it; before, it has what the alignment has found alone. It is replaced atomically: a
+/// kill at any moment leaves the old checkpoint or the new one.
 class CheckpointFolder {
  public:
   /// Removes the remains of a checkpoint that a killed run was writing. \param output absolute path of the output
@@ -63,8 +66,16 @@ class CheckpointFolder {
   /// history.csv is damaged"; empty where it can, or where there is no checkpoint. \pre not is_foreign()
   std::string obstacle() const;
 
-  /// What the earlier run had reached, if there is a checkpoint. \param n_vertices of the reference's surface \pre
-  /// obstacle() is empty \throws InputError for intact files with invalid contents
+  /// The level after which the checkpoint was written; 0 before the first, or where there is none that can be read.
+  int level() const;
+
+  /// What the alignment of the earlier run had found; nothing without a checkpoint. \pre obstacle() is empty
+  /// \throws InputError for an intact file with invalid contents
+  template <int Dim>
+  AlignmentFindings<Dim> read_alignment() const;
+
+  /// What the earlier run had reached, if there is a checkpoint after a level. \param n_vertices of the reference's
+  /// surface \pre obstacle() is empty \throws InputError for intact files with invalid contents
   template <int Dim>
   std::optional<MatchProgress<Dim>> read(std::size_t n_vertices) const;
 
@@ -78,6 +89,10 @@ class CheckpointFolder {
   template <int Dim>
   void write(const CheckpointView<Dim>& checkpoint, const std::string& pictures);
 
+  /// The same before the first level.
+  template <int Dim>
+  void write(const AlignmentFindings<Dim>& findings);
+
   /// Copies the pictures of the finished levels into the folder `pictures` of a resumed run. \throws EnvironmentError
   void copy_pictures(const std::string& pictures) const;
 
@@ -87,6 +102,7 @@ class CheckpointFolder {
 
  private:
   bool is_ours() const;
+  void write_rest(OutputFolder& folder, int level) const;
 
   std::string path_;
   RunIdentity identity_;
@@ -95,9 +111,9 @@ class CheckpointFolder {
 /// Contents of state.json, the file by which a checkpoint is recognised. Its files stand in files.json, as those of
 /// every output folder.
 struct CheckpointManifest {
-  int format = 4;  ///< of the checkpoint; format 3 had no levels.bin, format 2 listed the files itself, format 1 had
-                   ///< other checksums
-  int level = 0;   ///< the finished level that was kept
+  int format = 5;  ///< of the checkpoint; format 4 had no alignment.cbor, format 3 no levels.bin, format 2 listed the
+                   ///< files itself, format 1 had other checksums
+  int level = 0;   ///< the finished level that was kept; 0: none yet
   std::string program, reference, template_shape;
   std::optional<std::string> landmarks;
 };

@@ -193,15 +193,16 @@ struct ResumeOptions {
   double min_seconds = 10;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
-    visit(
-        "enabled", self.enabled,
-        {.meaning = "keep the last finished level (see min_seconds) in NAME.unfinished beside the output folder NAME, "
-                    "so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+    visit("enabled", self.enabled,
+          {.meaning = "keep the alignment and the last finished level (see min_seconds) in NAME.unfinished beside the "
+                      "output folder NAME, "
+                      "so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
     visit("min_seconds", self.min_seconds,
           {.unit = "seconds",
            .min = 0,
            .meaning = "a finished level is kept, in the place of the one before, where so much time has passed since "
-                      "the run began or the last one that was kept: short runs leave no trace"});
+                      "the run began or the last one that was kept: short runs leave no trace; of an alignment that is "
+                      "stopped, what took a tenth of it"});
   }
 };
 

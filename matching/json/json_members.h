@@ -2,7 +2,8 @@
 /// \file
 /// Conversion between structs and JSON objects. One description of a struct serves both directions: a function template
 /// describe(s, member), in the source that needs it, which calls member(key, s.value) for every member. For the sources
-/// that write JSON; it exposes types of the JSON library.
+/// that write JSON; it exposes types of the JSON library. Types that are many numbers may have packed(value), a list of
+/// them, and unpack(numbers, value) instead.
 
 #include "matching/json/json_text.h"
 
@@ -35,7 +36,9 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 /// Converts to JSON. Optional members without a value are omitted; a list of named numbers becomes an object.
 template <class T>
 Json json_of(const T& value) {
-  if constexpr (json_detail::Plain<T>) {
+  if constexpr (requires { packed(value); }) {
+    return packed(value);
+  } else if constexpr (json_detail::Plain<T>) {
     return value;  // the library writes numbers that are not finite as null
   } else if constexpr (std::is_same_v<T, json_detail::NamedNumbers>) {
     Json object = Json::object();
@@ -62,7 +65,9 @@ Json json_of(const T& value) {
 /// integer that is out of its type's range
 template <class T>
 void set_from_json(const Json& json, T& value) {
-  if constexpr (std::is_same_v<T, double>) {
+  if constexpr (requires(std::vector<double> numbers) { unpack(numbers, value); }) {
+    unpack(json.get<std::vector<double>>(), value);
+  } else if constexpr (std::is_same_v<T, double>) {
     value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
   } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
     // The library would cast any number, also one that no integer of the type can have.
@@ -79,7 +84,11 @@ void set_from_json(const Json& json, T& value) {
   } else if constexpr (json_detail::IsVector<T>::value) {
     if (!json.is_array()) throw Json::type_error::create(302, "a list is missing", &json);
     value.clear();
-    for (const Json& entry : json) set_from_json(entry, value.emplace_back());
+    for (const Json& entry : json) {
+      typename T::value_type item{};
+      set_from_json(entry, item);
+      value.push_back(std::move(item));
+    }
   } else {
     describe(value, [&json]<class M>(const char* key, M& member) {
       if constexpr (json_detail::IsOptional<M>::value) {

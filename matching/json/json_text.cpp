@@ -65,4 +65,17 @@ Json parse_json(std::istream& in) {
   return document;
 }
 
+std::string json_bytes(const Json& json) {
+  std::string bytes;
+  Json::to_cbor(json, bytes);
+  return bytes;
+}
+
+Json parse_json_bytes(const std::string& bytes) {
+  Json document;
+  LimitedBuilder builder(document);
+  Json::sax_parse(bytes, &builder, Json::input_format_t::cbor);
+  return document;
+}
+
 }  // namespace shellmatch

@@ -1,6 +1,7 @@
 #include "matching/pictures/level_picture.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "matching/render/canvas/contours.h"
 #include "matching/render/canvas/panel.h"
 #include "matching/render/surfaces/surfaces.h"
@@ -60,13 +61,20 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   const Camera camera = fit_camera(both, 1, {.margin = 0.08});
   const RenderOptions options{
       .width = size, .height = size, .samples = picture.draft ? 2 : 3, .ambient_occlusion = !picture.draft};
-  const auto draw = [&](std::vector<RenderSurface> surfaces) { return render_surfaces(surfaces, camera, options); };
+  Activity drawing("drawing", 9);
+  const auto draw = [&](std::vector<RenderSurface> surfaces) {
+    drawing.next();
+    return render_surfaces(surfaces, camera, options);
+  };
 
   RenderSurface reference{.surface = picture.reference, .paint = Paint::checker};
   RenderSurface deformed{.surface = picture.deformed, .paint = Paint::checker, .origins = picture.reference->vertices};
   RenderSurface template_shape{.surface = picture.template_shape};
   if (options.ambient_occlusion)
-    for (RenderSurface* s : {&reference, &deformed, &template_shape}) s->openness = surface_openness(*s->surface);
+    for (RenderSurface* s : {&reference, &deformed, &template_shape}) {
+      drawing.next();
+      s->openness = surface_openness(*s->surface);
+    }
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
   panels.push_back({draw({template_shape}), "template", {}});

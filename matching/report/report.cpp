@@ -1,6 +1,7 @@
 #include "matching/report/report.h"
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "matching/output/write_file.h"
 #include "matching/report/grid_outline.h"
 #include "matching/report/description.h"
@@ -85,6 +86,8 @@ PageView first_view(const MatchedSurfaces<3>& surfaces, const MapFrame<3>& frame
 
 template <int Dim>
 std::string report_html(const MatchResult<Dim>& result, const ExperimentOptions& options, std::string_view picture) {
+  Activity making("writing the page", 5);
+  making.next();
   const MapFrame<Dim>& map_frame = result.map;
   PackedArrays arrays;
   add_surface(arrays, "reference", result.surfaces.reference, map_frame);
@@ -92,18 +95,21 @@ std::string report_html(const MatchResult<Dim>& result, const ExperimentOptions&
   arrays.add_points<Dim>("deformed", shown(map_frame, result.surfaces.deformed.vertices));
   for (const LevelVertices<Dim>& level : result.levels)
     arrays.add_points<Dim>(fmt::format("deformed.{}", level.level), shown(map_frame, level.vertices));
+  making.next(2);
   const SurfaceFigures figures = surface_figures(result);
   arrays.add_numbers("distance_to_template", figures.distance_to_template);
   arrays.add_numbers("measure_ratio", figures.measure_ratio);
   if (!figures.angle_change.empty()) arrays.add_numbers("angle_change", figures.angle_change);
   arrays.add_numbers("curvature_change", figures.curvature_change);
   arrays.add_numbers("distance_to_deformed", figures.distance_to_deformed);
+  making.next();
   add_history(arrays, result.history);
   ReportFrame frame = add_grid(arrays, result.map);
   if constexpr (Dim == 3) frame.view = first_view(result.surfaces, map_frame);
   for (const LevelVertices<Dim>& level : result.levels) frame.levels.push_back(level.level);
   frame.term_names = result.history.term_names;
   frame.picture = base64(picture);
+  making.next();
   return filled_page(report_page, report_json(result.summary, options, frame, arrays.arrays()),
                      base64(arrays.compressed()));
 }

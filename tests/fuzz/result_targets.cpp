@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "matching/checkpoint/alignment_file.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/checkpoint/level_vertices.h"
 #include "matching/map_file/deformation_file.h"
@@ -136,6 +137,28 @@ void check_levels(std::string_view bytes) {
 // Of a reference of two vertices, in the plane and in space.
 void read_kept_levels(std::string_view bytes) {
   both([&] { check_levels<2>(bytes); }, [&] { check_levels<3>(bytes); });
+}
+
+namespace {
+
+std::string contents_of(const MemoryFile& file) {
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+template <int Dim>
+void check_alignment(std::string_view bytes) {
+  const AlignmentFindings<Dim> findings = read_alignment<Dim>(MemoryFile(bytes).path());
+  const MemoryFile once(""), twice("");
+  write_alignment(findings, once.path());
+  write_alignment(read_alignment<Dim>(once.path()), twice.path());
+  demand(contents_of(once) == contents_of(twice), "an alignment that is written is read back");
+}
+
+}  // namespace
+
+void read_kept_alignment(std::string_view bytes) {
+  both([&] { check_alignment<2>(bytes); }, [&] { check_alignment<3>(bytes); });
 }
 
 void read_list_of_files(std::string_view bytes) {

@@ -378,11 +378,43 @@ def seeds_of_all():
     seeds["levels"] = [b"dimension 2, 2 vertices, levels [3, 4]\n" + 2 * two, b"dimension 3, 2 vertices, levels [12]\n" + three,
                        b"dimension 2, 0 vertices, levels []\n", b"dimension 2, 2 vertices, levels [4, 3]\n" + 2 * two,
                        b"dimension 3, 3 vertices, levels [3]\n" + three, b"dimension 2, 2 vertices, levels [3]\n" + two[:-1] + b"\xff"]
+    seeds["alignment"] = alignments()
     seeds["manifest"] = [b'{"format": 4, "level": 4, "program": "a", "reference": "b", "template": "c", "landmarks": "d"}', b"[1e300]"]
     seeds["run_result"] = [b'{"status": "finished", "message": "", "exit_code": 0, "signal": 0, "fingerprint": "a", "seconds": 1.5, '
                            b'"peak_memory_bytes": 1, "load": 0, "limit_seconds": 0, "limit_memory_mb": 0, "jobs": 1, "machine": "m", "program": "p"}']
     seeds["summary"] = [b"{}", SUMMARY, b"[]"]
     return seeds
+
+
+def cbor(value):
+    """A document as RFC 8949 has it."""
+    head = lambda kind, n: bytes([kind << 5 | n]) if n < 24 else bytes([kind << 5 | 25]) + struct.pack(">H", n)
+    if isinstance(value, bool):
+        return b"\xf5" if value else b"\xf4"
+    if isinstance(value, int):
+        return head(0, value)
+    if isinstance(value, float):
+        return b"\xfb" + struct.pack(">d", value)
+    if isinstance(value, str):
+        return head(3, len(value)) + value.encode()
+    if isinstance(value, list):
+        return head(4, len(value)) + b"".join(map(cbor, value))
+    return head(5, len(value)) + b"".join(cbor(part) for item in value.items() for part in item)
+
+
+def alignments():
+    """What an alignment has found in the plane and in space, and what none finds."""
+    def of(dim, **changes):
+        start = {"pose": [1.0] * (1 + dim + dim * dim), "pairs": [0.5] * (2 * (2 * dim + 1)), "spread": 1.0, "landmark_trust": 0.5, "found": 2,
+                 "contradicting": 1, "score": 0.1, "order": 0.2, "landmark_distance": 0.1, "identity": True, "mirrored": False} | changes
+        search = {"starts": [start], "margin": float("inf"), "share": 1.0, "landmarks": 0, "landmarks_are_spread": False, "notes": ["a"], "part": False,
+                  "ambiguous": False}
+        found = lambda *results: {"results": list(results), "seconds": 1.5}
+        return {"by_pairs": found(search), "by_poses": found(search), "fits_mirrored": found(True),
+                "starts": found({"energy": 1.0, "with_pairs": 2.0, "template_distance": 0.1, "spin_difference": 0.2}), "directions": found({"distance": 1.0, "energy": 2.0})}
+    without = of(2)
+    without["by_pairs"]["results"][0]["starts"] = []
+    return [cbor(d) for d in (of(2), of(3), of(2, contradicting=3), of(3, pairs=[1.0]), of(2, pose=[]), of(3, found=-1 % 24), without)] + [cbor([]), b"\x81" * 300, b"\x9b" + b"\xff" * 8]
 
 
 def words_of(target, inputs):

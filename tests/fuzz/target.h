@@ -69,6 +69,7 @@ void read_history_file(std::string_view bytes);
 void read_summary_file(std::string_view bytes);
 void read_manifest_file(std::string_view bytes);
 void read_kept_levels(std::string_view bytes);
+void read_kept_alignment(std::string_view bytes);
 void read_list_of_files(std::string_view bytes);
 void read_result_of_run(std::string_view bytes);
 void read_landmark_files(std::string_view bytes);

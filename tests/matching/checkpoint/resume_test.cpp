@@ -5,12 +5,11 @@
 #include "base/stop.h"
 #include "matching/output/checksum.h"
 #include "matching/map_file/deformation_file.h"
-#include "matching/output/history_file.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/run_matching.h"
 #include "matching/output/summary.h"
 #include "matching/output/written_files.h"
-#include "tests/matching/output/temporary_folder.h"
+#include "tests/matching/checkpoint/stopped_run.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -19,8 +18,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <functional>
-#include <map>
 #include <thread>
 
 namespace shellmatch {
@@ -28,80 +25,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::contents_of;
+using testing::expect_same_bits;
+using testing::experiment;
+using testing::lasting;
 using testing::put;
+using testing::run;
+using testing::stop_at;
 using testing::TemporaryFolder;
-
-ExperimentOptions experiment(Pictures pictures = Pictures::none) {
-  ExperimentOptions o = profile_defaults(Profile::standard);
-  o.align.mode = AlignMode::none;
-  o.input.reference = "generate:circle";
-  o.input.template_file = "generate:ellipse/long";
-  o.cascade.max_level = 5;
-  o.pictures = pictures;
-  o.report = false;  // which has times
-  o.resume.min_seconds = 0;
-  return o;
-}
-
-// Does something as a level begins, or as the result is written (level 100), and keeps what it is told.
-struct Watcher : Observer {
-  int level = 0;
-  std::function<void(int)> action = [](int) {};
-  std::string notes;
-  std::vector<int> levels;
-  void note(const std::string& text) override { notes += text + "\n"; }
-  void stage(const std::string& name) override {
-    if (name == "writing") action(100);
-  }
-  void minimisation_started(const LevelStart& start) override {
-    if (start.level == level) return;
-    level = start.level;
-    levels.push_back(level);
-    action(level);
-  }
-};
-
-// Runs until the level begins. Returns what is told of the stop.
-std::string stop_at(int level, const ExperimentOptions& options, const std::string& out, Watcher&& watcher = {}) {
-  watcher.action = [level](int begins) {
-    if (begins == level) throw Stopped("now");
-  };
-  return testing::message_of<Stopped>([&] { run_matching(options, out, {}, watcher); });
-}
-
-Watcher run(const ExperimentOptions& options, const std::string& out, const EarlierRuns& earlier = {}) {
-  Watcher watcher;
-  run_matching(options, out, earlier, watcher);
-  return watcher;
-}
-
-// The contents of all files, without times and memory.
-std::map<std::string, std::string> lasting(const std::string& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().filename() == "files.json") continue;  // which has checksums of times
-    const std::string name = fs::relative(entry.path(), folder).string();
-    if (name == "summary.json") {
-      MatchSummary s = read_summary(entry.path());
-      s.run = {};
-      files[name] = summary_json(s);
-    } else if (name == "history.csv") {
-      History history = read_history(entry.path());
-      for (HistoryRow& row : history.rows) row.record.seconds = 0;
-      files[name] = history_csv(history);
-    } else {
-      files[name] = contents_of(entry.path());
-    }
-  }
-  return files;
-}
-
-void expect_same_bits(const std::string& a, const std::string& b) {
-  const auto first = lasting(a), second = lasting(b);
-  EXPECT_EQ(first.size(), second.size());
-  for (const auto& [name, contents] : first)
-    EXPECT_TRUE(second.contains(name) && second.at(name) == contents) << name << " differs";
-}
+using testing::Watcher;
 
 void check_every_stop(const ExperimentOptions& o) {
   const TemporaryFolder tmp;
@@ -259,7 +190,7 @@ TEST(Resume, DamagedStatesBeginAnewWithOneWarning) {
   const ExperimentOptions o = experiment();
   run(o, tmp / "whole");
   for (const std::string file :
-       {"deformation.vtu", "history.csv", "summary.json", "config.yaml", "levels.bin", "state.json"})
+       {"deformation.vtu", "history.csv", "summary.json", "config.yaml", "levels.bin", "alignment.cbor", "state.json"})
     for (const bool cut : {true, false}) {
       SCOPED_TRACE(file + (cut ? " cut off" : " changed"));
       stop_at(4, o, tmp / "out");
