@@ -214,6 +214,25 @@ class Matching {
     summary_.correspondence_error = correspondence_error(inputs_.truth, moved.vertices) / diagonal;
   }
 
+  // In the direction in which phi was solved.
+  void add_landmark_distances(const Deformation<Dim>& map) {
+    if (inputs_.landmarks.empty()) return;
+    const double diagonal = *summary_.template_diagonal * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1);
+    LandmarkSummary& s = summary_.landmarks.emplace();
+    s.n = inputs_.landmarks.size();
+    s.max = -1;
+    for (const Landmark<Dim>& l : inputs_.landmarks) {
+      const Vec<Dim>&from = is_backward_ ? l.on_template : l.on_reference,
+            &to = is_backward_ ? l.on_reference : l.on_template;
+      const double distance = (map.apply(from) - to).norm() / diagonal;
+      s.mean += distance / static_cast<double>(s.n);
+      if (distance <= s.max) continue;
+      s.max = distance;
+      s.farthest = l.name;
+      s.place.assign(l.on_template.begin(), l.on_template.end());
+    }
+  }
+
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
     Activity measuring("measuring", 6);
@@ -227,6 +246,7 @@ class Matching {
     // An earlier run had done all levels, and keeps no places.
     if (places_.deformed.empty()) measure_distance(carry, all_points);
     add_distortions(deformed);
+    add_landmark_distances(map);
     measuring.next(3);
     summary_.spin_difference =
         spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),

@@ -1,5 +1,6 @@
 #include "matching/alignment/align_shapes.h"
 
+#include "alignment/functional_map/two_way_map.h"
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/choose_start.h"
@@ -106,6 +107,29 @@ std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& 
 }
 
 template <int Dim>
+std::vector<CorrespondingPointsIn<Dim>> pairs_of(const std::vector<Landmark<Dim>>& landmarks) {
+  std::vector<CorrespondingPointsIn<Dim>> pairs;
+  for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, l.weight});
+  return pairs;
+}
+
+/// For where no pairs are used: landmarks tell a pose by themselves. The identity if they are too few, or hardly nearer
+/// after one.
+template <int Dim>
+Similarity<Dim> pose_by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const AlignOptions& options) {
+  if (options.mode != AlignMode::automatic || landmarks.size() < n_least_landmarks) return {};
+  try {
+    return choose_pose<Dim>(pairs_of(landmarks), options, Mirroring::never);
+  } catch (const InputError&) {  // on a line
+    return {};
+  }
+}
+
+std::string pose_note(std::size_t n_landmarks) {
+  return fmt::format("; the pose is that of {} landmarks", n_landmarks);
+}
+
+template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                       const ExperimentOptions& experiment, Observer& observer, AlignmentFindings<Dim>& findings) {
   const AlignOptions& options = experiment.align;
@@ -129,6 +153,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   const std::string stays =
       is_used && options.mode == AlignMode::automatic ? why_they_stay(shapes, outcome.search, result) : "";
   if (!stays.empty()) is_used = !result.pairs.empty();
+  if (!is_used && stays.empty()) result.pose = pose_by_landmarks(landmarks, options);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
   s.score = best.score;
   s.landmark_distance = best.landmark_distance;
@@ -136,8 +161,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
-  s.doubtful = choice.is_doubtful;
-  s.as_it_lies = choice.as_it_lies || !stays.empty();
+  const bool is_posed = !is_used && !result.pose.is_identity();
+  s.doubtful = choice.is_doubtful && !is_posed;
+  s.as_it_lies = !is_posed && (choice.as_it_lies || !stays.empty());
   s.fits_mirrored = fits_mirrored;
   if (fits_mirrored)
     observer.note(
@@ -159,7 +185,8 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   // Score and margin tell something where they are bad; the summary always has them.
   if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
-  const std::string use = !is_used        ? "; they are not used"
+  const std::string use = is_posed        ? "; they are not used" + pose_note(landmarks.size())
+                          : !is_used      ? "; they are not used"
                           : stays.empty() ? ""
                                           : fmt::format("; {} of them are used", result.pairs.size());
   observer.note(
@@ -168,10 +195,16 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
 }
 
 template <int Dim>
-Alignment<Dim> as_it_lies(const std::string& why, Observer& observer) {
-  observer.note(fmt::format("alignment: not searched, as {}. Landmarks can tell a pose (--align landmarks)", why));
+Alignment<Dim> without_search(const std::string& why, const std::vector<Landmark<Dim>>& landmarks,
+                              const AlignOptions& options, Observer& observer) {
   Alignment<Dim> result;
-  result.summary.emplace().as_it_lies = true;
+  result.pose = pose_by_landmarks(landmarks, options);
+  const bool is_posed = !result.pose.is_identity();
+  observer.note(
+      fmt::format("alignment: not searched, as {}{}", why,
+                  is_posed ? pose_note(landmarks.size()) : ". Landmarks can tell a pose (--align landmarks)"));
+  result.summary = summary_of(result.pose);
+  result.summary->as_it_lies = !is_posed;
   return result;
 }
 
@@ -183,7 +216,7 @@ Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vecto
   try {
     return search(shapes, landmarks, options, observer, findings);
   } catch (const InputError& error) {
-    return as_it_lies<Dim>(error.what(), observer);
+    return without_search(error.what(), landmarks, options.align, observer);
   }
 }
 
@@ -195,10 +228,9 @@ Alignment<Dim> by_landmarks(const std::vector<Landmark<Dim>>& landmarks, const A
   if (landmarks.size() < Dim)
     throw_input_error("align.mode: landmarks: a pose needs at least {}, and landmarks.file has {}", Dim,
                       landmarks.size());
-  std::vector<CorrespondingPointsIn<Dim>> pairs;
-  for (const Landmark<Dim>& l : landmarks) pairs.push_back({l.on_reference, l.on_template, l.weight});
   Alignment<Dim> result;
-  result.pose = choose_pose<Dim>(pairs, options, options.search.mirror ? Mirroring::allowed : Mirroring::never);
+  result.pose =
+      choose_pose<Dim>(pairs_of(landmarks), options, options.search.mirror ? Mirroring::allowed : Mirroring::never);
   result.summary = summary_of(result.pose);
   result.summary->n_pairs = static_cast<int>(landmarks.size());
   observer.note(fmt::format("alignment by {} landmarks", landmarks.size()));

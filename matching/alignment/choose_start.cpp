@@ -44,6 +44,9 @@ class Choosing {
     choice.margin = margin;
     if (usable_.empty()) return choice;
     choice.index = usable_.front();
+    if (const auto agreed = std::ranges::find_if(usable_, [&](std::size_t i) { return landmarks_confirm(starts_[i]); });
+        agreed != usable_.end())
+      choice.index = *agreed;
     if constexpr (Dim == 2)
       if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
     if constexpr (Dim == 3)

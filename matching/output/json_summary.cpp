@@ -140,6 +140,16 @@ static void describe(S& s, Member&& member) {
 }
 
 template <class S, class Member>
+requires std::is_same_v<std::remove_const_t<S>, LandmarkSummary>
+static void describe(S& s, Member&& member) {
+  member("count", s.n);
+  member("mean", s.mean);
+  member("max", s.max);
+  member("farthest", s.farthest);
+  member("place", s.place);
+}
+
+template <class S, class Member>
 requires std::is_same_v<std::remove_const_t<S>, DirectionSummary>
 static void describe(S& s, Member&& member) {
   member("backward", s.backward);
@@ -194,6 +204,7 @@ static void describe(S& s, Member&& member) {
   member("placement", s.placement);
   member("direction", s.direction);
   member("alignment", s.alignment);
+  member("landmarks", s.landmarks);
   member("distance_before", s.distance_before);
   member("distance", s.distance);
   member("correspondence_error_before", s.correspondence_error_before);

@@ -98,6 +98,14 @@ struct AlignmentSummary {
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
 };
 
+/// How far landmarks end from where they belong, in diagonals of the template.
+struct LandmarkSummary {
+  std::size_t n = 0;
+  double mean = 0, max = 0;
+  std::string farthest;       ///< name of that with the largest distance
+  std::vector<double> place;  ///< where it belongs; in the coordinates of the template's file
+};
+
 /// Which shape was deformed.
 struct DirectionSummary {
   bool backward = false;
@@ -152,8 +160,9 @@ struct MatchSummary {
   PlacementSummary placement;
   std::optional<DirectionSummary> direction;
   std::optional<AlignmentSummary> alignment;
-  std::optional<std::string> unit;          ///< of the coordinates (input.unit); empty where nobody has said
-  std::optional<double> template_diagonal;  ///< of its bounding box, in that unit
+  std::optional<LandmarkSummary> landmarks;  ///< at the end; none without landmarks
+  std::optional<std::string> unit;           ///< of the coordinates (input.unit); empty where nobody has said
+  std::optional<double> template_diagonal;   ///< of its bounding box, in that unit
   std::optional<Verdict> verdict;
   /// Of the undeformed and of the deformed reference.
   std::optional<TwoSidedDistance> distance_before, distance;

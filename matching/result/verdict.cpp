@@ -32,7 +32,9 @@ constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
 constexpr double nearly_isometric = 0.8, clear_margin = 1.15, alike = 0.4;
 constexpr double much_invented = 0.5;  // share of a shape's area
-constexpr double apart = 0.25;         // mean distance in diagonals, before a run
+// Landmarks set by hand are wrong by less, a landmark on another limb by more.
+constexpr Limits landmark_distance{0.05, 0.15};
+constexpr double apart = 0.25;  // mean distance in diagonals, before a run
 // Shares of the template that no level reaches. Where limbs find their places the share falls by half or more from
 // level to level.
 constexpr double much_unreached = 0.1, hardly_less = 0.7;
@@ -161,6 +163,21 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
                   {}});
 }
 
+void judge_landmarks(const MatchSummary& summary, Reasons& reasons) {
+  if (!summary.landmarks) return;
+  const LandmarkSummary& l = *summary.landmarks;
+  const std::string name = l.n == 1 ? fmt::format("landmark {}", l.farthest)
+                                    : fmt::format("landmark {}, the farthest of {},", l.farthest, l.n);
+  reasons.add(l.mean, landmark_distance,
+              {fmt::format("landmarks end {} from where they belong on average", length_text(l.mean, summary)),
+               "are their names and order the same on both shapes? Otherwise a larger landmarks.weight helps",
+               "template", l.place});
+  if (l.mean > landmark_distance.look) return;
+  if (l.max > landmark_distance.look)
+    reasons.look({fmt::format("{} ends {} from where it belongs", name, length_text(l.max, summary)),
+                  "is it the same point on both shapes?", "template", l.place});
+}
+
 void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
   const ShapeSummary &a = summary.reference, &b = summary.template_shape;
   if (a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
@@ -213,6 +230,7 @@ Verdict judge(const MatchSummary& summary, const VerdictPlaces& places) {
   Reasons reasons;
   judge_distances(summary, places, reasons);
   judge_distortion(summary, places, reasons);
+  judge_landmarks(summary, reasons);
   judge_kinds(summary, reasons);
   return std::move(reasons).verdict();
 }
@@ -234,6 +252,10 @@ std::vector<std::string> verdict_lines(const MatchSummary& summary) {
     if (uncovered && !std::isnan(*uncovered))
       lines.back() += fmt::format("; {} is not reached", percent_text(*uncovered));
   }
+  if (summary.landmarks)
+    lines.push_back(fmt::format("landmarks: {} end {} from where they belong on average, at most {} ({})",
+                                summary.landmarks->n, length_text(summary.landmarks->mean, summary),
+                                length_text(summary.landmarks->max, summary), summary.landmarks->farthest));
   if (!summary.verdict) return lines;
   const Verdict& v = *summary.verdict;
   lines.push_back(v.outcome == "matched"     ? "verdict: matched"

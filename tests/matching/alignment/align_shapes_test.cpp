@@ -133,6 +133,23 @@ TEST_F(AlignShapes, LandmarksGiveThePose) {
   EXPECT_NE(told.find("landmarks.file"), std::string::npos) << told;
 }
 
+TEST_F(AlignShapes, WhereNoPairsAreUsedLandmarksTellThePose) {
+  // Any rotation of a sphere onto a sphere is as good, but for landmarks.
+  const Shape<3> sphere = std::get<Shape<3>>(open_shape("generate:sphere"));
+  const Similarity<3> by = motion(20);
+  const Shape<3> target = moved(sphere, by);
+  std::vector<Landmark<3>> landmarks;
+  for (const std::size_t v : {0u, 100u, 200u, 300u, 400u})
+    landmarks.push_back({std::to_string(v), sphere.original.vertices[v], target.original.vertices[v]});
+  Notes notes;
+  const Alignment<3> found = align_shapes<3>({sphere, target}, landmarks, quick(AlignMode::automatic), notes);
+  EXPECT_TRUE(found.pairs.empty());
+  EXPECT_LT((found.pose.rotation - by.rotation).norm(), 1e-9);
+  EXPECT_NEAR(found.pose.scale, 20, 1e-9);
+  EXPECT_NE(notes.all.find("the pose is that of 5 landmarks"), std::string::npos) << notes.all;
+  EXPECT_FALSE(found.summary->doubtful || found.summary->as_it_lies);
+}
+
 TEST_F(AlignShapes, CoordinatesTakenAsTheyAreStay) {
   ExperimentOptions o = quick(AlignMode::automatic);
   o.input.placement = PlacementKind::as_is;

@@ -141,6 +141,16 @@ TEST(ChooseStart, LandmarksAllOverTheShapeTellThatItDoesNotLieAsItBelongs) {
   EXPECT_TRUE(as_it_lies(0.05, false)) << "those on one part do not";
 }
 
+TEST(ChooseStart, LandmarksAllOverTheShapeChooseTheStartThatTheyAgreeWith) {
+  const ShapePair<3> boxes = generated<3>("sphere", "box/cube");
+  Start<3> wrong, right;
+  wrong.n_pairs = right.n_pairs = 100;
+  wrong.score = 0.5, right.score = 0.6;
+  wrong.landmark_distance = 0.4, right.landmark_distance = 0.05;
+  EXPECT_EQ(choice_of<3>(boxes, {wrong, right}, 1.1, quick(), true).index, 1u);
+  EXPECT_EQ(choice_of<3>(boxes, {wrong, right}, 1.1, quick(), false).index, 0u) << "those on one part do not";
+}
+
 /// A start in the plane that is as good as its score says, of the shapes as they lie.
 Start<2> scored(double score, std::size_t n_pairs = 100) {
   Start<2> start;

@@ -125,6 +125,11 @@ TEST(MatchBackward, LandmarksAreThoseOfTheShapesAsGiven) {
   const MatchResult<2> r = match_shapes(circle, ellipse, o, quiet, landmarks);
   const std::optional<Vec<2>> y = PointMap<2>(r.map, Toward::template_shape)(landmarks[0].on_reference);
   EXPECT_LT((*y - landmarks[0].on_template).norm(), 0.02);
+  const Vec<2>& x = landmarks[0].on_reference;
+  const std::optional<LandmarkSummary>& ends = r.summary.landmarks;
+  ASSERT_TRUE(ends);
+  EXPECT_NEAR(ends->max, (r.map.apply(landmarks[0].on_template) - x).norm() / *r.summary.template_diagonal, 1e-12);
+  EXPECT_EQ(ends->farthest, "tip");
 }
 
 TEST(MatchBackward, ThePoseOfLandmarksCarriesTheTemplateOntoTheReference) {

@@ -188,6 +188,24 @@ TEST(Verdict, LooksAtKindsFoldsDoubtsAndStops) {
   }
 }
 
+TEST(Verdict, LandmarksThatEndElsewhereAreNamed) {
+  MatchSummary s = good_summary();
+  s.landmarks = {19, 0.004, 0.04, "tail", {1, 2, 3}};
+  EXPECT_EQ(judge(s, places).outcome, "matched");
+  s.landmarks->max = 0.06;
+  const Verdict one = judge(s, places);
+  EXPECT_EQ(one.outcome, "look-here");
+  ASSERT_EQ(one.reasons.size(), 1u);
+  EXPECT_NE(one.reasons[0].what.find("landmark tail, the farthest of 19, ends 12 mm"), std::string::npos)
+      << one.reasons[0].what;
+  EXPECT_EQ(one.reasons[0].place, s.landmarks->place);
+  s.landmarks->mean = 0.2;
+  const Verdict all = judge(s, places);
+  EXPECT_EQ(all.outcome, "not-matched");
+  ASSERT_EQ(all.reasons.size(), 1u) << "one reason for all of them";
+  EXPECT_NE(all.reasons[0].what.find("landmarks end 40 mm"), std::string::npos) << all.reasons[0].what;
+}
+
 TEST(Verdict, ALevelThatMinimisedNothingIsToBeLookedAt) {
   MatchSummary s = good_summary();
   s.levels.back().level = 6;
