@@ -159,10 +159,26 @@ void set_axes(const std::string& path, const NrrdFields& f, VoxelGrid& grid, Gri
   }
 }
 
+// The format wants lengths once: in the directions, or as spacings.
+void note_other_spacings(const NrrdFields& f, const VoxelGrid& grid, GridFile& file) {
+  constexpr double tolerance = 1e-3;
+  if (f.spacings.size() != f.size.size()) return;
+  for (int k = 0; k < 3; ++k) {
+    const double length = grid.axes.col(k).norm();
+    if (std::isnan(f.spacings[k]) || std::abs(f.spacings[k] - length) <= tolerance * length) continue;
+    file.notes.push_back(
+        fmt::format("its header contradicts itself: voxels of {:g} along axis {} (spacings), and of {:g} by its space "
+                    "directions, by which it is read",
+                    f.spacings[k], k + 1, length));
+    return;
+  }
+}
+
 void set_frame(const LineReader& lines, const NrrdFields& f, VoxelGrid& grid, GridFile& file) {
   if (!f.directions.empty()) {
     const std::vector<double> v = vectors_of(lines, "space directions", f.directions, 3);
     for (int k = 0; k < 3; ++k) grid.axes.col(k) = Vec<3>(v[3 * k], v[3 * k + 1], v[3 * k + 2]);
+    note_other_spacings(f, grid, file);
   } else {
     set_axes(lines.path(), f, grid, file);
   }

@@ -109,6 +109,16 @@ TEST(VolumeFile, ContradictionsAreSaid) {
   const std::vector<std::string> notes = volume_notes(read_voxel_grid(folder.write("b.nii", bytes)));
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "16 bits for each voxel (bitpix), and a type of 8 (datatype 2)"));
+  const auto notes_of_nrrd = [&](const std::string& spacings) {
+    return volume_notes(read_voxel_grid(
+        folder.write("a.nrrd", "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspace: LPS\nspacings: " + spacings +
+                                   "\nspace directions: (2,0,0) (0,2,0) (0,0,3)\nencoding: raw\n\n12345678")));
+  };
+  EXPECT_TRUE(notes_of_nrrd("2 2 3").empty());
+  EXPECT_TRUE(notes_of_nrrd("nan nan nan").empty());
+  ASSERT_EQ(notes_of_nrrd("2 1 1").size(), 1u);
+  EXPECT_TRUE(contains(notes_of_nrrd("2 1 1")[0],
+                       "voxels of 1 along axis 2 (spacings), and of 2 by its space directions, by which it is read"));
 }
 
 // Whether gzip has compressed a file is what its first bytes say.
