@@ -131,9 +131,8 @@ std::string pose_note(std::size_t n_landmarks) {
 
 template <int Dim>
 Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                      const ExperimentOptions& experiment, Observer& observer, AlignmentFindings<Dim>& findings) {
-  const AlignOptions& options = experiment.align;
-  Trials<Dim> trials(shapes, landmarks, experiment, observer, &findings.trials);
+                      const AlignOptions& options, Observer& observer, AlignmentFindings<Dim>& findings,
+                      Trials<Dim>& trials) {
   Outcome<Dim> outcome = search_and_choose(shapes, landmarks, options, trials, findings);
   for (const std::string& note : outcome.search.notes) observer.note("alignment: " + note);
   const StartChoice& choice = outcome.choice;
@@ -212,9 +211,9 @@ Alignment<Dim> without_search(const std::string& why, const std::vector<Landmark
 template <int Dim>
 Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                                   const ExperimentOptions& options, Observer& observer,
-                                  AlignmentFindings<Dim>& findings) {
+                                  AlignmentFindings<Dim>& findings, Trials<Dim>& trials) {
   try {
-    return search(shapes, landmarks, options, observer, findings);
+    return search(shapes, landmarks, options.align, observer, findings, trials);
   } catch (const InputError& error) {
     return without_search(error.what(), landmarks, options.align, observer);
   }
@@ -246,21 +245,22 @@ AlignMode align_mode(const ExperimentOptions& options) {
 
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings) {
+                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings,
+                            Trials<Dim>& trials) {
   const AlignMode mode = align_mode(options);
   if (mode == AlignMode::none) return {};
   observer.stage("alignment");
-  Alignment<Dim> result = mode == AlignMode::automatic
-                              ? search_if_possible(shapes, landmarks, options, observer, findings)
-                          : mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
-                                                         : search(shapes, landmarks, options, observer, findings);
+  Alignment<Dim> result =
+      mode == AlignMode::automatic   ? search_if_possible(shapes, landmarks, options, observer, findings, trials)
+      : mode == AlignMode::landmarks ? by_landmarks(landmarks, options.align, observer)
+                                     : search(shapes, landmarks, options.align, observer, findings, trials);
   result.summary->mode = enum_name(mode);
   return result;
 }
 
 template Alignment<2> align_shapes<2>(const ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&,
-                                      Observer&, AlignmentFindings<2>&);
+                                      Observer&, AlignmentFindings<2>&, Trials<2>&);
 template Alignment<3> align_shapes<3>(const ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&,
-                                      Observer&, AlignmentFindings<3>&);
+                                      Observer&, AlignmentFindings<3>&, Trials<3>&);
 
 }  // namespace shellmatch

@@ -20,18 +20,20 @@ AlignMode align_mode(const ExperimentOptions& options);
 /// \param shapes in the user's coordinates \param landmarks determine the pose with the mode `landmarks`, and take part
 /// in search and
 ///   trials with the others
-/// \param findings takes what takes long, and may have some of it
+/// \param findings takes what takes long, and may have some of it \param trials of these shapes
 /// \throws InputError for the mode `landmarks` with fewer than three landmarks (two in the plane), or landmarks on a
 /// line (in one
 ///   point)
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings);
+                            const ExperimentOptions& options, Observer& observer, AlignmentFindings<Dim>& findings,
+                            Trials<Dim>& trials);
 template <int Dim>
 Alignment<Dim> align_shapes(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                             const ExperimentOptions& options, Observer& observer) {
   AlignmentFindings<Dim> none;
-  return align_shapes(shapes, landmarks, options, observer, none);
+  Trials<Dim> trials(shapes, landmarks, options, observer);
+  return align_shapes(shapes, landmarks, options, observer, none, trials);
 }
 
 }  // namespace shellmatch

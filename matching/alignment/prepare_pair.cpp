@@ -37,19 +37,14 @@ std::string reached(const DirectionTrial& trial) {
 
 /// Tries both directions on coarse levels; backward is chosen where it ends clearly better.
 template <int Dim>
-void choose_direction(ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
-                      const Alignment<Dim>& alignment, const ExperimentOptions& options, DirectionSummary& direction,
-                      Observer& observer, TrialFindings& findings) {
+void choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment, DirectionSummary& direction,
+                      Observer& observer) {
   Activity trying(trials_activity, 2);
   trying.next();
-  const DirectionTrial forward =
-      Trials<Dim>(shapes, landmarks, options, observer, &findings).of_direction(alignment, Carried::reference);
-  exchange(shapes);
+  const DirectionTrial forward = trials.of_direction(alignment, Carried::reference);
   trying.next();
-  const std::vector<Landmark<Dim>> of_template = exchanged(landmarks);
-  const DirectionTrial backward = Trials<Dim>(shapes, of_template, options, observer, &findings)
-                                      .of_direction(inverse(alignment), Carried::template_shape);
-  exchange(shapes);
+  const DirectionTrial backward =
+      trials.of_exchanged_shapes().of_direction(inverse(alignment), Carried::template_shape);
   direction.backward = cost(backward) < clearly_better * cost(forward);
   const auto keep = [](const DirectionTrial& trial, std::optional<double>& distance, std::optional<double>& energy) {
     if (!std::isfinite(trial.distance)) return;
@@ -81,12 +76,13 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   if (!landmarks.empty())
     check_landmarks(landmarks, options.landmarks, shapes.reference.surface, shapes.template_shape.surface);
   const bool is_aligned = align_mode(options) != AlignMode::none;
-  result.alignment = align_shapes(shapes, landmarks, options, observer, findings);
+  Trials<Dim> trials(shapes, landmarks, options, observer, &findings.trials);
+  result.alignment = align_shapes(shapes, landmarks, options, observer, findings, trials);
   const MatchDirection wanted = options.align.direction;
   if (is_aligned || wanted == MatchDirection::backward)
     result.direction.emplace().backward = wanted == MatchDirection::backward;
   if (wanted == MatchDirection::automatic && is_aligned && is_led(result.alignment, landmarks))
-    choose_direction(shapes, landmarks, result.alignment, options, *result.direction, observer, findings.trials);
+    choose_direction(trials, result.alignment, *result.direction, observer);
   if (result.is_backward()) {
     result.alignment = inverse(std::move(result.alignment));
     exchange(shapes);

@@ -1,7 +1,9 @@
 #include "matching/alignment/trial.h"
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/stop.h"
+#include "geometry/repair/simplify.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
@@ -41,6 +43,8 @@ class TrialObserver final : public Observer {
 constexpr int most_trial_iterations = 80;
 // Of starts that differ little the distances decide.
 constexpr std::size_t n_measured = 100'000;
+// A cell of coarse grids is a hundred facets of these wide.
+constexpr std::size_t most_facets = 200'000, n_vertices_of_large = 20'000;
 
 ExperimentOptions trial_options(const ExperimentOptions& options) {
   ExperimentOptions trial = options;
@@ -57,7 +61,46 @@ ExperimentOptions trial_options(const ExperimentOptions& options) {
   return trial;
 }
 
+// The file's own vertices and faces take no part in a trial.
+template <int Dim>
+Shape<Dim> tried_shape(const Shape<Dim>& shape) {
+  Shape<Dim> tried;
+  tried.source = shape.source;
+  tried.surface = shape.surface;
+  tried.evidence = shape.evidence;
+  tried.invented_share = shape.invented_share;
+  tried.buried_share = shape.buried_share;
+  if constexpr (Dim == 3)
+    for (Surface<3>* surface : {&tried.surface, &tried.evidence.observed, &tried.evidence.unobserved})
+      if (surface->facets.size() > most_facets) *surface = simplified(*surface, n_vertices_of_large);
+  return tried;
+}
+
 }  // namespace
+
+template <int Dim>
+const ShapePair<Dim>& Trials<Dim>::tried_shapes() const {
+  if (!tried_) {
+    ShapePair<Dim> tried;
+    for_both([&](int s) {
+      if (s == 0) tried.reference = tried_shape(shapes_->reference);
+      else tried.template_shape = tried_shape(shapes_->template_shape);
+    });
+    tried_ = std::make_shared<const ShapePair<Dim>>(std::move(tried));
+  }
+  return *tried_;
+}
+
+template <int Dim>
+Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
+  Trials others = *this;
+  const ShapePair<Dim>& tried = tried_shapes();
+  others.shapes_ = nullptr;
+  others.tried_ = std::make_shared<const ShapePair<Dim>>(ShapePair<Dim>{tried.template_shape, tried.reference});
+  others.landmarks_ = exchanged(landmarks_);
+  others.as_they_lie_.reset();
+  return others;
+}
 
 // Calls measure(result of a cascade with these options, M1, M2, what is known of both), in the unit domain, unless this
 // start is none.
@@ -68,7 +111,7 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
   Alignment<Dim> start = searched;
   // Energies are comparable only with the same weight of landmarks.
   if (start.landmark_trust) start.landmark_trust = 1;
-  ShapePair<Dim> placed = shapes_;
+  ShapePair<Dim> placed = tried_shapes();
   const int n_levels = trial.cascade.max_level - trial.cascade.min_level + 1;
   Activity activity(trials_activity, steps_before + steps_of_level * static_cast<std::size_t>(n_levels) + steps_after);
   activity.next(steps_before);
@@ -111,8 +154,8 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
         const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
         result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
         const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
-        result.spin_difference =
-            spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed, shapes_.one_is_part());
+        result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed,
+                                                      tried_shapes().one_is_part());
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;

@@ -10,6 +10,7 @@
 #include "matching/progress/observer.h"
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -44,14 +45,18 @@ enum class Carried { reference, template_shape };
 /// What a terminal shows meanwhile.
 inline constexpr const char* trials_activity = "starts are tried";
 
-/// Tries starts of one matching. Everything given must outlive this object.
+/// Tries starts of one matching. Everything given must outlive this object. What trials ask of coarse grids they ask of
+/// surfaces with at most 200 000 triangles: larger ones are simplified once.
 template <int Dim>
 class Trials {
  public:
   /// \param landmarks pull in every trial \param findings takes outcomes, and may have some; null: they are not kept
   Trials(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks, const ExperimentOptions& options,
          Observer& observer, TrialFindings* findings = nullptr)
-      : shapes_(shapes), landmarks_(landmarks), options_(options), observer_(observer), findings_(findings) {}
+      : shapes_(&shapes), landmarks_(landmarks), options_(options), observer_(observer), findings_(findings) {}
+
+  /// Those of the template moved onto the reference, with the same copies of the surfaces.
+  Trials of_exchanged_shapes() const;
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
@@ -62,13 +67,15 @@ class Trials {
   const Trial& as_they_lie();
 
  private:
+  const ShapePair<Dim>& tried_shapes() const;
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 
-  const ShapePair<Dim>& shapes_;
-  const std::vector<Landmark<Dim>>& landmarks_;
+  const ShapePair<Dim>* shapes_;
+  mutable std::shared_ptr<const ShapePair<Dim>> tried_;  ///< made when first asked for
+  std::vector<Landmark<Dim>> landmarks_;
   const ExperimentOptions& options_;
   Observer& observer_;
   TrialFindings* findings_;

@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 # The sources of each target, whose coverage is reported.
 IO, OUTLINE = "geometry/io/read_", "geometry/outline/"
 READERS = {
-    "obj": [IO + "obj.cpp", IO + "mesh_formats.cpp", IO + "text.cpp"], "off": [IO + "off.cpp"],
+    "obj": [IO + "obj.cpp", "geometry/mesh_text/read_mesh_formats.cpp", "geometry/mesh_text/read_text.cpp"], "off": [IO + "off.cpp"],
     "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"],
     "gifti": ["geometry/scene/pugixml_gifti.cpp", "geometry/scene/pugixml_node.cpp", "geometry/scene/zlib_stream.cpp"],
     "freesurfer": ["geometry/scene/read_freesurfer.cpp"], "gltf": ["geometry/scene/tinygltf_gltf.cpp", "geometry/scene/scene_shape.cpp"],

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
+#include "geometry/surface/subdivision.h"
 #include "matching/experiment/generated_source.h"
 #include "matching/alignment/trial.h"
 #include "matching/input/shape_source.h"
@@ -275,6 +276,25 @@ TEST(ChooseDirection, TrialsMeasureTheShapeThatTheUserCallsReference) {
   Alignment<2> far;
   far.pose.scale = 100;
   EXPECT_FALSE(trials.of_direction(far, Carried::reference).distance < 0.1);
+}
+
+// Coarse grids tell no difference.
+TEST(ChooseDirection, LargeSurfacesAreTriedSimplified) {
+  ShapePair<3> pair{generated<3>("sphere"), generated<3>("ellipsoid/long")}, large = pair;
+  for (Shape<3>* shape : {&large.reference, &large.template_shape})
+    while (shape->surface.facets.size() <= 200'000) cut_long_edges(shape->surface, 0);
+  ExperimentOptions o = options_to(4, MatchDirection::forward);
+  Observer quiet;
+  const DirectionTrial of_small = Trials<3>(pair, {}, o, quiet).of_direction({}, Carried::reference);
+  const Trials<3> trials(large, {}, o, quiet);
+  const DirectionTrial of_large = trials.of_direction({}, Carried::reference);
+  const DirectionTrial exchanged = trials.of_exchanged_shapes().of_direction({}, Carried::reference);
+  std::swap(pair.reference, pair.template_shape);
+  const DirectionTrial of_exchanged = Trials<3>(pair, {}, o, quiet).of_direction({}, Carried::reference);
+  EXPECT_NEAR(exchanged.energy, of_exchanged.energy, 0.02 * of_exchanged.energy);
+  EXPECT_GT(std::abs(exchanged.energy - of_small.energy), 0.02 * of_small.energy);
+  EXPECT_NEAR(of_large.energy, of_small.energy, 0.02 * of_small.energy);
+  EXPECT_NEAR(of_large.distance, of_small.distance, 0.1 * of_small.distance);
 }
 
 }  // namespace
