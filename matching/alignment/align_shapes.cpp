@@ -149,8 +149,9 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
     result = std::move(best.alignment);
     result.pairs.resize(result.pairs.size() - best.n_contradicting);
   }
-  const std::string stays =
-      is_used && options.mode == AlignMode::automatic ? why_they_stay(shapes, outcome.search, result) : "";
+  const std::string stays = is_used && options.mode == AlignMode::automatic
+                                ? why_they_stay(trials.tried_shapes(), outcome.search, result)
+                                : "";
   if (!stays.empty()) is_used = !result.pairs.empty();
   if (!is_used && stays.empty()) result.pose = pose_by_landmarks(landmarks, options);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));

@@ -55,6 +55,9 @@ class Trials {
          Observer& observer, TrialFindings* findings = nullptr)
       : shapes_(&shapes), landmarks_(landmarks), options_(options), observer_(observer), findings_(findings) {}
 
+  /// The surfaces that are tried, without the file's own vertices and faces; in the user's coordinates.
+  const ShapePair<Dim>& tried_shapes() const;
+
   /// Those of the template moved onto the reference, with the same copies of the surfaces.
   Trials of_exchanged_shapes() const;
 
@@ -67,7 +70,6 @@ class Trials {
   const Trial& as_they_lie();
 
  private:
-  const ShapePair<Dim>& tried_shapes() const;
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
   template <class Measure>
