@@ -15,7 +15,7 @@ std::string header_text(const std::string& path, const std::function<bool(std::s
       if (is_last(lines.line())) return lines.n_left() > 0;  // the end of a line may have two bytes
     return false;
   };
-  for (std::size_t wanted = 1 << 16;; wanted = std::min(4 * wanted, longest_header)) {
+  for (std::size_t wanted = 1 << 12;; wanted = std::min(4 * wanted, longest_header)) {
     for_each_piece(path, text.size(), false, 0, wanted - text.size(), [&](std::string_view piece) { text += piece; });
     if (text.size() < wanted || wanted == longest_header || has_last()) return text;
   }

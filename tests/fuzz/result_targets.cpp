@@ -206,6 +206,7 @@ namespace {
 // Points that are put back where they were are read again where they were.
 void check_slicer_points(SlicerPoints file, auto parse) {
   file.points = parse(file.path, file.text);
+  demand(slicer_points_json(file).ends_with("\n"), "points are told as JSON");
   std::vector<Vec<3>> positions;
   for (const SlicerPoint& p : file.points) {
     demand(p.position.allFinite() && p.space != Space::unsaid, "control points are finite, in a frame");

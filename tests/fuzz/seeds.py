@@ -119,7 +119,15 @@ def surface_seeds():
             "collada": [collada("<triangles>" + corners + "<p>" + text(faces) + "</p></triangles>"),
                         collada("<polylist>" + corners + "<vcount>3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
                         collada("<polygons>" + corners + lists(faces) + "</polygons>"), collada("<tristrips>" + corners + "<p>0 1 2 3 0 1</p></tristrips>"),
-                        collada("<trifans>" + corners + "<p>0 1 2 3</p></trifans>")],
+                        collada("<trifans>" + corners + "<p>0 1 2 3</p></trifans>"),
+                        *(collada("<triangles>" + corners + "<p>" + text(faces) + "</p></triangles>").replace(*change) for change in [
+                            (b'<scene><instance_visual_scene url="#s"/></scene>', b""), (b'url="#s"', b'url="other.dae#s"'), (b'url="#s"', b'url="#t"'), (b'meter="0.01"', b'meter="0"'),
+                            (b"POSITION", b"NORMAL"), (b"</p>", b" 1</p>"), (b"<p>", b"<p>0 "), (b"<p>", b"<ph><p>0</p></ph><p>"),
+                            (b'semantic="VERTEX"', b'semantic="TEXCOORD"'), (b'<visual_scene id="s">', b'<visual_scene id="s">' + 300 * b"<node>" + 300 * b"</node>"),
+                            (b"<translate>1 2 3</translate>", b"<lookat>1 2 3</lookat>"), (b"<asset>", 300 * b"<a>" + 300 * b"</a>" + b"<asset>")]),
+                        collada("<polylist>" + corners + "<vcount>3 3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
+                        collada("<polylist>" + corners + "<vcount>3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
+                        collada("<triangles>" + corners + "<p>0 1</p></triangles>")],
             "three_mf": [archive(True), archive(False)]}
 
 

@@ -1,3 +1,5 @@
+#include "base/error.h"
+#include "geometry/picture/label_choice.h"
 #include "geometry/picture/read_mask.h"
 #include "geometry/mesh_text/read_mesh_formats.h"
 #include "geometry/io/read_points.h"
@@ -39,8 +41,13 @@ void check_image(const Picture& picture) {
          "an image is full");
   demand(picture.values.size() == image.values.size(), "a picture has a value for each pixel");
   std::vector<std::string> notes;
-  if (image.values.size() < 100000)
-    check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
+  if (image.values.size() >= 100000) return;
+  for (const std::string_view text : {"1", "1,2", ">100"}) try {
+      const GreyImage chosen = shape_of_picture(picture, parse_choice(text, "input", "mask.png"), "input", notes);
+      demand(chosen.values.size() == image.values.size(), "a choice is full");
+    } catch (const InputError&) {  // of no pixel, or of all
+    }
+  check_original(mask_rings(shape_of_picture(picture, {}, "input", notes), "input", notes));
 }
 
 // Whole, and one part of it, if its areas have names.

@@ -43,6 +43,17 @@ def volume_seeds():
                 "encoding: raw\nspace units: \"um\" \"um\" \"um\"\nSegment0_Name:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\nSegment7_Name:={second}\n\n").encode()
     floats = struct.pack("<150f", *voxels)
     packed = zlib.compress(voxels)
+    # Headers that contradict themselves, or lack something.
+    straight = nrrd.format("uchar", "left-anterior-superior", "raw")
+    bare = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 6 5 5\nencoding: raw\n{}\n\n"
+    odd = [straight, straight.replace("kinds:", "spacings: 1 2 2\nkinds:"), straight.replace("kinds:", "spacings: 1 nan 2\nkinds:"),
+           straight.replace("encoding", "byte skip: 1\nencoding"), straight.replace("dimension: 3", "dimension: 2").replace("sizes: 6 5 5", "sizes: 6 25"),
+           "NRRD0004\n" + 100 * ("#" + 49 * "-" + "\n") + straight[9:]] + [bare.format(line) for line in (
+               "axis mins: 1 2 3\naxis maxs: 7 7 7", "axis maxs: 7 7 7", "spacings: 1 -1 1", "spacings: 1 1", "axis mins: 1 2 3\naxis maxs: 7 7 7\ncenters: node cell ???",
+               "centers: cell", "spacings: 1 nan 1")]
+    other_meta = meta.format("False", "", "MET_UCHAR")
+    odd_meta = [other_meta.replace("Offset", line + "Offset") for line in ("HeaderSize = 0\n", "HeaderSize = -1\n", "HeaderSize = -5\n", "ElementNumberOfChannels = 3\n",
+                                                                            100 * ("Comment = " + 40 * "-" + "\n"))]
     return {"nifti": [plain, nifti(16, 32, floats), nifti(4, 16, struct.pack(">150h", *voxels), ">"), plain[:400], plain[:200],
                       nifti(2, 8, voxels, frame=(1.0, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0))],
             "nifti_gz": [gzip(plain), gzip(plain)[:-30], plain],
@@ -54,7 +65,8 @@ def volume_seeds():
                      b"NRRD0001\ntype: short\ndimension: 3\nsizes: 6 5 5\nspacings: 1 1 2\nendian: big\nencoding: raw\n\n" + struct.pack(">150h", *voxels),
                      layered("2 6 5 5", "list domain domain domain", "none (1,0,0) (0,1,0) (0,0,2)") + bytes(v for voxel in voxels for v in (voxel, 2 * voxel)),
                      layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none") + voxels + voxels,
-                     layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none", "a") + voxels + voxels, *kinds],
+                     layered("6 5 5 2", "domain domain domain list", "(1,0,0) (0,1,0) (0,0,2) none", "a") + voxels + voxels, *kinds, *(text.encode() + voxels for text in odd)],
             "meta_image": [meta.format("False", "", "MET_UCHAR").encode() + voxels, meta.format("False", "", "MET_FLOAT").encode() + floats,
                            meta.format("True", f"CompressedDataSize = {len(packed)}\n", "MET_UCHAR").encode() + packed,
-                           meta.format("False", "", "MET_UCHAR").replace("LOCAL", "none.raw").encode()]}
+                           meta.format("False", "", "MET_UCHAR").replace("LOCAL", "none.raw").encode(),
+                           *(text.encode() + voxels for text in odd_meta)]}

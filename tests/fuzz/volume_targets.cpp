@@ -3,6 +3,7 @@
 #include "geometry/label/smoothed_label.h"
 #include "geometry/volume/volume_file.h"
 #include "geometry/volume/volume_header.h"
+#include "geometry/volume/zlib_volume.h"
 #include "tests/fuzz/target.h"
 
 #include <Eigen/LU>
@@ -64,7 +65,15 @@ void read_as(std::string_view bytes, const char* ending) {
 }  // namespace
 
 void read_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii"); }
-void read_compressed_nifti_bytes(std::string_view bytes) { read_as(bytes, ".nii.gz"); }
+void read_compressed_nifti_bytes(std::string_view bytes) {
+  for (const Deflated form : {Deflated::gzip, Deflated::zlib}) {
+    const NamedFile packed(deflated(bytes, form), ".gz");
+    std::string again;
+    for_each_piece(packed.path(), 0, true, 0, bytes.size() + 1, [&](std::string_view piece) { again += piece; });
+    demand(again == bytes, "what is packed is unpacked");
+  }
+  read_as(bytes, ".nii.gz");
+}
 void read_nrrd_bytes(std::string_view bytes) {
   read_as(bytes, ".nrrd");
   const NamedFile file(bytes, ".nrrd");
