@@ -29,12 +29,12 @@ Eigen::Matrix3Xd smooth_points(const ShapePairSpectra& pair, const std::vector<s
   return points;
 }
 
-/// All pairs' points on surface s.
-VertexSet end_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s) {
-  VertexSet set{{}, Features(pair.n_functions, static_cast<Eigen::Index>(pairs.size()))};
+/// All pairs' points on surface s, with k functions.
+VertexSet end_points(const ShapePairSpectra& pair, const std::vector<std::pair<Index, Index>>& pairs, int s, int k) {
+  VertexSet set{{}, Features(k, static_cast<Eigen::Index>(pairs.size()))};
   for (const auto& [p, q] : pairs) {
     const Index v = s == 0 ? p : q;
-    set.functions.col(static_cast<Eigen::Index>(set.size())) = pair.functions[s].col(v);
+    set.functions.col(static_cast<Eigen::Index>(set.size())) = pair.functions[s].col(v).head(k);
     set.vertices.push_back(v);
   }
   return set;
@@ -68,8 +68,8 @@ Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matche
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
   const auto k = static_cast<int>(c.rows());
   const auto pairs = pairs_of(matches);
-  const Embedding embedding =
-      spectral_embedding(pair, {end_points(pair, pairs, 0), end_points(pair, pairs, 1)}, c, embedded_normal_weight);
+  const Embedding embedding = spectral_embedding(pair, {end_points(pair, pairs, 0, k), end_points(pair, pairs, 1, k)},
+                                                 c, embedded_normal_weight);
   MapScore score;
   double squares = 0, sum = 0, weights = 0;
   // Two pairs of normals of this length stand below the functions.

@@ -30,12 +30,13 @@ constexpr double least_landmark_scale =
     0.05;  // distance at which a landmark has half its weight at least, in roots of the area
 
 /// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
-void upsample(const ShapePairSpectra& pair, const VertexSet (&sets)[2], std::size_t queries,
-              const std::vector<int>& steps, double normal_weight, MapCandidate& candidate) {
+void upsample(const ShapePairSpectra& pair, const std::vector<int>& steps, double normal_weight,
+              MapCandidate& candidate) {
   for (const int k : steps) {
     if (k > candidate.c.rows()) candidate.c = orthogonal_map(pair, candidate.matches, std::min(k, pair.n_functions));
+    const VertexSet(&sets)[2] = k <= first_steps.back() ? pair.coarsest : pair.coarse;
     candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight),
-                                       pair.landmarks.size() + queries);
+                                       pair.landmarks.size() + n_queries);
   }
 }
 
@@ -84,12 +85,12 @@ void append_rotated(const SpectralShape& shape, const Columns4& smoothed, const 
 /// Matches by the map so far, by rotated smooth coordinates and by rotated normals.
 VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, const Mat<3>& rotation) {
   Embedding embedding;
-  if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarse, c, 0);
+  if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarsest, c, 0);
   const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
   for (int s = 0; s < 2; ++s)
     append_rotated(*pair.shapes[s], pair.smoothed[s].with(std::min(n_smooth, pair.n_functions)).coordinates,
-                   pair.coarse[s], rotations[s], embedding.on[s]);
-  return match_vertices(pair.coarse, embedding, pair.landmarks.size() + n_queries);
+                   pair.coarsest[s], rotations[s], embedding.on[s]);
+  return match_vertices(pair.coarsest, embedding, pair.landmarks.size() + n_queries);
 }
 
 template <class Key>
@@ -106,12 +107,12 @@ void start_by_landmarks(const ShapePairSpectra& pair, MapCandidate& candidate) {
   }
   const int k = std::clamp(static_cast<int>(pair.landmarks.size() / 2), 2, n_merged);
   candidate.c = orthogonal_map(pair, candidate.matches, k);
-  upsample(pair, pair.coarse, n_queries, {k, n_merged}, 0, candidate);
+  upsample(pair, {k, n_merged}, 0, candidate);
 }
 
 /// A map on more functions, and its score.
 void refine_coarsely(const ShapePairSpectra& pair, const std::vector<int>& steps, MapCandidate& candidate) {
-  upsample(pair, pair.coarse, n_queries, steps, embedded_normal_weight, candidate);
+  upsample(pair, steps, embedded_normal_weight, candidate);
   candidate.coarse_score = score_map(pair, candidate.matches, candidate.c);
 }
 
@@ -125,13 +126,13 @@ void refine_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCan
 /// The first map that ends of limbs suggest.
 void start_by_tips(const ShapePairSpectra& pair, const TipAssignment& tips, MapCandidate& candidate) {
   candidate.matches = match_by_tips(pair, tips, n_queries);
-  upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
+  upsample(pair, {n_merged}, 0, candidate);
 }
 
 /// The first map that the surfaces suggest after a rotation, by their smoothed coordinates alone.
 void start_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
   candidate.matches = match_rotated(pair, {}, rotation);
-  upsample(pair, pair.coarse, n_queries, {n_merged}, 0, candidate);
+  upsample(pair, {n_merged}, 0, candidate);
 }
 
 /// The weights of landmarks, at most `trust` all together; the less, the farther one is from where the map takes it in
@@ -145,8 +146,8 @@ std::vector<double> landmark_weights(const ShapePairSpectra& pair, const VertexM
   return weights;
 }
 
-/// From a map on n_scored functions to one of all vertices on all functions. Least squares allow what orthogonal maps
-/// do not, and begin with fewer functions again to make use of it.
+/// From a map on n_scored functions to one on all functions. Least squares allow what orthogonal maps do not, and begin
+/// with fewer functions again to make use of it. Few functions need few samples.
 void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, MapCandidate& candidate) {
   std::vector<int> steps = {24, 32, n_scored};
   for (int step = 1; step <= 8; ++step) steps.push_back(n_scored + (pair.n_functions - n_scored) * step / 8);
@@ -154,9 +155,8 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
     candidate.c =
         functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
     const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
-    const bool is_last = k == pair.n_functions;
-    candidate.matches = match_vertices(pair.dense, embedding,
-                                       is_last ? pair.n_most_vertices() : pair.landmarks.size() + n_refined_queries);
+    const std::size_t n_samples = k <= n_scored ? n_refined_queries / 2 : n_refined_queries;
+    candidate.matches = match_vertices(pair.dense, embedding, pair.landmarks.size() + n_samples);
   }
 }
 
@@ -235,7 +235,7 @@ CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& opt
     candidate.c = starts[i - 1];
     std::vector<int> steps;
     for (int k = static_cast<int>(candidate.c.rows()); k <= n_merged; ++k) steps.push_back(k);
-    upsample(pair, pair.coarse, n_queries, steps, 0, candidate);
+    upsample(pair, steps, 0, candidate);
   });
   candidates = distinct(pair, std::move(candidates));
   const int n_smoothed = std::min(n_smooth, pair.n_functions);

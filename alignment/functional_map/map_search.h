@@ -12,7 +12,7 @@ namespace shellmatch {
 /// A map with its score.
 struct MapCandidate {
   Eigen::MatrixXd c;      ///< functional map
-  VertexMatches matches;  ///< of samples; of all vertices where the candidate is dense, as search_maps() returns it
+  VertexMatches matches;  ///< of samples
   MapScore coarse_score;  ///< at 40 eigenfunctions
   MapScore score;         ///< at all, before the landmarks were among the pairs
 

@@ -77,7 +77,7 @@ std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, co
 VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& assignment, std::size_t n_queries) {
   Embedding embedding;
   for (int s = 0; s < 2; ++s) {
-    const VertexSet& set = pair.coarse[s];
+    const VertexSet& set = pair.coarsest[s];
     embedding.on[s].resize(static_cast<Eigen::Index>(assignment.pairs.size()), static_cast<Eigen::Index>(set.size()));
     for (std::size_t k = 0; k < assignment.pairs.size(); ++k) {
       const auto& [a, b] = assignment.pairs[k];
@@ -90,7 +90,7 @@ VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& a
             static_cast<float>(tip.distances[set.vertices[i]] / sum);
     }
   }
-  return match_vertices(pair.coarse, embedding, pair.landmarks.size() + n_queries);
+  return match_vertices(pair.coarsest, embedding, pair.landmarks.size() + n_queries);
 }
 
 }  // namespace shellmatch

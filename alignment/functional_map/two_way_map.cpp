@@ -14,13 +14,21 @@ namespace shellmatch {
 
 namespace {
 
+constexpr std::size_t n_coarsest = 600;
+
 VertexSet vertex_set(const SpectralShape& shape, std::vector<Index> vertices, int n_functions) {
   Features functions(n_functions, static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i)
     functions.col(static_cast<Eigen::Index>(i)) =
         shape.functions.row(vertices[i]).head(n_functions).transpose().cast<float>();
+  std::vector<bool> is_in(shape.n_vertices(), false);
+  for (const Index v : vertices) is_in[static_cast<std::size_t>(v)] = true;
+  std::vector<std::array<Index, 3>> facets;
+  for (const auto& facet : shape.surface.facets)
+    if (std::ranges::any_of(facet, [&](Index v) { return is_in[static_cast<std::size_t>(v)]; }))
+      facets.push_back(facet);
   std::vector<Index> order = compact_order(functions);
-  return {std::move(vertices), std::move(functions), std::move(order)};
+  return {std::move(vertices), std::move(functions), std::move(order), std::move(facets)};
 }
 
 /// Vectors at the vertices of a set, times `weight`, as rows `at` to at + 2.
@@ -39,6 +47,7 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
                         .functions = {},
                         .smoothed = {{shape_1, n_functions}, {shape_2, n_functions}},
                         .signatures = {shape_1.signature.transpose(), shape_2.signature.transpose()},
+                        .coarsest = {},
                         .coarse = {},
                         .dense = {},
                         .n_functions = n_functions,
@@ -59,8 +68,12 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
       is_in[v] = true;
     };
     for (const auto& [v_1, v_2] : pair.landmarks) add(s == 0 ? v_1 : v_2);
-    for (const Index v : pair.shapes[s]->samples) add(v);
+    for (const Index v : pair.shapes[s]->samples) {
+      if (all.size() == n_coarsest) pair.coarsest[s] = vertex_set(*pair.shapes[s], all, pair.n_functions);
+      add(v);
+    }
     pair.coarse[s] = vertex_set(*pair.shapes[s], all, pair.n_functions);
+    if (pair.coarsest[s].size() == 0) pair.coarsest[s] = pair.coarse[s];
     for (std::size_t v = 0; v < is_in.size(); ++v) add(static_cast<Index>(v));
     pair.dense[s] = vertex_set(*pair.shapes[s], std::move(all), pair.n_functions);
   }
@@ -192,8 +205,10 @@ Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&set
     if (!with_normals) continue;
     const Rows3 of_other = pair.shapes[1 - s]->coefficients.topRows(k);
     const SmoothedSurface& own = pair.smoothed[s].with(static_cast<int>(k));
+    const std::vector<std::array<Index, 3>>& facets = sets[s].facets;
     const SmoothedSurface pulled_back =
-        pair.smoothed[s].combined(s == 0 ? Rows3(c * of_other) : Rows3(c.transpose() * of_other));
+        pair.smoothed[s].combined(s == 0 ? Rows3(c * of_other) : Rows3(c.transpose() * of_other),
+                                  facets.empty() ? pair.shapes[s]->surface.facets : facets);
     put_rows(own.normals, sets[s], normal_weight, s == 0 ? k : k + 3, features);
     put_rows(pulled_back.normals, sets[s], normal_weight, s == 0 ? k + 3 : k, features);
   }

@@ -12,15 +12,17 @@
 #include "alignment/spectrum/spectral_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace shellmatch {
 
 /// Some vertices of a surface, which are searched for images or have images themselves.
 struct VertexSet {
-  std::vector<Index> vertices;    ///< m
-  Features functions;             ///< k x m: the eigenfunctions there
-  std::vector<Index> order = {};  ///< compact_order() of the functions, or empty
+  std::vector<Index> vertices;                    ///< m
+  Features functions;                             ///< k x m: the eigenfunctions there
+  std::vector<Index> order = {};                  ///< compact_order() of the functions, or empty
+  std::vector<std::array<Index, 3>> facets = {};  ///< of the surface, around these vertices; empty: all
 
   std::size_t size() const { return vertices.size(); }
 };
@@ -34,13 +36,11 @@ struct ShapePairSpectra {
   Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
   SmoothedSurfaces smoothed[2];
   Eigen::MatrixXd signatures[2];                   ///< m x n: SpectralShape::signature, a column for each vertex
+  VertexSet coarsest[2];                           ///< of `coarse`, as many as few functions need
   VertexSet coarse[2];                             ///< the vertices of landmarks, then the other samples
   VertexSet dense[2];                              ///< all vertices: those of `coarse`, then the others
   int n_functions;                                 ///< of both
   std::vector<std::pair<Index, Index>> landmarks;  ///< pairs of vertices; the first of both sets, in this order
-
-  /// Of the larger of both.
-  std::size_t n_most_vertices() const { return std::max(dense[0].size(), dense[1].size()); }
 };
 
 /// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are

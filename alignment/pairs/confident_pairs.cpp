@@ -1,5 +1,6 @@
 #include "alignment/pairs/confident_pairs.h"
 
+#include "alignment/functional_map/nearest_features.h"
 #include "alignment/pairs/consistent_groups.h"
 
 #include <Eigen/LU>
@@ -10,13 +11,6 @@
 namespace shellmatch {
 
 namespace {
-
-/// Images of all vertices of surface s, in their order.
-std::vector<Index> images(const ShapePairSpectra& pair, const VertexMatches& matches, int s) {
-  std::vector<Index> image(pair.shapes[s]->n_vertices(), no_index);
-  for (std::size_t i = 0; i < matches.from[s].size(); ++i) image[matches.from[s][i]] = matches.to[s][i];
-  return image;
-}
 
 std::vector<std::vector<Index>> facets_around(const Surface<3>& surface) {
   std::vector<std::vector<Index>> around(surface.vertices.size());
@@ -75,13 +69,12 @@ double local_stretch(const std::vector<std::pair<double, std::size_t>>& near, co
 
 }  // namespace
 
-std::vector<Index> dense_map(const ShapePairSpectra& pair, const MapCandidate& candidate) {
-  return images(pair, candidate.matches, 0);
-}
-
 ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
                                const AlignmentOptions& options) {
-  const std::vector<Index> there = images(pair, candidate.matches, 0), back = images(pair, candidate.matches, 1);
+  const Embedding embedding = dense_embedding(pair, candidate.c);
+  ConfidentPairs result;
+  result.map = nearest_features(embedding.on[1], embedding.on[0]);
+  const std::vector<Index>&there = result.map, back = nearest_features(embedding.on[0], embedding.on[1]);
   const Surface<3>&surface_1 = pair.shapes[0]->surface, &surface_2 = pair.shapes[1]->surface;
   const auto n_samples = static_cast<std::size_t>(options.pairs);
   // The first of many such samples are such samples, too.
@@ -89,7 +82,6 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
   if (samples.size() < n_samples) samples = farthest_point_samples(pair.shapes[0]->graph, samples[0], n_samples);
   else samples.resize(n_samples);
   const std::vector<std::vector<Index>> around = facets_around(surface_2);
-  const Embedding embedding = dense_embedding(pair, candidate.c);
   std::vector<Vec<3>> points, images_2;
   for (const Index v : samples) points.push_back(surface_1.vertices[v]);
   for (const Index v : samples) {
@@ -124,7 +116,6 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
     to.push_back(images_2[i]);
   }
   const std::vector<bool> consistent = in_consistent_group(from, to, options.max_stretch, options.cycle_tolerance);
-  ConfidentPairs result;
   for (std::size_t k = 0; k < close.size(); ++k)
     (consistent[k] ? result.pairs : result.contradicting).push_back(close[k]);
   return result;

@@ -21,10 +21,11 @@ struct PairCandidate {
   MapScore coarse_score, score_parts;
   /// Where landmarks tell: the median of landmark_distances() before they were among the pairs, in roots of the area.
   std::optional<double> landmark_distance;
-  double landmark_trust = 1;               ///< landmark_trust() of the best candidate; 1 where landmarks do not tell
-  bool is_identity = false;                ///< began with the surfaces as they lie
-  bool is_mirrored = false;                ///< found for the mirrored reference
-  std::vector<CorrespondingPoints> pairs;  ///< confident ones
+  double landmark_trust = 1;  ///< landmark_trust() of the best candidate; 1 where landmarks do not tell
+  bool is_identity = false;   ///< began with the surfaces as they lie
+  bool is_mirrored = false;   ///< found for the mirrored reference
+  /// Confident ones. None, and no map, of a candidate whose order is more than twice that of the best.
+  std::vector<CorrespondingPoints> pairs;
   std::vector<CorrespondingPoints>
       contradicting;       ///< ConfidentPairs::contradicting: evidence against the map, and of no other use
   std::vector<Index> map;  ///< for each vertex of the prepared reference one of the prepared template

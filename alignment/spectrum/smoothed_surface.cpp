@@ -6,7 +6,7 @@ namespace shellmatch {
 
 namespace {
 
-Columns4 normals_of(const std::vector<std::array<Index, 3>>& facets, const Columns4& coordinates) {
+Columns4 normals_of(std::span<const std::array<Index, 3>> facets, const Columns4& coordinates) {
   Columns4 normals = Columns4::Zero(4, coordinates.cols());
   for (const auto& [a, b, c] : facets) {
     const Eigen::Vector4f origin = coordinates.col(a);
@@ -29,20 +29,22 @@ SmoothedSurfaces::SmoothedSurfaces(const SpectralShape& shape, int n_functions)
   data_->entries = std::vector<Entry>(static_cast<std::size_t>(n_functions) + 1);
 }
 
-SmoothedSurface SmoothedSurfaces::combined(const Rows3& coefficients) const {
+SmoothedSurface SmoothedSurfaces::combined(const Rows3& coefficients,
+                                           std::span<const std::array<Index, 3>> facets) const {
   Eigen::Matrix<float, Eigen::Dynamic, 4> padded =
       Eigen::Matrix<float, Eigen::Dynamic, 4>::Zero(coefficients.rows(), 4);
   padded.leftCols(3) = coefficients.cast<float>();
   const Eigen::Matrix<float, Eigen::Dynamic, 4> rows = data_->functions.leftCols(coefficients.rows()) * padded;
   SmoothedSurface surface;
   surface.coordinates = rows.transpose();
-  surface.normals = normals_of(shape_->surface.facets, surface.coordinates);
+  surface.normals = normals_of(facets, surface.coordinates);
   return surface;
 }
 
 const SmoothedSurface& SmoothedSurfaces::with(int k) const {
   Entry& entry = data_->entries[static_cast<std::size_t>(k)];
-  std::call_once(entry.is_known, [&] { entry.surface = combined(shape_->coefficients.topRows(k)); });
+  std::call_once(entry.is_known,
+                 [&] { entry.surface = combined(shape_->coefficients.topRows(k), shape_->surface.facets); });
   return entry.surface;
 }
 

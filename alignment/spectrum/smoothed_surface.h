@@ -4,6 +4,7 @@
 
 #include "alignment/spectrum/spectral_shape.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -28,7 +29,8 @@ class SmoothedSurfaces {
   /// \pre 0 < k <= n_functions
   const SmoothedSurface& with(int k) const;
   /// The surface whose coordinates are these combinations of the first functions. \param coefficients k x 3
-  SmoothedSurface combined(const Rows3& coefficients) const;
+  /// \param facets around the vertices whose normals are wanted
+  SmoothedSurface combined(const Rows3& coefficients, std::span<const std::array<Index, 3>> facets) const;
 
  private:
   struct Entry {

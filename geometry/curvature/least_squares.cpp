@@ -1,13 +1,14 @@
 #include "geometry/curvature/least_squares.h"
 
-#include <Eigen/SVD>
+#include <Eigen/QR>
 
 namespace shellmatch {
 
 double solve_least_squares(const Eigen::MatrixXd& m, Eigen::VectorXd& b) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(m, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  b = svd.solve(b).eval();
-  return svd.singularValues().maxCoeff() / svd.singularValues().minCoeff();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(m);
+  b = decomposition.solve(b).eval();
+  const Eigen::VectorXd scales = decomposition.matrixQTZ().diagonal().cwiseAbs();
+  return scales.maxCoeff() / scales.minCoeff();
 }
 
 }  // namespace shellmatch

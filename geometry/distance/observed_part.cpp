@@ -12,7 +12,7 @@ namespace shellmatch {
 template <int Dim>
 ObservedPart<Dim>::ObservedPart(const Evidence<Dim>& evidence) {
   if (evidence.is_complete()) return;
-  Parts parts{Part(evidence.observed), Part(evidence.unobserved), {}, {}, 0, {}, {}};
+  Parts parts{Part(evidence.observed), Part(evidence.unobserved), {}, {}, 0, 0, {}, {}};
   scale_ = bounding_box(evidence.observed.vertices).diagonal();
   const Surface<Dim>& unobserved = parts.unobserved.surface;
   // Patches have their vertices on the edge of the gap: the centres of their facets are farther inside.
@@ -37,7 +37,7 @@ ObservedPart<Dim>::ObservedPart(const Evidence<Dim>& evidence) {
     largest = std::max(largest, reach[f]);
   }
   for (const auto& facet : unobserved.facets) parts.half_widths.push_back(of_set[sets.find(facet[0])]);
-  parts.bound_margins();
+  parts.lay_lattice();
   parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 
@@ -58,51 +58,46 @@ auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
           parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
 }
 
-// The margin changes at most by twice the distance from the centre of a cube.
+// The margin changes at most by twice the distance.
 template <int Dim>
-void ObservedPart<Dim>::Parts::bound_margins() {
+void ObservedPart<Dim>::Parts::lay_lattice() {
   Box<Dim> box = bounding_box(observed.surface.vertices);
   for (const Vec<Dim>& x : unobserved.surface.vertices) box.add(x);
-  side = (box.max - box.min).maxCoeff() / 30;
+  side = (box.max - box.min).maxCoeff() / 50;
+  reach = 1.001 * side * std::sqrt(Dim);
   corner = box.min.array() - side;
   std::size_t n = 1;
   for (int k = 0; k < Dim; ++k) {
     n_cells[k] = static_cast<int>((box.max[k] - box.min[k]) / side) + 3;
     n *= static_cast<std::size_t>(n_cells[k]);
   }
-  least_margins.resize(n);
-  const double reach = 1.001 * side * std::sqrt(Dim);
-  parallel_for(
-      n,
-      [&](std::size_t i) {
-        Vec<Dim> centre = corner;
-        std::size_t rest = i;
-        for (int k = 0; k < Dim; ++k) {
-          centre[k] += side * (static_cast<double>(rest % n_cells[k]) + 0.5);
-          rest /= n_cells[k];
-        }
-        const double margin = unobserved.nearest(centre).distance - observed.nearest(centre).distance;
-        least_margins[i] = static_cast<float>(margin - reach);
-      },
-      64);
+  margins = std::vector<std::atomic<float>>(n);
+  for (std::atomic<float>& margin : margins) margin = std::numeric_limits<float>::quiet_NaN();
 }
 
+/// At the centre of the cube that has x; NaN outside.
 template <int Dim>
-float ObservedPart<Dim>::Parts::least_margin_near(const Vec<Dim>& x) const {
+float ObservedPart<Dim>::Parts::margin_near(const Vec<Dim>& x) const {
   std::size_t i = 0;
+  Vec<Dim> centre;
   for (int k = Dim - 1; k >= 0; --k) {
-    const double t = (x[k] - corner[k]) / side;
-    if (!(t >= 0 && t < n_cells[k])) return -std::numeric_limits<float>::infinity();
+    const double t = std::floor((x[k] - corner[k]) / side);
+    if (!(t >= 0 && t < n_cells[k])) return std::numeric_limits<float>::quiet_NaN();
     i = i * n_cells[k] + static_cast<std::size_t>(t);
+    centre[k] = corner[k] + side * (t + 0.5);
   }
-  return least_margins[i];
+  float margin = margins[i].load(std::memory_order_relaxed);
+  if (!std::isnan(margin)) return margin;
+  margin = static_cast<float>(unobserved.nearest(centre).distance - observed.nearest(centre).distance);
+  margins[i].store(margin, std::memory_order_relaxed);  // whoever else computes it has the same bits
+  return margin;
 }
 
 // Any observed facet bounds the distance of the nearest from above; where no gap begins nearer than the margin beyond
 // that bound, neither distance has to be known.
 template <int Dim>
 bool ObservedPart<Dim>::is_beyond(const Vec<Dim>& x, double least) const {
-  if (is_all() || parts_->least_margin_near(x) >= least) return true;
+  if (is_all() || parts_->margin_near(x) - parts_->reach >= least) return true;
   const Index some = parts_->observed.tree.some_near(x);
   if (some == no_index) return false;
   const double distance = (closest_point_on_facet(parts_->observed.surface, some, x).point - x).norm();

@@ -7,6 +7,7 @@
 #include "geometry/surface/surface.h"
 
 #include <array>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -41,6 +42,10 @@ class ObservedPart {
   double margin_up_to(const Vec<Dim>& x, double most) const { return is_beyond(x, most) ? most : margin(x); }
   /// Is it certain that the margin is at least this? Beside the limit it may be so where the answer is no.
   bool is_beyond(const Vec<Dim>& x, double least) const;
+  /// Is it certain that the margin is at most this? Likewise.
+  bool is_within(const Vec<Dim>& x, double most) const {
+    return !is_all() && parts_->margin_near(x) + parts_->reach <= most;
+  }
 
   /// Is the observed part nearer? Points that are nearest to the edge of a gap, up to rounding, belong to the other: a
   /// correspondence with an edge is that of whatever lies beyond it (Turk and Levoy, Zippered polygon meshes from range
@@ -64,13 +69,13 @@ class ObservedPart {
   struct Parts {
     Part observed, unobserved;
     std::vector<double> half_widths;  ///< for each unobserved facet that of its connected part
-    /// A lattice of cubes over the surface; in each no margin is smaller than `least_margins`.
+    /// A lattice of cubes over the surface, for bounds of the margin. It is computed at centres where it is asked for.
     Vec<Dim> corner;
-    double side;
+    double side, reach;  ///< of a cube, and by how much the margin in it differs at most from that at its centre
     std::array<int, Dim> n_cells;
-    std::vector<float> least_margins;
-    void bound_margins();
-    float least_margin_near(const Vec<Dim>& x) const;
+    mutable std::vector<std::atomic<float>> margins;
+    void lay_lattice();
+    float margin_near(const Vec<Dim>& x) const;
   };
   std::shared_ptr<const Parts> parts_;
   double scale_ = 0;  ///< diagonal of the observed part

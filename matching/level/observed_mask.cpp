@@ -10,6 +10,7 @@ namespace {
 template <int Dim>
 double weight_in(const ObservedPart<Dim>& part, const Vec<Dim>& x, double width) {
   if (part.is_beyond(x, width)) return 1;
+  if (part.is_within(x, 0)) return 0;
   const auto [margin, half_width] = part.nearest_gap(x);
   if (!(margin > 0)) return 0;
   const double t = std::min(1.0, margin / std::min(width, 2 * half_width));
@@ -22,6 +23,7 @@ enum class Side { without_data, with_data, edge };
 template <int Dim>
 Side side_of_ball(const ObservedPart<Dim>& part, const Vec<Dim>& centre, double radius, double width) {
   if (part.is_beyond(centre, width + 2 * radius)) return Side::with_data;
+  if (part.is_within(centre, -2 * radius)) return Side::without_data;
   const double margin = part.margin(centre);
   if (margin - 2 * radius >= width) return Side::with_data;
   return margin + 2 * radius <= 0 ? Side::without_data : Side::edge;

@@ -53,12 +53,24 @@ TEST_F(KnownMap, SmoothedCopiesAreCombinationsOfFunctions) {
   for (const int k : {4, 17, 40, 17}) {
     const Rows3 coefficients = shape_1_->coefficients.topRows(k),
                 expected = shape_1_->functions.leftCols(k) * coefficients;
-    for (const SmoothedSurface& s : {pair_.smoothed[0].with(k), pair_.smoothed[0].combined(coefficients)}) {
+    for (const SmoothedSurface& s :
+         {pair_.smoothed[0].with(k), pair_.smoothed[0].combined(coefficients, shape_1_->surface.facets)}) {
       EXPECT_LT((s.coordinates.topRows(3).transpose().cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-5) << k;
       const Rows3 normals = vertex_normals(shape_1_->surface.facets, expected);
       EXPECT_LT((s.normals.topRows(3).transpose().cast<double>() - normals).cwiseAbs().maxCoeff(), 1e-3) << k;
     }
   }
+}
+
+// Of the other facets the normals of these vertices do not depend.
+TEST_F(KnownMap, EmbeddingsOfSomeVerticesArePartsOfThoseOfAll) {
+  const Eigen::MatrixXd c = functional_map(pair_, truth_, 12);
+  const Embedding some = spectral_embedding(pair_, pair_.coarsest, c, 2), all = dense_embedding(pair_, c);
+  ASSERT_LT(pair_.coarsest[0].facets.size(), shape_1_->surface.facets.size());
+  for (int s = 0; s < 2; ++s)
+    for (std::size_t i = 0; i < pair_.coarsest[s].size(); ++i)
+      EXPECT_LT((some.on[s].col(static_cast<Eigen::Index>(i)) - all.on[s].col(pair_.coarsest[s].vertices[i])).norm(),
+                1e-4);
 }
 
 TEST_F(KnownMap, TheOrthogonalMapIsOrthogonalForAnyPairsAndTheSameForTrueOnes) {
@@ -124,7 +136,7 @@ TEST_F(KnownMap, LandmarksAreTheFirstOfAllSets) {
   const ShapePairSpectra pair = make_shape_pair(*shape_1_, *shape_2_, with_doubles);
   EXPECT_EQ(pair.landmarks, four);
   for (int s = 0; s < 2; ++s)
-    for (const VertexSet* set : {&pair.coarse[s], &pair.dense[s]}) {
+    for (const VertexSet* set : {&pair.coarsest[s], &pair.coarse[s], &pair.dense[s]}) {
       EXPECT_EQ(std::vector<Index>(set->vertices.begin(), set->vertices.begin() + 4),
                 (std::vector<Index>{7, 900, 3, 55}));
       std::vector<Index> sorted = set->vertices;

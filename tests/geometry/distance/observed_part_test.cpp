@@ -47,7 +47,7 @@ TEST(ObservedPart, MarginsAreDistancesFromTheRim) {
 
 TEST(ObservedPart, MarginsUpToALimitAreThoseBelowIt) {
   const ObservedPart<3> part(cut_ball().evidence);
-  std::size_t n_beyond = 0;
+  std::size_t n_beyond = 0, n_within = 0;
   for (const double most : {0.05, 0.4, 1.5})
     for (const Vec<3>& x : random_points<3>(300, Vec<3>::Constant(-1.2), Vec<3>::Constant(1.2))) {
       const double margin = part.margin(x);
@@ -55,9 +55,13 @@ TEST(ObservedPart, MarginsUpToALimitAreThoseBelowIt) {
         EXPECT_FALSE(part.is_beyond(x, most));
         EXPECT_EQ(part.margin_up_to(x, most), margin);
       }
+      if (margin > 1.001 * -most) EXPECT_FALSE(part.is_within(x, -most));
       n_beyond += part.is_beyond(x, most);
+      n_within += part.is_within(x, -most);
     }
   EXPECT_GT(n_beyond, 100u);
+  EXPECT_GT(n_within, 5u);
+  EXPECT_FALSE(ObservedPart<3>().is_within({5, 5, 5}, 1));
   EXPECT_TRUE(ObservedPart<3>().is_beyond({5, 5, 5}, 1));
 }
 
