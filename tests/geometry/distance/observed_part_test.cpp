@@ -55,7 +55,7 @@ TEST(ObservedPart, MarginsUpToALimitAreThoseBelowIt) {
         EXPECT_FALSE(part.is_beyond(x, most));
         EXPECT_EQ(part.margin_up_to(x, most), margin);
       }
-      if (margin > 1.001 * -most) EXPECT_FALSE(part.is_within(x, -most));
+      EXPECT_FALSE(margin > -0.999 * most && part.is_within(x, -most));
       n_beyond += part.is_beyond(x, most);
       n_within += part.is_within(x, -most);
     }
