@@ -4,7 +4,7 @@
 #   root=DIR; keep=0   before: DIR, or "" for a temporary folder; keep=1 leaves it there
 #   suite=NAME         before: bookworm (Debian 12), trixie (13), forky (testing); "" for that of this machine
 #   make_root          makes it, unless there is one; removes it or says where it is when the shell ends
-#   inside COMMAND     runs a shell command in it, in its folder /src
+#   inside COMMAND     runs a shell command in it, in its folder /src; SHELLMATCH_DATA is its /data, which it cannot change
 
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
@@ -14,7 +14,7 @@ fail() {
 minutes() { awk -v s="$1" 'BEGIN { printf "%.1f min (%d s)", s / 60, s }'; }
 
 clean_up_root() {
-  for place in dev/pts dev proc; do
+  for place in data dev/pts dev proc; do
     if mountpoint -q "$root/$place"; then umount "$root/$place" || keep=1; fi
   done
   # Deletes nothing below a mount that could not be removed, such as the machine's own /dev.
@@ -80,9 +80,15 @@ make_root() {
   mountpoint -q "$root/dev" || mount --bind /dev "$root/dev"
   # The pseudo-terminals that tests take are a file system of their own.
   if mountpoint -q /dev/pts && ! mountpoint -q "$root/dev/pts"; then mount --bind /dev/pts "$root/dev/pts"; fi
+  if [ -n "${SHELLMATCH_DATA:-}" ] && ! mountpoint -q "$root/data"; then
+    mkdir -p "$root/data"
+    mount --bind "$SHELLMATCH_DATA" "$root/data" || fail "SHELLMATCH_DATA should name a folder: $SHELLMATCH_DATA"
+    mount -o remount,bind,ro "$root/data"
+  fi
 }
 
 inside() {
   chroot "$root" env -i HOME=/ PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin TERM=dumb \
+    ${SHELLMATCH_DATA:+SHELLMATCH_DATA=/data} ${SHELLMATCH_BROWSER:+SHELLMATCH_BROWSER=$SHELLMATCH_BROWSER} \
     sh -c "cd /src && $1" </dev/null
 }
