@@ -12,6 +12,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
@@ -57,8 +58,18 @@ void run_on_threads(std::size_t count, const Call& call) {
   if (first) std::rethrow_exception(first);
 }
 #else
+// Where an allocation fails while oneTBB 2022 starts, its function that would throw waits for ever. The start needs
+// less than this, which is given back at once.
+void make_room_to_start() {
+  constexpr std::size_t bytes = 4 << 20;
+  thread_local bool started = false;
+  if (!started) ::operator delete(::operator new(bytes));
+  started = true;
+}
+
 template <class Call>
 void run_on_threads(std::size_t count, const Call& call) {
+  make_room_to_start();
   tbb::parallel_for(std::size_t{0}, count, call);
   // Where a body of an enclosing loop has thrown, TBB cancels the loops within the others: they return without an
   // exception and with chunks left out. Whoever goes on would compute with half of the data. The enclosing loop throws
