@@ -78,20 +78,26 @@ std::vector<Panel> draw_panels(const LevelPicture<3>& picture) {
   std::vector<Panel> panels;
   panels.push_back({draw({reference}), "reference", {}});
   panels.push_back({draw({template_shape}), "template", {}});
-  panels.push_back({draw({deformed}), "deformed reference", {}});
+  std::vector<std::vector<RenderSurface>> looks{{deformed}};  // of the deformed reference alone
   template_shape.color = template_color;
   template_shape.opacity = 0.4;
   deformed.paint = Paint::uniform;
   deformed.color = deformed_color;
-  panels.push_back({draw({deformed, template_shape}), "deformed reference (orange) and template (blue)", {}});
+  const Image overlay = draw({deformed, template_shape});
   deformed.paint = Paint::scalar;
-  for (ScalarPanel& scalar : scalar_panels(picture)) {
+  std::vector<ScalarPanel> scalars = scalar_panels(picture);
+  for (ScalarPanel& scalar : scalars) {
     deformed.scalars = std::move(scalar.values);
     deformed.color_map = scalar.bar.map;
     deformed.scalar_min = scalar.bar.min;
     deformed.scalar_max = scalar.bar.max;
-    panels.push_back({draw({deformed}), scalar.caption, scalar.bar});
+    looks.push_back({deformed});
   }
+  const std::vector<Image> images = render_looks(looks, camera, options);
+  panels.push_back({images[0], "deformed reference", {}});
+  panels.push_back({overlay, "deformed reference (orange) and template (blue)", {}});
+  for (std::size_t i = 0; i < scalars.size(); ++i)
+    panels.push_back({images[1 + i], scalars[i].caption, scalars[i].bar});
   return panels;
 }
 

@@ -26,4 +26,9 @@ std::vector<float> surface_openness(const Surface<3>& surface);
 /// \pre scalars and origins are empty or have one entry for each vertex.
 Image render_surfaces(std::span<const RenderSurface> surfaces, const Camera& camera, const RenderOptions& options = {});
 
+/// The same for several looks of the same surfaces, whose rays are traced once for all. \pre there is a look, and all
+/// have the surfaces and opacities of the first
+std::vector<Image> render_looks(std::span<const std::vector<RenderSurface>> looks, const Camera& camera,
+                                const RenderOptions& options = {});
+
 }  // namespace shellmatch

@@ -50,6 +50,18 @@ TEST(SurfacesTest, FarFromTheOriginAndInOtherUnitsThePictureIsTheSame) {
   EXPECT_LT(differing, 30);
 }
 
+TEST(SurfacesTest, LooksDrawnTogetherAreThoseDrawnAlone) {
+  const Surface<3> s = sphere(40, 0.7), glass = cube(0.5);
+  std::vector<std::vector<RenderSurface>> looks(
+      2, {{.surface = &s, .paint = Paint::checker}, {.surface = &glass, .opacity = 0.4}});
+  looks[1][0].paint = Paint::uniform;
+  const RenderOptions options{.width = 90, .height = 70, .samples = 2};
+  const std::vector<Image> images = render_looks(looks, from_front(1), options);
+  ASSERT_EQ(images.size(), 2u);
+  EXPECT_NE(images[0], images[1]);
+  for (std::size_t l = 0; l < 2; ++l) EXPECT_EQ(images[l], render_surfaces(looks[l], from_front(1), options)) << l;
+}
+
 TEST(SurfacesTest, FittedCameraSeesAllAndFillsThePicture) {
   const Surface<3> a = both(sphere(40, 0.2, {0, 0, 0}), cube(0.3)), b = sphere(40, 0.1, {3, 1, 0.5});
   const Surface<3>* all[] = {&a, &b};
