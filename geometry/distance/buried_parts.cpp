@@ -138,4 +138,14 @@ Evidence<3> without_buried(const Surface<3>& surface, const Evidence<3>& evidenc
   return result;
 }
 
+Surface<3> with_buried(const Evidence<3>& evidence) {
+  Surface<3> all = evidence.observed;
+  const auto& [vertices, facets] = evidence.unobserved;
+  if (vertices.size() < all.vertices.size()) return all;
+  const auto offset = static_cast<Index>(vertices.size() - all.vertices.size());  // those of without_buried() are last
+  for (const auto& [a, b, c] : facets)
+    if (std::min({a, b, c}) >= offset) all.facets.push_back({a - offset, b - offset, c - offset});
+  return all;
+}
+
 }  // namespace shellmatch

@@ -31,4 +31,7 @@ BuriedParts buried_parts(const Surface<3>& surface, const std::vector<Index>& cr
 /// The evidence for a closed surface without its buried facets, which go to the unobserved ones.
 Evidence<3> without_buried(const Surface<3>& surface, const Evidence<3>& evidence, const std::vector<Index>& buried);
 
+/// The file's own facets of such evidence, buried ones included.
+Surface<3> with_buried(const Evidence<3>& evidence);
+
 }  // namespace shellmatch

@@ -23,6 +23,8 @@ constexpr double most_landmark_distance = 0.15;
 
 // Maps of animals and people that are better than all others by this factor were right.
 constexpr double clear_margin = 1.15;
+// Of parts two in ten below this one were wrong, and none above.
+constexpr double clear_margin_of_parts = 1.3;
 
 template <int Dim>
 class Choosing {
@@ -32,6 +34,7 @@ class Choosing {
         landmarks_are_spread_(search.landmarks_are_spread),
         is_ambiguous_(search.is_ambiguous),
         is_of_part_(search.is_of_part),
+        clear_margin_(search.is_of_part ? clear_margin_of_parts : clear_margin),
         options_(options),
         try_(trials),
         trials_(starts_.size()) {
@@ -50,7 +53,7 @@ class Choosing {
     if constexpr (Dim == 2)
       if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
     if constexpr (Dim == 3)
-      if (options_.mode == AlignMode::automatic && margin < clear_margin && !is_ambiguous_ && !is_of_part_ &&
+      if (options_.mode == AlignMode::automatic && margin < clear_margin_ && !is_ambiguous_ &&
           !landmarks_confirm(starts_[choice.index]))
         by_likeness(choice);
     if (is_ambiguous_) choice.margin = 1;
@@ -124,7 +127,7 @@ class Choosing {
     const Start<Dim>& first = starts_[choice.index];
     std::vector<std::size_t> close;
     for (const std::size_t i : usable_)
-      if (i != choice.index && starts_[i].order < clear_margin * first.order &&
+      if (i != choice.index && starts_[i].order < clear_margin_ * first.order &&
           starts_[i].is_mirrored == first.is_mirrored)
         close.push_back(i);
     if (close.empty()) return;
@@ -156,6 +159,7 @@ class Choosing {
 
   const std::vector<Start<Dim>>& starts_;
   const bool landmarks_are_spread_, is_ambiguous_, is_of_part_;
+  const double clear_margin_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
   std::vector<std::optional<Trial>> trials_;

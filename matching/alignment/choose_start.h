@@ -45,8 +45,9 @@ struct StartSearch {
   std::size_t n_landmarks = 0;          ///< that took part
   std::vector<std::string> notes = {};  ///< what was left out
   double searched_share = 1;  ///< of the area of either shape, the less: below 1 where components were left out
-  bool is_of_part =
-      false;  ///< of a part and a whole: coarse trials tell nothing of them, as most of the whole is not reached anyway
+  /// Of a part and a whole. Whether the shapes as they lie are better, coarse trials do not tell then, as most of the
+  /// whole is not reached anyway.
+  bool is_of_part = false;
   bool is_ambiguous =
       false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
   /// Whether the mirrored reference has a map that is much better than a start, as where a left bone lies beside a

@@ -5,6 +5,7 @@
 #include "alignment/pairs/find_pairs.h"
 #include "alignment/partial/find_partial_pairs.h"
 #include "alignment/rigid/find_rigid_pairs.h"
+#include "geometry/distance/buried_parts.h"
 #include "matching/alignment/choose_pose.h"
 
 #include <fmt/format.h>
@@ -84,14 +85,16 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   return start;
 }
 
-/// What the file has, or with nothing made up all that encloses the shape.
-const Surface<3>& measured(const Shape<3>& shape) {
-  return shape.invented_share > 0 ? shape.evidence.observed : shape.surface;
+/// What the file has, or with nothing made up all that encloses the shape. Distances along a surface know nothing of
+/// what lies inside other parts, and every border that is no border of the part misleads.
+Surface<3> measured(const Shape<3>& shape) {
+  if (shape.invented_share == 0) return shape.surface;
+  return shape.buried_share > 0 ? with_buried(shape.evidence) : shape.evidence.observed;
 }
 
 StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                      const AlignOptions& options) {
-  const Surface<3>&reference = measured(shapes.reference), &template_surface = measured(shapes.template_shape);
+  const Surface<3> reference = measured(shapes.reference), template_surface = measured(shapes.template_shape);
   const bool reference_is_part = surface_measure(reference) <= surface_measure(template_surface);
   const auto exchange = [&](std::vector<CorrespondingPoints>& pairs) {
     if (!reference_is_part)

@@ -142,6 +142,9 @@ TEST(WithoutBuried, WhatWasMadeUpStaysSo) {
   EXPECT_EQ(evidence.unobserved.facets.size(), filled.unobserved.facets.size() + n_buried);
   EXPECT_NEAR(surface_measure(evidence.observed) + surface_measure(evidence.unobserved), surface_measure(both), 1e-12);
   for (const auto& facet : evidence.observed.facets) EXPECT_FALSE(both.vertices[facet[0]].z() < -0.1);
+  const Surface<3> files = with_buried(evidence);
+  EXPECT_EQ(files.facets.size(), filled.observed.facets.size());
+  EXPECT_NEAR(surface_measure(files), surface_measure(filled.observed), 1e-12);
   // Once more changes nothing.
   EXPECT_EQ(without_buried(both, evidence, found.facets).observed.facets, evidence.observed.facets);
 }

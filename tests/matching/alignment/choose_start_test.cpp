@@ -65,12 +65,14 @@ Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double
 
 template <int Dim>
 StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>>& starts, double margin,
-                      const ExperimentOptions& options, bool landmarks_are_spread = false, bool is_ambiguous = false) {
+                      const ExperimentOptions& options, bool landmarks_are_spread = false, bool is_ambiguous = false,
+                      bool is_of_part = false) {
   Observer quiet;
   const std::vector<Landmark<Dim>> no_landmarks;
   Trials<Dim> trials(shapes, no_landmarks, options, quiet);
   StartSearch<Dim> search{starts, margin, landmarks_are_spread};
   search.is_ambiguous = is_ambiguous;
+  search.is_of_part = is_of_part;
   return choose_start<Dim>(search, options.align, trials);
 }
 
@@ -97,6 +99,8 @@ TEST(ChooseStart, WhereDescriptorsLeaveItOpenTheLikenessAfterATrialDecides) {
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).n_tried, 2u);
   right.order = 0.24;  // not among the close ones
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).index, 0u);
+  EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.2, quick()).index, 0u);
+  EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.2, quick(), false, false, true).index, 1u) << "but among parts";
 }
 
 TEST(ChooseStart, DoubtfulPairsAreUsedWhereTheyAreBetterThanNone) {
