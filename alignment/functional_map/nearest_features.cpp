@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -11,22 +12,35 @@ namespace shellmatch {
 
 namespace {
 
+// As many as a register of the machine has: g++ 14 takes wider vectors apart one by one. Results do not depend on it.
+#if defined(__AVX512F__)
 constexpr Eigen::Index width = 16;
-// A vector type of the compiler: one, two or four registers, depending on the machine.
-typedef float Lanes __attribute__((vector_size(width * sizeof(float))));
+#elif defined(__AVX__)
+constexpr Eigen::Index width = 8;
+#else
+constexpr Eigen::Index width = 4;
+#endif
+template <Eigen::Index n>
+struct Vector {
+  typedef float type __attribute__((vector_size(n * sizeof(float))));
+};
+using Lanes = Vector<width>::type;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
-
 // A loop over the lanes would take them apart one by one.
-float least_of(Lanes v) {
-  v = lesser(v, __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
-  v = lesser(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
-  v = lesser(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
-  v = lesser(v, __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
-  return v[0];
+template <Eigen::Index n>
+float least_of_lanes(const typename Vector<n>::type& v) {
+  if constexpr (n <= 4) {
+    return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+  } else {
+    typename Vector<n / 2>::type halves[2];
+    std::memcpy(halves, &v, sizeof v);
+    return least_of_lanes<n / 2>(halves[0] < halves[1] ? halves[0] : halves[1]);
+  }
 }
+
+float least_of(const Lanes& v) { return least_of_lanes<width>(v); }
 
 /// Squares of a matrix' columns, halved.
 Eigen::VectorXf half_squares(const Features& features) { return 0.5f * features.colwise().squaredNorm().transpose(); }
