@@ -105,11 +105,15 @@ InverseMap<Dim>::InverseMap(const Octree<Dim>& grid, std::span<const Vec<Dim>> p
 
 template <int Dim>
 std::optional<Vec<Dim>> InverseMap<Dim>::operator()(const Vec<Dim>& y) const {
-  for (const Index i : tree_.containing(y)) {
-    const Index leaf = grid_->leaves()[i];
-    if (const auto xi = preimage_in_cell(corners_of(*grid_, phi_, leaf), y))
-      return Vec<Dim>(grid_->cell_corner(leaf) + grid_->cell(leaf).side() * *xi);
-  }
+  // Bisecting the cells beside the right one takes longest: where Newton's method finds the point, it is spared.
+  const auto cells = tree_.containing(y);
+  for (const bool is_bisected : {false, true})
+    for (const Index i : cells) {
+      const Index leaf = grid_->leaves()[i];
+      const Corners<Dim> corners = corners_of(*grid_, phi_, leaf);
+      if (const auto xi = is_bisected ? preimage_in_cell(corners, y) : newton(corners, y))
+        return Vec<Dim>(grid_->cell_corner(leaf) + grid_->cell(leaf).side() * *xi);
+    }
   return outside(y);
 }
 
