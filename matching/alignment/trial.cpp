@@ -181,6 +181,12 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
                                     end.grid.finest_side(), n_measured)
                 .figures;
         result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
+        const ShapePair<Dim>& tried = tried_shapes();
+        if (tried.one_is_part()) {  // the rest of the whole is not reached from either side
+          const bool deformed_is_part = tried.reference.invented_share > tried.template_shape.invented_share;
+          result.distance =
+              2 * (deformed_is_part == forward ? figures.deformed_to_template.mean : figures.template_to_deformed.mean);
+        }
         result.energy = end.levels.back().minimised.sum();
       });
   return result;

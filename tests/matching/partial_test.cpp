@@ -2,6 +2,7 @@
 // the other lacks is neither pulled nor measured.
 
 #include "geometry/repair/make_shape.h"
+#include "matching/alignment/trial.h"
 #include "matching/input/shape_source.h"
 #include "matching/match_shapes.h"
 #include "matching/result/verdict.h"
@@ -191,6 +192,27 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   EXPECT_EQ(onto_part.summary.alignment->scale, 1);
   EXPECT_GT(onto_part.summary.alignment->n_pairs, 100);
   EXPECT_EQ(onto_part.summary.alignment->n_pairs, onto_whole.summary.alignment->n_pairs);
+}
+
+TEST_F(Partial, TheDirectionIsChosenByThePartAlone) {
+  // Of two balls the part has one, and that without a cap. The other is not reached in either direction.
+  const Shape<3> ball = std::get<Shape<3>>(open_shape("generate:sphere"));
+  OriginalShape<3> balls = ball.original;
+  const auto n = static_cast<Index>(balls.vertices.size());
+  const double apart = 1.5 * bounding_box(balls.vertices).diagonal();
+  for (Index v = 0; v < n; ++v) balls.vertices.push_back(balls.vertices[v] + Vec<3>(apart, 0, 0));
+  for (std::vector<Index> polygon : ball.original.polygons) {
+    for (Index& v : polygon) v += n;
+    balls.polygons.push_back(std::move(polygon));
+  }
+  const Shape<3> whole_shape = make_shape(std::move(balls), "two balls");
+  const CutShape part = cut(ball, down, 0.1);
+  const auto distance = [&](const Shape<3>& deformed, const Shape<3>& other_shape, Carried carried) {
+    const ShapePair<3> pair{deformed, other_shape};
+    return Trials<3>(pair, {}, options(), quiet).of_direction({}, carried).distance;
+  };
+  EXPECT_LT(distance(part.shape, whole_shape, Carried::reference), 0.01);
+  EXPECT_LT(distance(part.shape, whole_shape, Carried::template_shape), 0.01);
 }
 
 }  // namespace
