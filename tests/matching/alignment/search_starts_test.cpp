@@ -60,14 +60,17 @@ TEST(SearchStarts, PairsThatContradictThoseAroundThemAreTheLast) {
   AlignOptions options;
   options.search.functions = 40;
   options.search.refined = 3;
-  const StartSearch<3> search = search_starts({shape("generate:hand/bent"), shape("generate:hand")}, {}, options);
-  std::size_t n_contradicting = 0;
-  for (const Start<3>& start : search.starts) {
-    EXPECT_EQ(start.alignment.pairs.size(), start.n_pairs + start.n_contradicting);
-    n_contradicting += start.n_contradicting;
-  }
-  EXPECT_GT(n_contradicting, 0u) << "maps that exchange fingers are among those found";
-  EXPECT_EQ(search.starts[0].n_contradicting, 0u);
+  const auto contradicting = [&](const char* reference, const char* target) {
+    std::vector<std::size_t> n;
+    for (const Start<3>& start : search_starts({shape(reference), shape(target)}, {}, options).starts) {
+      EXPECT_EQ(start.alignment.pairs.size(), start.n_pairs + start.n_contradicting);
+      n.push_back(start.n_contradicting);
+    }
+    return n;
+  };
+  EXPECT_EQ(contradicting("generate:hand/bent", "generate:hand").front(), 0u);
+  const std::vector<std::size_t> unlike = contradicting("generate:hand", "generate:dolphin/bent");
+  EXPECT_GT(*std::ranges::max_element(unlike), 0u) << "no map between these is right everywhere";
 }
 
 TEST(SearchStarts, SayWhichComponentsAreLeftOut) {

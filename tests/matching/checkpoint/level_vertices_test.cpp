@@ -175,7 +175,7 @@ TEST(ResumedReport, CheckpointsOfOtherFormatsBeginAnewAndSaySo) {
   const ExperimentOptions o = experiment();
   run(o, tmp / "whole");
   const std::string kept = tmp / "out.unfinished";
-  for (const int format : {1, 3, 5}) {
+  for (const int format : {1, 3, CheckpointManifest().format + 1}) {
     run(o, tmp / "out", 5);
     CheckpointManifest manifest = read_manifest(kept + "/state.json").value();
     manifest.format = format;
