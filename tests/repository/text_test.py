@@ -58,6 +58,13 @@ def dead_links(page, text, root):
     return dead
 
 
+def too_long(folder, most=400):
+    """Python below `folder` of more lines, also without an ending; that of C++ is counted in structure_rules.cpp."""
+    scripts = (f for f in files(folder, "")
+               if f.suffix == ".py" or not f.suffix and f.read_bytes().partition(b"\n")[0].endswith(b"python3"))
+    return [str(f) for f in scripts if f.read_text().count("\n") > most]
+
+
 @unittest.skipUnless(clang_format, "clang-format is not installed")
 class Format(unittest.TestCase):
     def setUp(self):
@@ -97,6 +104,17 @@ class Texts(unittest.TestCase):
     def test_machines_are_seen(self):
         self.assertIsNone(machine.search("docs/ho" "me/page, ${root}/t" "mp/x and /usr/share/doc"))
         self.assertIsNotNone(machine.search("cd /ho" "me/somebody"))
+
+    def test_scripts_are_short(self):
+        self.assertEqual(too_long(root), [])
+
+    def test_long_scripts_are_seen(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "near.py").write_text("pass\n" * 400)
+            self.assertEqual(too_long(folder), [])
+            (pathlib.Path(folder) / "far.py").write_text("pass\n" * 401)
+            (pathlib.Path(folder) / "script").write_text("#!/usr/bin/env python3\n" * 401)
+            self.assertEqual(len(too_long(folder)), 2)
 
     def test_bits_do_not_depend_on_addresses(self):
         """Eigen's stable norms (3.4) have other last bits at other addresses; unit_or_zero() has not."""
