@@ -36,7 +36,8 @@ struct GridFile {
   std::vector<std::string>
       notes;  ///< where other programs may place the voxels elsewhere, and what the header contradicts itself in
   std::optional<NiftiPlacement> nifti;
-  std::string unit;  ///< of an NRRD's numbers, where they were turned into millimetres: "um"
+  std::string unit;   ///< of an NRRD's or NIfTI's numbers, where they were turned into millimetres: "um"
+  std::string space;  ///< of an NRRD, where readers differ on it: "left-anterior-superior"
 };
 
 }  // namespace shellmatch

@@ -80,7 +80,7 @@ VolumeHeader read_meta_image_header(const std::string& path) {
   if (std::ranges::any_of(spacing, [](double s) { return !(s > 0); }))
     throw_input_error("{}: the spacing of its voxels must be positive", path);
   grid = exchange_space(grid);
-  grid.file = std::make_shared<const GridFile>(GridFile{"its offset and matrix, in LPS", {}, {}, {}});
+  grid.file = std::make_shared<const GridFile>(GridFile{"its offset and matrix, in LPS", {}, {}, {}, {}});
   header.type = *type;
   const bool is_here = equals_ignoring_case(*data_file, "local");
   header.file = is_here ? path : file_of_values(path, *data_file);

@@ -132,6 +132,13 @@ VolumeHeader read_nifti_header(const std::string& path) {
   header.type = type_of(path, fields.datatype());
   GridFile file;
   file.nifti = placement_of(path, fields);
+  if (const int unit = fields.units() & 7; unit == 1 || unit == 3) {
+    file.unit = unit == 1 ? "m" : "um";
+    file.notes.push_back(
+        fmt::format("its numbers are in {}, as it says, and turned into millimetres; nibabel leaves them as they are, "
+                    "and ITK before 5.4 turns the size of voxels alone, not where they begin",
+                    file.unit));
+  }
   place_by_nifti(path, *file.nifti, header.grid, file);
   if (const int bits = fields.bitpix(), wanted = static_cast<int>(8 * bytes_of(header.type));
       bits != 0 && bits != wanted)

@@ -194,10 +194,16 @@ void set_frame(const LineReader& lines, const NrrdFields& f, VoxelGrid& grid, Gr
                                                                 : frame == "las" ? "LAS"
                                                                                  : "LPS");
   if (f.space.empty()) file.placed_by += ", as it names no space";
+  else if (frame == "lps" && f.space != "lps" && !f.space.starts_with("left-posterior-superior"))
+    file.placed_by += fmt::format(", as its space '{}' says nothing of a patient", printable(f.space, 30));
   if (frame == "lps") grid = exchange_space(grid);
   if (frame == "las") {
     grid.origin[0] *= -1;
     grid.axes.row(0) *= -1;
+    file.space = "left-anterior-superior";
+    file.notes.emplace_back(
+        "its space is left-anterior-superior, where ITK up to 5.4.3, and ANTs and 3D Slicer with it, exchange left and "
+        "right in place of front and back: for them it lies half a turn about z from here");
   }
 }
 

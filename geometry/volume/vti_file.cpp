@@ -117,7 +117,7 @@ class VtiFile {
       first[k] = static_cast<double>(range[static_cast<std::size_t>(2 * k)]) + (is_of_cells_ ? 0.5 : 0);
     grid.origin = Vec<3>(origin[0], origin[1], origin[2]) + grid.axes * first;
     grid.file = std::make_shared<const GridFile>(
-        GridFile{"its origin and spacing, taken to be in RAS, as it names no frame", {}, {}, {}});
+        GridFile{"its origin and spacing, taken to be in RAS, as it names no frame", {}, {}, {}, {}});
   }
 
   const std::string& path_;

@@ -81,8 +81,24 @@ NiftiPlacement placement_of(const VoxelGrid& grid) {
   return p;
 }
 
-// NIfTI-1. Lengths whose unit is known become millimetres, which all programs read alike.
+// The millimetres of the numbers of a file on these voxels, which has the unit of the file of its kind that they are
+// of.
+double unit_of_file(const VoxelGrid& grid, VolumeFormat format) {
+  if (!grid.file || grid.unit != "mm" || grid.file->nifti.has_value() != (format == VolumeFormat::nifti)) return 1;
+  return millimetres_of(grid.file->unit).value_or(1);
+}
+
+void divide_lengths(NiftiPlacement& p, double unit) {
+  p.pixdim /= unit;
+  for (std::size_t k = 3; k < 6; ++k) p.quatern[k] /= unit;
+  p.srow /= unit;
+  p.srow_offset /= unit;
+}
+
+// NIfTI-1. Lengths whose unit is known become millimetres, which all programs read alike, but on the voxels of a NIfTI
+// they keep its unit, which programs do not read alike.
 std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
+  const double unit = unit_of_file(grid, VolumeFormat::nifti);
   const std::optional<double> millimetres = millimetres_of(grid.unit);
   grid.axes *= millimetres.value_or(1);
   grid.origin *= millimetres.value_or(1);
@@ -101,13 +117,14 @@ std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
   if (is_vector) put<std::int16_t>(h, 68, 1007);
   put(h, 70, codes[static_cast<std::size_t>(type)]);
   put(h, 72, static_cast<std::int16_t>(8 * bytes_of(type)));
-  const NiftiPlacement p = placement_of(grid);
+  NiftiPlacement p = placement_of(grid);
+  divide_lengths(p, unit);
   put(h, 76, static_cast<float>(p.qfac));
   for (std::size_t k = 0; k < 3; ++k) put(h, 80 + 4 * k, static_cast<float>(p.pixdim[static_cast<int>(k)]));
   for (std::size_t k = 3; k < 7; ++k) put(h, 80 + 4 * k, 1.0f);
   put(h, 108, 352.0f);
   put(h, 112, 1.0f);
-  h[123] = millimetres ? 2 : 0;  // millimetres, or unknown
+  h[123] = unit == 1000 ? 1 : unit < 1 ? 3 : millimetres ? 2 : 0;  // metres, micrometres, millimetres, unknown
   put(h, 252, static_cast<std::int16_t>(p.qform_code));
   put(h, 254, static_cast<std::int16_t>(p.sform_code));
   for (std::size_t k = 0; k < 6; ++k) put(h, 256 + 4 * k, static_cast<float>(p.quatern[k]));
@@ -120,16 +137,16 @@ std::string nifti_header(VoxelGrid grid, VoxelType type, bool is_vector) {
   return h;
 }
 
-// The millimetres of the numbers of an NRRD on these voxels, which has the unit that theirs had.
-double nrrd_unit(const VoxelGrid& grid) {
-  return grid.file && grid.unit == "mm" ? millimetres_of(grid.file->unit).value_or(1) : 1;
-}
-
 std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector) {
   static constexpr const char* names[] = {"uint8", "int8",   "uint16", "int16", "uint32",
                                           "int32", "uint64", "int64",  "float", "double"};
   VoxelGrid grid = exchange_space(in_ras);
-  if (const double unit = nrrd_unit(grid); unit != 1) {
+  const bool is_las = in_ras.file && in_ras.file->space == "left-anterior-superior";
+  if (is_las) {
+    grid.axes.row(1) *= -1;
+    grid.origin[1] *= -1;
+  }
+  if (const double unit = unit_of_file(grid, VolumeFormat::nrrd); unit != 1) {
     grid.unit = grid.file->unit;
     grid.axes /= unit;
     grid.origin /= unit;
@@ -137,12 +154,12 @@ std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector)
   const auto text = [](const Vec<3>& x) { return fmt::format("({},{},{})", x[0], x[1], x[2]); };
   const std::string units = grid.unit.empty() ? "" : fmt::format("space units: \"{0}\" \"{0}\" \"{0}\"\n", grid.unit);
   return fmt::format(
-      "NRRD0004\ntype: {}\ndimension: {}\nspace: left-posterior-superior\n{}sizes: {}{} {} {}\n"
+      "NRRD0004\ntype: {}\ndimension: {}\nspace: left-{}-superior\n{}sizes: {}{} {} {}\n"
       "space directions: {}{} {} {}\nkinds: {}domain domain domain\nendian: little\nencoding: gzip\nspace origin: "
       "{}\n\n",
-      names[static_cast<std::size_t>(type)], is_vector ? 4 : 3, units, is_vector ? "3 " : "", grid.size[0],
-      grid.size[1], grid.size[2], is_vector ? "none " : "", text(grid.axes.col(0)), text(grid.axes.col(1)),
-      text(grid.axes.col(2)), is_vector ? "vector " : "", text(grid.origin));
+      names[static_cast<std::size_t>(type)], is_vector ? 4 : 3, is_las ? "anterior" : "posterior", units,
+      is_vector ? "3 " : "", grid.size[0], grid.size[1], grid.size[2], is_vector ? "none " : "", text(grid.axes.col(0)),
+      text(grid.axes.col(1)), text(grid.axes.col(2)), is_vector ? "vector " : "", text(grid.origin));
 }
 
 std::string meta_image_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector, std::size_t n_bytes) {
@@ -253,7 +270,7 @@ PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, s
   // Vectors are in the unit of their file, which other programs do not convert.
   const bool is_nrrd = is_volume_file(path) && volume_format(path) == VolumeFormat::nrrd;
   const auto factor = static_cast<float>(by_component ? millimetres_of(grid.unit).value_or(1)
-                                         : is_nrrd    ? 1 / nrrd_unit(grid)
+                                         : is_nrrd    ? 1 / unit_of_file(grid, VolumeFormat::nrrd)
                                                       : 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float value = factor * values[by_component ? 3 * (i % n) + i / n : i];

@@ -1,4 +1,5 @@
 // NRRD: long headers, fields of the axes in any order, and axes by where they begin and end.
+#include "geometry/volume/grid_file.h"
 #include "geometry/volume/volume_file.h"
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/volume/volume_files.h"
@@ -91,6 +92,23 @@ TEST_F(Nrrd, AxesBeginAndEnd) {
   EXPECT_TRUE(contains(refusal(of_axes("sizes: 4 5 3\naxis maxs: 9 4.5 4.5\n")),
                        "axis 1 has a maximum (axis maxs), but neither a minimum nor a spacing"));
   EXPECT_TRUE(contains(refusal(of_axes("sizes: 4 5 3\naxis mins: 1 2 3\naxis maxs: 9 2 4\n")), "must be positive"));
+}
+
+// ITK up to 5.4.3 has what is left-anterior-superior half a turn from there, and has both files alike.
+TEST_F(Nrrd, AFrameInWhichReadersDifferIsSaidAndKept) {
+  const std::string frame =
+      "space: left-anterior-superior\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
+      "space origin: (7,8,9)\nsizes: 4 5 3\n";
+  const Volume read = read_volume(of_axes(frame));
+  EXPECT_EQ(read.grid.origin, Vec<3>(-7, 8, 9));
+  EXPECT_TRUE(contains(volume_notes(read.grid).at(0), "half a turn about z"));
+  write_volume(folder.path("b.nrrd"), read, Existing::is_replaced);
+  EXPECT_TRUE(contains(folder.read("b.nrrd"), "space: left-anterior-superior\n"));
+  EXPECT_TRUE(contains(folder.read("b.nrrd"), "space directions: (1,0,0) (0,2,0) (0,0,3)\n"));
+  EXPECT_TRUE(contains(folder.read("b.nrrd"), "space origin: (7,8,9)\n"));
+  EXPECT_EQ(read_volume(folder.path("b.nrrd")).grid.origin, read.grid.origin);
+  const Volume scanner = read_volume(of_axes("space: scanner-xyz\n" + frame.substr(frame.find('\n') + 1)));
+  EXPECT_TRUE(contains(scanner.grid.file->placed_by, "in LPS, as its space 'scanner-xyz' says nothing of a patient"));
 }
 
 // 3D Slicer's segmentations: segments have names, and where they overlap layers.

@@ -91,5 +91,27 @@ TEST(VolumeUnits, AnNrrdKeepsItsUnit) {
   }
 }
 
+// What other programs do not turn into millimetres, or not wholly, they have in one place with its model.
+TEST(VolumeUnits, ANiftiOnTheVoxelsOfANiftiKeepsItsUnit) {
+  const TempFolder folder;
+  for (const auto& [code, millimetres] : {std::pair<char, double>{1, 1000}, {3, 1e-3}}) {
+    std::string bytes = nifti(volume_of(grid_in("mm"), [](const Vec<3>&) { return 1; }));
+    bytes[123] = code;
+    folder.write("a.nii", bytes);
+    const Volume read = read_volume(folder.path("a.nii"));
+    EXPECT_EQ(read.grid.unit, "mm");
+    EXPECT_NEAR(read.grid.origin[1], 20.25 * millimetres, 1e-9);
+    EXPECT_TRUE(contains(volume_notes(read.grid)[0], "nibabel leaves them as they are, and ITK before 5.4"));
+    write_volume(folder.path("b.nii"), read, Existing::is_replaced);
+    const std::string written = folder.read("b.nii");
+    EXPECT_EQ(written[123], code);
+    for (const std::size_t offset : {80, 84, 88, 280, 292, 300, 308, 320, 324})  // pixdim, srow
+      EXPECT_EQ(number_at(written, offset), number_at(bytes, offset)) << offset;
+    // Other programs leave the numbers of an NRRD as they are.
+    write_volume(folder.path("b.nrrd"), read, Existing::is_replaced);
+    EXPECT_TRUE(contains(folder.read("b.nrrd"), "space units: \"mm\" \"mm\" \"mm\"\n"));
+  }
+}
+
 }  // namespace
 }  // namespace shellmatch::testing
