@@ -25,8 +25,44 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-constexpr std::string_view end_mark("PK\5\6", 4), central_mark("PK\1\2", 4), local_mark("PK\3\4", 4);
-constexpr std::size_t end_size = 22, central_size = 46, local_size = 30;
+constexpr std::string_view end_mark("PK\5\6", 4), central_mark("PK\1\2", 4), local_mark("PK\3\4", 4),
+    locator_mark("PK\6\7", 4), wide_end_mark("PK\6\6", 4);
+constexpr std::size_t end_size = 22, central_size = 46, local_size = 30, locator_size = 20, wide_end_size = 56;
+constexpr std::size_t elsewhere = 0xffffffff;  // a number of four bytes that is in its place of ZIP64
+
+struct Directory {
+  std::size_t begin, n_entries;
+};
+
+// Archives may have their numbers in ZIP64's records however small they are; lib3mf writes no others.
+std::optional<Directory> directory_of(std::string_view bytes, std::size_t end) {
+  const Directory narrow{number(bytes, end + 16, 4), number(bytes, end + 10, 2)};
+  if (narrow.begin != elsewhere && narrow.n_entries != 0xffff) return narrow;
+  if (end < locator_size || bytes.substr(end - locator_size, 4) != locator_mark) return narrow;
+  const std::size_t at = number(bytes, end - locator_size + 8, 8);
+  if (at > end || end - at < wide_end_size || bytes.substr(at, 4) != wide_end_mark) return {};
+  return Directory{number(bytes, at + 48, 8), number(bytes, at + 32, 8)};
+}
+
+// The next number of ZIP64's extra field, which has those that are elsewhere, in their order. \param field what is left
+bool take_wide(std::string_view& field, std::size_t& value) {
+  if (value != elsewhere) return true;
+  if (field.size() < 8) return false;
+  value = number(field, 0, 8);
+  field.remove_prefix(8);
+  return true;
+}
+
+// The contents of ZIP64's field among the extra ones.
+std::string_view wide_field(std::string_view extra) {
+  while (extra.size() >= 4) {
+    const std::size_t size = number(extra, 2, 2);
+    if (extra.size() - 4 < size) break;
+    if (number(extra, 0, 2) == 1) return extra.substr(4, size);
+    extra.remove_prefix(4 + size);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -34,20 +70,21 @@ ZipFile::ZipFile(const std::string& path, std::string_view bytes) : path_(path),
   const std::size_t end = bytes.rfind(end_mark);
   if (end == bytes.npos || bytes.size() - end < end_size)
     throw_input_error("{}: no ZIP archive, or cut off: its directory is missing at the end", path);
-  const std::size_t n = number(bytes, end + 10, 2);
-  std::size_t at = number(bytes, end + 16, 4);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (at > end || end - at < central_size || bytes.substr(at, 4) != central_mark)
-      throw_input_error("{}: the directory of the archive is damaged", path);
-    const std::size_t name_size = number(bytes, at + 28, 2),
-                      rest = number(bytes, at + 30, 2) + number(bytes, at + 32, 2);
-    if (end - at - central_size < name_size + rest)
-      throw_input_error("{}: the directory of the archive is damaged", path);
+  const auto damaged = [&] { throw_input_error("{}: the directory of the archive is damaged", path); };
+  const std::optional<Directory> directory = directory_of(bytes, end);
+  if (!directory) damaged();
+  std::size_t at = directory->begin;
+  for (std::size_t i = 0; i < directory->n_entries; ++i) {
+    if (at > end || end - at < central_size || bytes.substr(at, 4) != central_mark) damaged();
+    const std::size_t name_size = number(bytes, at + 28, 2), extra_size = number(bytes, at + 30, 2),
+                      rest = extra_size + number(bytes, at + 32, 2);
+    if (end - at - central_size < name_size + rest) damaged();
     const std::string_view name = bytes.substr(at + central_size, name_size);
-    const auto [entry, is_new] = entries_.emplace(
-        lower(name), Entry{number(bytes, at + 42, 4), number(bytes, at + 20, 4), number(bytes, at + 24, 4),
-                           number(bytes, at + 10, 2), (number(bytes, at + 8, 2) & 1) != 0});
-    if (is_new) names_.emplace_back(name);
+    Entry entry{number(bytes, at + 42, 4), number(bytes, at + 20, 4), number(bytes, at + 24, 4),
+                number(bytes, at + 10, 2), (number(bytes, at + 8, 2) & 1) != 0};
+    std::string_view wide = wide_field(bytes.substr(at + central_size + name_size, extra_size));
+    if (!take_wide(wide, entry.size) || !take_wide(wide, entry.packed) || !take_wide(wide, entry.offset)) damaged();
+    if (entries_.emplace(lower(name), entry).second) names_.emplace_back(name);
     at += central_size + name_size + rest;
   }
 }
@@ -60,7 +97,7 @@ std::optional<std::string> ZipFile::part(std::string_view name) const {
     throw_input_error("{}: its part '{}' {}", path_, printable(name, 60), why);
   };
   if (entry.is_encrypted) damaged("is encrypted; save the file without a password");
-  if (entry.size == 0xffffffff || entry.packed == 0xffffffff) damaged("is larger than 4 GB; save less in it");
+  if (entry.size >= elsewhere || entry.packed >= elsewhere) damaged("is larger than 4 GB; save less in it");
   if (entry.offset > bytes_.size() || bytes_.size() - entry.offset < local_size ||
       bytes_.substr(entry.offset, 4) != local_mark)
     damaged("is missing; the file is damaged");

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The parts of a ZIP archive in memory (PKWARE's APPNOTE 6.3, without encryption and without more than 4 GB).
+/// The parts of a ZIP archive in memory (PKWARE's APPNOTE 6.3 with ZIP64, without encryption and parts of more than
+/// 4 GB).
 
 #include <cstddef>
 #include <map>

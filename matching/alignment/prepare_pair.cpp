@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -60,10 +61,14 @@ void choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment
                   reached(direction.backward ? backward : forward), reached(direction.backward ? forward : backward)));
 }
 
-/// Whether anything leads points to where they belong. Without, both directions end alike or both wrongly.
+/// Whether directions may end differently and one of them rightly: something leads points to where they belong, or a
+/// shape has gaps. Where the deformed shape goes on behind a gap of the other, it slides from the gap's edge, near
+/// which curvatures are those of what was made up.
 template <int Dim>
-bool is_led(const Alignment<Dim>& alignment, const std::vector<Landmark<Dim>>& landmarks) {
-  return !alignment.pairs.empty() || !landmarks.empty();
+bool may_differ(const ShapePair<Dim>& shapes, const Alignment<Dim>& alignment,
+                const std::vector<Landmark<Dim>>& landmarks) {
+  const bool has_gap = std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > 0;
+  return has_gap || !alignment.pairs.empty() || !landmarks.empty();
 }
 
 }  // namespace
@@ -81,7 +86,7 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   const MatchDirection wanted = options.align.direction;
   if (is_aligned || wanted == MatchDirection::backward)
     result.direction.emplace().backward = wanted == MatchDirection::backward;
-  if (wanted == MatchDirection::automatic && is_aligned && is_led(result.alignment, landmarks))
+  if (wanted == MatchDirection::automatic && is_aligned && may_differ(shapes, result.alignment, landmarks))
     choose_direction(trials, result.alignment, *result.direction, observer);
   if (result.is_backward()) {
     result.alignment = inverse(std::move(result.alignment));

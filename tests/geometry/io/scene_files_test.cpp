@@ -92,7 +92,8 @@ TEST(Collada, WhatIsWrongIsSaidOnce) {
   EXPECT_TRUE(contains(message(node, triangles("0 1 a")), "'a' is no number"));
 }
 
-std::string three_mf(const std::string& unit, const std::string& build, const std::string& more = "") {
+std::string three_mf(const std::string& unit, const std::string& build, const std::string& more = "",
+                     ZipForm form = ZipForm::narrow) {
   std::string mesh = "<mesh><vertices>";
   const OriginalShape<3> shape = triangulated_cube();
   for (const Vec<3>& x : shape.vertices)
@@ -107,7 +108,8 @@ std::string three_mf(const std::string& unit, const std::string& build, const st
                      "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
                     {"3D/b.model", model + "><resources><object id=\"7\">" + mesh + "</object></resources></model>"},
                     {"3D/a.model", model + unit + "><resources><object id=\"1\" type=\"model\">" + mesh + "</object>" +
-                                       more + "</resources><build>" + build + "</build></model>"}});
+                                       more + "</resources><build>" + build + "</build></model>"}},
+                   form);
 }
 
 TEST(ThreeMf, BuildComponentsPartsAndUnit) {
@@ -125,6 +127,31 @@ TEST(ThreeMf, BuildComponentsPartsAndUnit) {
   EXPECT_TRUE(has_note(shape, "multiplied by 10: the file's unit is the centimeter"));
   EXPECT_TRUE(has_note(shape, "1 support structure left out"));
   EXPECT_TRUE(read_mesh(folder.write("a.3mf", three_mf("", "<item objectid=\"1\"/>"))).notes.empty());
+}
+
+// Of lib3mf, by which OpenSCAD and others write, all archives are ZIP64.
+TEST(ThreeMf, Zip64) {
+  const TempFolder folder;
+  const auto message = [&](const std::string& bytes) {
+    return input_error_of([&] { read_mesh(folder.write("a.3mf", bytes)); });
+  };
+  const std::string wide = three_mf("", "<item objectid=\"1\"/>", "", ZipForm::wide);
+  expect_cube(read_mesh(folder.write("a.3mf", wide)).original.vertices, 0, [](const Vec<3>& x) { return x; });
+  std::string cut = wide;
+  cut.erase(cut.find("PK\6\6"), 8);
+  EXPECT_TRUE(contains(message(cut), "directory of the archive is damaged"));
+  std::string huge = wide;
+  huge.replace(huge.find("PK\1\2") + 46 + 11 + 9, 8, 8, '\x7f');
+  EXPECT_TRUE(contains(message(huge), "is larger than 4 GB"));
+  // Whatever is wrong in the directory, it is read or refused.
+  for (std::size_t i = wide.find("PK\1\2"); i < wide.size(); ++i) {
+    std::string damaged = wide;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0xff);
+    try {
+      read_mesh(folder.write("a.3mf", damaged));
+    } catch (const InputError&) {
+    }
+  }
 }
 
 TEST(ThreeMf, WhatIsWrongIsSaidOnce) {

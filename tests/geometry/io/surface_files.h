@@ -58,23 +58,37 @@ inline std::string freesurfer_bytes(const OriginalShape<3>& shape, std::string_v
   return bytes + std::string(footer);
 }
 
-/// A ZIP archive of parts that are not compressed.
-inline std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& parts) {
+enum class ZipForm { narrow, wide };
+
+/// A ZIP archive of parts that are not compressed; wide with all numbers in the records of ZIP64, as lib3mf writes it.
+inline std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>& parts,
+                             ZipForm form = ZipForm::narrow) {
   const auto word = [](std::size_t value, std::size_t n) {
     std::string bytes;
     for (std::size_t k = 0; k < n; ++k) bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
     return bytes;
   };
+  const bool is_wide = form == ZipForm::wide;
+  const auto narrow = [&](std::size_t value) { return word(is_wide ? 0xffffffff : value, 4); };
   std::string files, directory;
   for (const auto& [name, content] : parts) {
-    const std::string sizes =
-        word(0, 4) + word(content.size(), 4) + word(content.size(), 4) + word(name.size(), 2) + word(0, 2);
-    directory += "PK\1\2" + word(20, 2) + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + word(0, 2) +
-                 word(0, 2) + word(0, 2) + word(0, 4) + word(files.size(), 4) + name;
-    files += "PK\3\4" + word(20, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + name + content;
+    const std::string sizes = word(0, 4) + narrow(content.size()) + narrow(content.size()) + word(name.size(), 2),
+                      wide = word(content.size(), 8) + word(content.size(), 8) + word(files.size(), 8),
+                      extra = is_wide ? word(0x5455, 2) + word(1, 2) + "x" + word(1, 2) + word(24, 2) + wide : "";
+    directory += "PK\1\2" + word(45, 2) + word(45, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes +
+                 word(extra.size(), 2) + word(0, 2) + word(0, 2) + word(0, 2) + word(0, 4) + narrow(files.size()) +
+                 name + extra;
+    const std::string local = is_wide ? word(1, 2) + word(16, 2) + wide.substr(0, 16) : "";
+    files += "PK\3\4" + word(45, 2) + word(0, 2) + word(0, 2) + word(0, 4) + sizes + word(local.size(), 2) + name +
+             local + content;
   }
-  return files + directory + "PK\5\6" + word(0, 4) + word(parts.size(), 2) + word(parts.size(), 2) +
-         word(directory.size(), 4) + word(files.size(), 4) + word(0, 2);
+  std::string end;
+  if (is_wide)
+    end = "PK\6\6" + word(44, 8) + word(45, 2) + word(45, 2) + word(0, 4) + word(0, 4) + word(parts.size(), 8) +
+          word(parts.size(), 8) + word(directory.size(), 8) + word(files.size(), 8) + "PK\6\7" + word(0, 4) +
+          word(files.size() + directory.size(), 8) + word(1, 4);
+  return files + directory + end + "PK\5\6" + word(0, 4) + word(parts.size(), 2) + word(parts.size(), 2) +
+         word(directory.size(), 4) + narrow(files.size()) + word(0, 2);
 }
 
 }  // namespace shellmatch::testing

@@ -3,12 +3,14 @@
 
 #include "geometry/repair/make_shape.h"
 #include "matching/alignment/align_shapes.h"
+#include "matching/match_shapes.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 namespace {
@@ -63,6 +65,26 @@ TEST(Coincidence, OneBoneCutAtTwoLengthsStaysWhereItLies) {
   EXPECT_TRUE(found.pose.is_identity()) << notes.all;
   EXPECT_TRUE(found.pairs.empty()) << notes.all;
   EXPECT_NE(notes.all.find("coincide"), std::string::npos) << notes.all;
+}
+
+// The longer one, deformed, would slide from the edge of the other's gap.
+TEST(Coincidence, WhatTwoLengthsOfOneBoneHaveStaysInEitherOrder) {
+  ExperimentOptions o = profile_defaults(Profile::standard);
+  o.cascade.max_level = 5;
+  Observer quiet;
+  for (const auto& [longer, shorter] : {std::pair(26.0, 19.0), {19.0, 26.0}}) {
+    const Shape<3> reference = bone(longer), other = bone(shorter);
+    const MatchResult<3> result = match_shapes(reference, other, o, quiet);
+    double sum = 0;
+    int n = 0;
+    for (std::size_t i = 0; i < result.deformed.vertices.size(); ++i) {
+      const Vec<3>& x = reference.original.vertices[i];
+      if (x[2] > 18) continue;
+      sum += (result.deformed.vertices[i] - x).norm();
+      ++n;
+    }
+    EXPECT_LT(sum / n, 0.1) << longer;  // its circumference is 6
+  }
 }
 
 TEST(Coincidence, WhatIsTurnedOrLiesElsewhereDoesNotCoincide) {
