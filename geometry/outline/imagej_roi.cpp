@@ -32,7 +32,7 @@ constexpr std::size_t version = 4, type = 6, top = 8, left = 10, bottom = 12, ri
                       coordinates = 64, name_offset = 16, name_length = 20;
 }
 constexpr int spline_fit = 1, sub_pixel = 128;
-constexpr int ellipse = 3, turned_rectangle = 5;
+constexpr int text_box = 1, ellipse = 3, image_box = 4, turned_rectangle = 5;
 
 class RoiReader {
  public:
@@ -48,10 +48,12 @@ class RoiReader {
   }
 
   bool is_area() const {
-    return is_composite() || type_ == polygon || type_ == rectangle || type_ == oval || type_ == freehand ||
-           type_ == traced;
+    return is_composite() || type_ == polygon || (type_ == rectangle && !is_overlay()) || type_ == oval ||
+           type_ == freehand || type_ == traced;
   }
-  std::string_view kind() const { return type_names[type_]; }
+  std::string_view kind() const {
+    return !is_overlay() ? type_names[type_] : half(at::subtype) == text_box ? "a text" : "an image";
+  }
   bool is_spline() const {
     return !is_composite() && (option(spline_fit)) && (type_ == polygon || type_ == freehand || type_ == traced);
   }
@@ -67,6 +69,11 @@ class RoiReader {
  private:
   [[noreturn]] void cut_off() const {
     throw_input_error("{}: the region is cut off or damaged; save it again", place_);
+  }
+
+  // What lies on a picture in the box that a rectangle has.
+  bool is_overlay() const {
+    return type_ == rectangle && (half(at::subtype) == text_box || half(at::subtype) == image_box);
   }
 
   int byte(std::size_t where) const { return static_cast<unsigned char>(bytes_[where]); }
@@ -217,7 +224,7 @@ bool is_roi_name(std::string_view name) {
 Drawing read_roi(const std::string& path, std::string_view bytes) {
   const RoiReader roi(path, bytes, std::filesystem::path(path).stem().string());
   if (!roi.is_area())
-    throw_input_error("{}: {}, which bound no area; save an area: a polygon, rectangle, oval, freehand or traced one",
+    throw_input_error("{}: {} instead of an area; save an area: a polygon, rectangle, oval, freehand or traced one",
                       path, roi.kind());
   Drawing drawing;
   drawing.is_downward = true;
@@ -252,7 +259,7 @@ Drawing read_roi_set(const std::string& path, std::string_view bytes) {
   note_splines(n_splines, drawing);
   if (n_others > 0)
     drawing.notes.push_back(counted(n_others, "region", "regions") +
-                            " that bound no area left out: lines, angles, points");
+                            " without an area left out: lines, angles, points, texts, images");
   if (n_files > 0) drawing.notes.push_back(counted(n_files, "other file", "other files") + " in the archive left out");
   return drawing;
 }

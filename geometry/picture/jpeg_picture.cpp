@@ -1,5 +1,6 @@
 // JPEG through libjpeg-turbo's own interface, which returns errors instead of calling longjmp().
 #include "base/error.h"
+#include "geometry/picture/orientation.h"
 #include "geometry/picture/picture.h"
 
 #include <turbojpeg.h>
@@ -39,6 +40,7 @@ Picture read_jpeg(const std::string& path, std::string_view bytes) {
     picture.brightness.values.push_back(is_grey ? static_cast<float>(p[0]) / 255 : luminance(p[0], p[1], p[2]));
     picture.values.push_back(std::round(255 * picture.brightness.values.back()));
   }
+  note_orientation(exif_orientation(bytes), picture);
   return picture;
 }
 

@@ -1,6 +1,7 @@
 // PNG: its brightness through libpng's simplified interface, which handles damaged files safely (VTK 9.1's reader calls
 // longjmp() into a function that has returned), and the values of grey pictures and palettes as they are.
 #include "base/error.h"
+#include "geometry/picture/orientation.h"
 #include "geometry/picture/read_mask.h"
 
 #include <png.h>
@@ -110,6 +111,7 @@ Picture read_png(const std::string& path, std::string_view bytes) {
   if (is_black && !is_opaque) result.notes.push_back("all colours are black: the shape is what is not transparent");
   for (const float b : brightness) result.values.push_back(std::round(255 * b));
   if (!is_black || is_opaque) keep_values(bytes, result);
+  note_orientation(exif_orientation(bytes), result);
   return result;
 }
 

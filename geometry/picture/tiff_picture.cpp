@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/picture/label_choice.h"
+#include "geometry/picture/orientation.h"
 #include "geometry/picture/picture.h"
 
 #include <tiffio.h>
@@ -54,7 +55,8 @@ struct Closed {
 
 struct Layout {
   uint32_t width = 0, height = 0;
-  uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
+  uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK,
+           orientation = ORIENTATION_TOPLEFT;
 };
 
 template <class T>
@@ -106,6 +108,7 @@ class Reader {
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &layout_.samples);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &layout_.format);
     TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &layout_.photometric);
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &layout_.orientation);
     check_picture_size(layout_.width, layout_.height, path_);
     uint16_t compression = COMPRESSION_NONE;
     TIFFGetFieldDefaulted(tiff, TIFFTAG_COMPRESSION, &compression);
@@ -115,6 +118,7 @@ class Reader {
         compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG || compression == COMPRESSION_LERC;
     if (is_single_valued(layout_)) read_values(picture);
     else read_colours(picture);
+    note_orientation(layout_.orientation, picture);
     if (TIFFReadDirectory(tiff) == 1) picture.notes.push_back("only the first page of the TIFF file is read");
     return picture;
   }
@@ -199,7 +203,8 @@ class Reader {
   void read_colours(Picture& picture) {
     picture.kind = PictureKind::colour;
     std::vector<uint32_t> pixels(std::size_t{layout_.width} * layout_.height);
-    if (TIFFReadRGBAImageOriented(tiff_.get(), layout_.width, layout_.height, pixels.data(), ORIENTATION_TOPLEFT, 1) !=
+    // In the orientation of the file, rows come as they are stored.
+    if (TIFFReadRGBAImageOriented(tiff_.get(), layout_.width, layout_.height, pixels.data(), layout_.orientation, 1) !=
         1)
       damaged();
     const auto part = [](uint32_t c) { return static_cast<unsigned char>(c); };

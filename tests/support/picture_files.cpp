@@ -7,12 +7,6 @@ namespace shellmatch::testing {
 
 namespace {
 
-std::string big(std::uint32_t value, int n_bytes) {
-  std::string bytes = little(value, n_bytes);
-  std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
-
 // PNG, appendix D.
 std::uint32_t crc32(const std::string& bytes) {
   std::uint32_t crc = 0xffffffff;
@@ -21,10 +15,6 @@ std::uint32_t crc32(const std::string& bytes) {
     for (int k = 0; k < 8; ++k) crc = crc & 1 ? 0xedb88320 ^ crc >> 1 : crc >> 1;
   }
   return ~crc;
-}
-
-std::string chunk(const std::string& kind, const std::string& data) {
-  return big(static_cast<std::uint32_t>(data.size()), 4) + kind + data + big(crc32(kind + data), 4);
 }
 
 // RFC 1950 and 1951: stored blocks.
@@ -43,6 +33,10 @@ std::string stored(const std::string& data) {
 }
 
 }  // namespace
+
+std::string png_chunk(const std::string& kind, const std::string& data) {
+  return big(static_cast<std::uint32_t>(data.size()), 4) + kind + data + big(crc32(kind + data), 4);
+}
 
 std::string tiff_bytes(int width, int height, int bits, const PixelValue& value, int format, int photometric,
                        int tile) {
@@ -116,8 +110,8 @@ std::string png_bytes(int width, int height, int bits, const PixelValue& value, 
   }
   const std::string head = big(width, 4) + big(height, 4) + std::string(1, static_cast<char>(bits)) +
                            std::string(1, palette.empty() ? '\0' : '\3') + std::string(3, '\0');
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + (palette.empty() ? "" : chunk("PLTE", palette)) +
-         chunk("IDAT", stored(rows)) + chunk("IEND", "");
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", head) + (palette.empty() ? "" : png_chunk("PLTE", palette)) +
+         png_chunk("IDAT", stored(rows)) + png_chunk("IEND", "");
 }
 
 }  // namespace shellmatch::testing

@@ -15,6 +15,15 @@ inline std::string little(std::uint64_t value, int n_bytes) {
   return bytes;
 }
 
+/// The same, the highest first.
+inline std::string big(std::uint64_t value, int n_bytes) {
+  const std::string bytes = little(value, n_bytes);
+  return {bytes.rbegin(), bytes.rend()};
+}
+
+/// A chunk of a PNG.
+std::string png_chunk(const std::string& kind, const std::string& data);
+
 /// The value of the pixel in a column and a row from the top.
 using PixelValue = std::function<std::uint32_t(int column, int row)>;
 

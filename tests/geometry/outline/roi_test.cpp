@@ -95,7 +95,7 @@ TEST_F(RoiFile, SetsAreTakenTogetherOrByName) {
   EXPECT_EQ(all.original.polygons.size(), 2u);
   EXPECT_TRUE(has_note(all, "2 areas taken together: 'Zelle \u00fc\U0001F52C', '0002'; FILE:NAME chooses"))
       << notes_of(all);
-  EXPECT_TRUE(has_note(all, "1 region that bound no area left out"));
+  EXPECT_TRUE(has_note(all, "1 region without an area left out"));
   EXPECT_TRUE(has_note(all, "1 other file in the archive"));
   for (const char* name : {":0001", ":Zelle \u00fc\U0001F52C"})
     EXPECT_EQ(ring(read_outline(path + name))[0], Vec<2>(10, -20)) << name;
@@ -146,7 +146,9 @@ TEST_F(RoiFile, WhatIsWrongIsSaidOnce) {
   EXPECT_TRUE(contains(error("Jout" + polygon().bytes().substr(4)), "does not begin with 'Iout'"));
   EXPECT_TRUE(contains(error(polygon().bytes().substr(0, 70)), "cut off or damaged"));
   EXPECT_TRUE(contains(error(polygon().bytes().substr(0, 40)), "cut off or damaged"));
-  EXPECT_TRUE(contains(error(polygon(10).bytes()), "points, which bound no area"));
+  EXPECT_TRUE(contains(error(polygon(10).bytes()), "points instead of an area"));
+  EXPECT_TRUE(contains(error(Roi{.type = 1, .subtype = 1, .bottom = 5, .right = 5}.bytes()), "a text instead of an"));
+  EXPECT_TRUE(contains(error(Roi{.type = 1, .subtype = 4, .bottom = 5, .right = 5}.bytes()), "an image instead of an"));
   EXPECT_TRUE(contains(error(polygon(11).bytes()), "the type 11"));
   EXPECT_TRUE(contains(error(Roi{.type = 1, .right = 5}.bytes()), "a rectangle of 5 x 0 pixels has no area"));
   EXPECT_TRUE(contains(error(Roi{.points = {{0, 0}, {1, 1}}}.bytes()), "2 points has no area"));

@@ -27,6 +27,16 @@ PixelValue labels(std::uint32_t one, std::uint32_t two, std::uint32_t background
   };
 }
 
+/// A TIFF structure of a width and an orientation.
+std::string exif(int orientation, bool is_big) {
+  const auto number = [&](std::uint32_t value, int n) { return is_big ? big(value, n) : little(value, n); };
+  const auto entry = [&](std::uint32_t tag, std::uint32_t value) {
+    return number(tag, 2) + number(3, 2) + number(1, 4) + number(value, 2) + std::string(2, '\0');
+  };
+  return (is_big ? "MM" : "II") + number(42, 2) + number(8, 4) + number(2, 2) + entry(0x100, width) +
+         entry(0x112, static_cast<std::uint32_t>(orientation));
+}
+
 class Pictures : public ::testing::Test {
  protected:
   TempFolder folder_;
@@ -92,7 +102,7 @@ TEST_F(Pictures, ALabelAloneIsAMaskWhateverItsValue) {
 }
 
 TEST_F(Pictures, CompressedTilesOfTiffAndItsColours) {
-  for (const bool colours : {false, true}) {
+  for (const auto& [colours, orientation] : {std::pair{false, 1}, {true, 1}, {false, 6}, {true, 3}, {true, 6}}) {
     const std::string path = folder_.path("lzw.tif");
     TIFF* const tiff = TIFFOpen(path.c_str(), "w");
     for (const auto& [tag, value] : {std::pair{TIFFTAG_IMAGEWIDTH, width},
@@ -100,6 +110,7 @@ TEST_F(Pictures, CompressedTilesOfTiffAndItsColours) {
                                      {TIFFTAG_BITSPERSAMPLE, 8},
                                      {TIFFTAG_SAMPLESPERPIXEL, colours ? 3 : 1},
                                      {TIFFTAG_PHOTOMETRIC, colours ? 2 : 1},
+                                     {TIFFTAG_ORIENTATION, orientation},
                                      {TIFFTAG_COMPRESSION, 5},
                                      {TIFFTAG_PLANARCONFIG, 1},
                                      {TIFFTAG_PREDICTOR, 2},
@@ -117,10 +128,27 @@ TEST_F(Pictures, CompressedTilesOfTiffAndItsColours) {
         TIFFWriteTile(tiff, tile.data(), static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), 0, 0);
       }
     TIFFClose(tiff);
-    expect_same(read_outline(path), 0, colours ? "colours" : "labels");
+    expect_same(read_outline(path), 0, fmt::format("{}, {}", colours ? "colours" : "labels", orientation));
+    EXPECT_EQ(has_note(read_outline(path), "asks for its picture to be shown turned by"), orientation != 1);
     if (!colours) expect_same(read_outline(path + ":2"), 2, "label 2");
     else EXPECT_TRUE(contains(input_error_of([&] { read_outline(path + ":2"); }), "has colours, no labels"));
   }
+}
+
+TEST_F(Pictures, AnOrientationIsSaidAndNotFollowed) {
+  const std::string plain = png_bytes(width, height, 8, labels(1, 2));
+  for (int orientation = 0; orientation <= 9; ++orientation)
+    for (const bool is_big : {false, true}) {
+      std::string bytes = plain;
+      bytes.insert(bytes.find("IDAT") - 4, png_chunk("eXIf", exif(orientation, is_big)));
+      const Shape<2> shape = read("a.png", bytes);
+      expect_same(shape, 0, "a.png");
+      EXPECT_EQ(has_note(shape, fmt::format("(orientation {})", orientation)), orientation > 1 && orientation < 9);
+    }
+  for (const std::size_t n : {0, 4, 8, 10, 20})
+    EXPECT_FALSE(has_note(
+        read("a.png", std::string(plain).insert(plain.find("IDAT") - 4, png_chunk("eXIf", exif(6, true).substr(0, n)))),
+        "orientation"));
 }
 
 TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
@@ -139,6 +167,11 @@ TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
     tjFree(data);
     tjDestroy(handle);
     const Shape<2> shape = read("photo.jpg", bytes);
+    EXPECT_FALSE(has_note(shape, "orientation"));
+    const Shape<2> turned = read("phone.jpg", std::string(bytes).insert(2, "\xff\xe1" + big(42, 2) + "Exif" +
+                                                                               std::string(2, '\0') + exif(8, true)));
+    EXPECT_EQ(turned.surface.vertices, shape.surface.vertices);
+    EXPECT_TRUE(has_note(turned, "turned by 90 degrees to the left (orientation 8)"));
     EXPECT_NEAR(area(shape.surface) / area(expected_[0].surface), 1, 0.03);
     EXPECT_TRUE(has_note(shape, dark ? "what is darker than half of white" : "what is brighter than half of white"));
     if (!dark) EXPECT_NEAR(area(read("photo.jpeg", bytes, ":>128").surface) / area(expected_[0].surface), 1, 0.03);
