@@ -155,7 +155,14 @@ class Matching {
     if (!a.empty() && !b.empty() && a != b)
       recorder_.warn(fmt::format("{} is in {}, {} in {}: they are matched as if the units were the same",
                                  reference_.source, a, template_.source, b));
-    return b.empty() ? a : b;
+    if (!b.empty() || a.empty()) return b;
+    // Results are in the coordinates of the template. Shapes of one kind that differ as units do are not in one.
+    const double ratio =
+        bounding_box(template_.original.vertices).diagonal() / bounding_box(reference_.original.vertices).diagonal();
+    if (ratio > 0.1 && ratio < 10) return a;
+    recorder_.warn(fmt::format("{} is in {}; {} names no unit and is {:.3g} times as large: results are in its unit",
+                               reference_.source, a, template_.source, ratio));
+    return "";
   }
 
   static void leave_out(std::vector<double>& distances, const std::vector<char>& measured) {

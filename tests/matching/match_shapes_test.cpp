@@ -29,6 +29,15 @@ using testing::TemporaryFolder;
 
 Shape<2> outline(const std::string& name) { return std::get<Shape<2>>(open_shape("generate:" + name)); }
 
+/// The outline `factor` times as large, in a unit or in none.
+Shape<2> scaled(const std::string& name, double factor, const std::string& unit) {
+  OriginalShape<2> original = outline(name).original;
+  for (Vec<2>& x : original.vertices) x *= factor;
+  Shape<2> shape = make_shape(std::move(original), name + " " + unit);
+  shape.unit = unit;
+  return shape;
+}
+
 ExperimentOptions options_to(int max_level) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.input.reference = "generate:ellipse/round";
@@ -46,6 +55,27 @@ std::string lasting_summary(MatchSummary s) {
 std::string lasting_history(History history) {
   for (HistoryRow& row : history.rows) row.record.seconds = 0;
   return history_csv(history);
+}
+
+TEST(MatchShapes, ResultsAreInTheUnitOfTheTemplateWhereItIsKnown) {
+  struct Words final : Observer {
+    void warn(const std::string& text) override { all += text + "\n"; }
+    std::string all;
+  };
+  const auto unit_of = [](double factor, const std::string& of_reference, const std::string& of_template,
+                          Words& words) {
+    return *match_shapes(scaled("ellipse/round", factor, of_reference), scaled("ellipse/long", 1, of_template),
+                         options_to(3), words)
+                .summary.unit;
+  };
+  Words quiet, words;
+  EXPECT_EQ(unit_of(1, "", "mm", quiet), "mm");
+  EXPECT_EQ(unit_of(1, "mm", "", quiet), "mm");
+  EXPECT_EQ(unit_of(1000, "", "mm", quiet), "mm");
+  EXPECT_EQ(unit_of(1000, "", "", quiet), "");
+  EXPECT_EQ(quiet.all.find("unit"), std::string::npos) << quiet.all;
+  EXPECT_EQ(unit_of(1000, "mm", "", words), "");
+  EXPECT_NE(words.all.find("names no unit and is 0.00"), std::string::npos) << words.all;
 }
 
 TEST(MatchShapes, GivesWhatARunWrites) {
