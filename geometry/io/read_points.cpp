@@ -44,6 +44,13 @@ std::vector<std::string> names_of(const LineReader& lines) {
   return names;
 }
 
+// For a line of more columns than there are names.
+std::string_view comma_advice(const LineReader& lines) {
+  const bool has_both =
+      lines.line().find(',') != std::string_view::npos && lines.line().find(';') != std::string_view::npos;
+  return has_both ? "; if commas are decimal, as in 1,5, write points" : "";
+}
+
 // Is it the name of a column that may hold texts?
 bool names_texts(std::string_view name) {
   for (const std::string_view known : {"name", "label", "description", "desc"})
@@ -86,8 +93,8 @@ Columns<Dim> named_columns(const std::vector<std::string>& words, const LineRead
 template <int Dim>
 Columns<Dim> unnamed_columns(std::size_t n_words, const LineReader& lines) {
   if (n_words != Dim)
-    lines.fail("{}, but points of {} have {}; further columns need a first line with names",
-               counted(n_words, "column", "columns"), Dim == 2 ? "the plane" : "space", Dim);
+    lines.fail("{}, but points of {} have {}; further columns need a first line with names{}",
+               counted(n_words, "column", "columns"), Dim == 2 ? "the plane" : "space", Dim, comma_advice(lines));
   Columns<Dim> columns;
   std::iota(columns.coordinates.begin(), columns.coordinates.end(), std::size_t{0});
   columns.names.resize(Dim);
@@ -145,11 +152,19 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
       if (header) continue;
     }
     // Texts may hold blanks and, in quotes, commas.
-    const bool has_texts = is_comma_separated && std::ranges::find(columns.is_text, true) != columns.is_text.end();
+    const bool is_first = has_names && shape.vertices.empty();
+    const bool has_texts =
+        is_comma_separated && (is_first || std::ranges::find(columns.is_text, true) != columns.is_text.end());
     std::vector<std::string_view> words = has_texts ? csv_fields(lines.line()) : std::vector<std::string_view>();
     if (words.size() != values.size()) words = split(lines);
     if (words.size() != values.size())
-      lines.fail("{}, the lines above have {}", counted(words.size(), "column", "columns"), values.size());
+      lines.fail("{}, the lines above have {}{}", counted(words.size(), "column", "columns"), values.size(),
+                 comma_advice(lines));
+    // A further column that begins with a text holds texts, whatever its name.
+    if (is_comma_separated && is_first)
+      for (std::size_t c = 0; c < words.size(); ++c)
+        if (std::ranges::find(columns.coordinates, c) == columns.coordinates.end() && !to_double(csv_text(words[c])))
+          columns.is_text[c] = true;
     for (std::size_t c = 0; c < words.size(); ++c) {
       if (columns.is_text[c]) {
         texts[c].push_back(csv_text(words[c]));

@@ -63,6 +63,23 @@ TEST(ColumnNames, InTablesOfOthers) {
   EXPECT_TRUE(contains(input_error_of([&] { names(",\n"); }), "separators, but no numbers"));
 }
 
+TEST(ColumnNames, AFurtherColumnThatBeginsWithATextHoldsTexts) {
+  const TempFolder folder;
+  const std::string table = "id,x,y,z,side,depth\n7,1,2,3,\"left, upper\",0.5\n8,4,5,6,right,1.5\n9,7,8,9,,2\n";
+  const OriginalShape<3> read = read_points_or_mesh_3d(folder.write("a.csv", table));
+  EXPECT_EQ(names_of(read), (std::vector<std::string>{"id", "side", "depth"}));
+  EXPECT_EQ(read.attributes[1].texts, (std::vector<std::string>{"left, upper", "right", ""}));
+  EXPECT_EQ(read.attributes[2].values, (std::vector<double>{0.5, 1.5, 2}));
+  write_shape(folder.path("b.csv"), read);
+  EXPECT_EQ(read_points_or_mesh_3d(folder.path("b.csv")).attributes[1].texts, read.attributes[1].texts);
+  const auto message = [&](const std::string& text) {
+    return input_error_of([&] { read_points_or_mesh_3d(folder.write("a.csv", text)); });
+  };
+  EXPECT_TRUE(contains(message("x,y,z,depth\n1,2,3,4\n1,2,3,deep\n"), "should be a number, not 'deep'"));
+  EXPECT_TRUE(contains(message("x;y;z\n1,5;2;3\n"), "if commas are decimal, as in 1,5, write points"));
+  EXPECT_TRUE(contains(message("1,5;2;3\n"), "if commas are decimal, as in 1,5, write points"));
+}
+
 TEST(ColumnNames, AHashInQuotesBeginsNoComment) {
   const TempFolder folder;
   OriginalShape<3> shape = cube();
