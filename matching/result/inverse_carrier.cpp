@@ -4,6 +4,7 @@
 #include "geometry/surface/subdivision.h"
 #include "matching/level/deformation.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -24,13 +25,14 @@ std::optional<Vec<Dim>> InverseCarrier<Dim>::operator()(const Vec<Dim>& x, const
   const std::optional<Vec<Dim>> y = inverse_(x);
   if (!y) return y;
   const auto nearest = facets_.nearest(x, normal);
-  if (!nearest || nearest->distance >= reach_) return y;
+  if (!nearest) return y;
   const std::array<double, Dim> weights = barycentric_coordinates(moved_, nearest->facet, nearest->point);
   Vec<Dim> p = Vec<Dim>::Zero();
   const auto& facet = moving_.facets[static_cast<std::size_t>(nearest->facet)];
   for (std::size_t k = 0; k < Dim; ++k) p += weights[k] * moving_.vertices[static_cast<std::size_t>(facet[k])];
   const Vec<Dim> offset = *y - p;
-  const double own = nearest->distance / (1 - nearest->distance / reach_) + slack_, length = offset.norm();
+  const double own = nearest->distance / (1 - std::min(0.5, nearest->distance / reach_)) + slack_,
+               length = offset.norm();
   if (length <= 2 * own) return y;
   return Vec<Dim>(p + offset * (own / length * (1 + 2 * own / length)));  // from 2 d at 2 d down to d
 }

@@ -18,8 +18,9 @@ namespace shellmatch {
 /// has compressed, between limbs that it brought together, and the inverse alone draws them out to spurs of a tenth.
 /// Here a point that is d away from the nearest part of phi(M2) that faces its way, phi(p), stays where the inverse has
 /// it up to 2 d from p; one that is drawn out farther comes to lie between 2 d and d from p, the nearer the more it was
-/// drawn out. For this d counts more the larger it is, and ends at four sides of the finest cells, beyond which a point
-/// is part of nothing that was matched. A tenth of a side is added to it.
+/// drawn out. For this d counts more the larger it is, up to twice from two sides of the finest cells on, where a point
+/// may be part of something that the other shape lacks: a limb that the inverse stretches fourfold stays as it is. A
+/// tenth of a side is added to it.
 template <int Dim>
 class InverseCarrier {
  public:

@@ -62,5 +62,23 @@ TEST_F(Pressed, FarPartsFollowTheInverse) {
   EXPECT_EQ(*carry(far, Vec<2>(0, 1)), *InverseMap<2>(grid, phi)(far));
 }
 
+// Beside what was pressed together over a long way: limbs are stretched fourfold at most.
+TEST_F(Pressed, NothingIsDrawnOutManyTimes) {
+  grid = Octree<2>(6);
+  phi.clear();
+  for (Index n = 0; n < grid.n_nodes(); ++n) {
+    const Vec<2> x = grid.node_position(n);
+    phi.emplace_back(x.x(), x.y() <= 0.5      ? x.y()
+                            : x.y() <= 0.9375 ? 0.5 + 0.14 * (x.y() - 0.5)
+                                              : 1 - 7.02 * (1 - x.y()));
+  }
+  const InverseCarrier<2> carry(template_shape, grid, phi);
+  const double missed = 0.06;
+  ASSERT_GT((*InverseMap<2>(grid, phi)(Vec<2>(0.5, 0.5 + missed))).y(), 0.5 + 7 * missed);
+  const double y = carry(Vec<2>(0.5, 0.5 + missed), Vec<2>(0, 1))->y();
+  EXPECT_LT(y, 0.5 + 4 * missed);
+  EXPECT_GT(y, 0.5 + 2 * missed);
+}
+
 }  // namespace
 }  // namespace shellmatch
